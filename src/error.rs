@@ -1,0 +1,147 @@
+//! What can go wrong, said so that the caller can mend it: every error names the argument and the value.
+
+use std::fmt;
+
+/// An error of the engine. Nothing was changed when one is returned.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// A required pointer was null (C ABI only).
+    NullArgument {
+        /// The argument's name.
+        argument: String,
+    },
+    /// A value is out of range: not a number, negative where it may not be, not an enumerated value, a wrong count.
+    InvalidArgument {
+        /// The argument's name, with an index where it stands in a list: `strands[3].length`.
+        argument: String,
+        /// The value as it came.
+        value: String,
+        /// What would have been right.
+        expected: String,
+    },
+    /// An identifier that this solver never gave out, or whose strand has been removed.
+    InvalidId {
+        /// The argument's name.
+        argument: String,
+        /// The identifier's bits.
+        bits: u64,
+    },
+    /// A structure's size field is not one that this library knows (C ABI only).
+    StructSize {
+        /// The argument's name.
+        argument: String,
+        /// The size that it states.
+        value: usize,
+    },
+    /// A caller's buffer is too short.
+    BufferTooSmall {
+        /// The argument's name.
+        argument: String,
+        /// How many items it holds.
+        capacity: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+    /// The solver is in use: it was called again from one of its own callbacks.
+    Busy,
+    /// A snapshot image is not one, is truncated, or is of another version.
+    Snapshot {
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Memory could not be had.
+    OutOfMemory {
+        /// How many bytes were asked for.
+        bytes: usize,
+    },
+    /// A request that this build does not serve.
+    Unsupported {
+        /// The argument's name.
+        argument: String,
+        /// The value as it came.
+        value: String,
+        /// What to use in its place.
+        hint: String,
+    },
+    /// A file could not be read, written or understood.
+    File {
+        /// The file's path.
+        path: String,
+        /// What is wrong with it, and where.
+        reason: String,
+    },
+    /// The strand's state turned non-finite in a step and was rolled back (a strand's status, never a call's result).
+    Quarantined,
+    /// A bug of the library was caught at its border; the solver is poisoned.
+    Panic {
+        /// The panic's message.
+        message: String,
+    },
+    /// An earlier panic left this solver in an unknown state: destroy it.
+    Poisoned,
+}
+
+/// The engine's result type.
+pub type Result<T> = std::result::Result<T, Error>;
+
+impl Error {
+    /// An [`Error::InvalidArgument`] from anything that prints.
+    pub fn invalid(argument: impl Into<String>, value: impl fmt::Display, expected: impl Into<String>) -> Self {
+        Error::InvalidArgument { argument: argument.into(), value: value.to_string(), expected: expected.into() }
+    }
+
+    /// An [`Error::File`] for a path.
+    pub fn file(path: impl AsRef<std::path::Path>, reason: impl fmt::Display) -> Self {
+        Error::File { path: path.as_ref().display().to_string(), reason: reason.to_string() }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Error::NullArgument { argument } => write!(f, "{argument} is null"),
+            Error::InvalidArgument { argument, value, expected } => {
+                write!(f, "{argument} is {value}; expected {expected}")
+            }
+            Error::InvalidId { argument, bits } => {
+                write!(f, "{argument} is 0x{bits:016x}, which names nothing in this solver (removed, or of another solver)")
+            }
+            Error::StructSize { argument, value } => {
+                write!(f, "{argument}.struct_size is {value}; initialise the structure with its _init function")
+            }
+            Error::BufferTooSmall { argument, capacity, needed } => {
+                write!(f, "{argument} holds {capacity} items; {needed} are needed")
+            }
+            Error::Busy => write!(f, "the solver is in use: it was called again from one of its own callbacks"),
+            Error::Snapshot { reason } => write!(f, "snapshot: {reason}"),
+            Error::OutOfMemory { bytes } => write!(f, "{bytes} bytes of memory could not be had"),
+            Error::Unsupported { argument, value, hint } => write!(f, "{argument} is {value}, which is not supported: {hint}"),
+            Error::File { path, reason } => write!(f, "{path}: {reason}"),
+            Error::Quarantined => write!(f, "the strand's state turned non-finite and was rolled back"),
+            Error::Panic { message } => write!(f, "internal error: {message}; the solver is poisoned"),
+            Error::Poisoned => write!(f, "an earlier internal error poisoned this solver: destroy it"),
+        }
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// Checks that a number is finite, or says which argument is not.
+pub(crate) fn check_finite(argument: impl FnOnce() -> String, value: f64) -> Result<()> {
+    if value.is_finite() { Ok(()) } else { Err(Error::invalid(argument(), value, "a finite number")) }
+}
+
+/// Checks that a number is finite and above zero.
+pub(crate) fn check_positive(argument: impl FnOnce() -> String, value: f64) -> Result<()> {
+    if value.is_finite() && value > 0.0 { Ok(()) } else { Err(Error::invalid(argument(), value, "a finite number above zero")) }
+}
+
+/// Checks that a number is finite and not negative.
+pub(crate) fn check_not_negative(argument: impl FnOnce() -> String, value: f64) -> Result<()> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(())
+    } else {
+        Err(Error::invalid(argument(), value, "a finite number, zero or above"))
+    }
+}

@@ -1,0 +1,1 @@
+//! Files: grooms in, motions in, caches out.

@@ -1,0 +1,2 @@
+//! From measured and modelled hair to strands.
+pub mod fit;

@@ -1,0 +1,9 @@
+//! superhelix: a hair engine that others build into their programs.
+
+pub mod error;
+pub mod files;
+pub mod groom;
+pub mod math;
+pub mod rod;
+pub mod solver;
+pub mod step;

@@ -1,0 +1,60 @@
+//! A rigid pose: where a strand's root or one of its cross-sections sits and how it is turned.
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+use crate::error::{Error, Result, check_finite};
+
+/// How far a quaternion's length may be from 1 to count as a unit quaternion. Wide enough for one that was stored as f32.
+pub const UNIT_QUATERNION_TOLERANCE: f64 = 1e-5;
+
+/// A right-handed pose in the world. `rotation` takes the axes to (n0, n1, n2): n0 the tangent, n1 and n2 the section's axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Position, m.
+    pub origin: Vector3<f64>,
+    /// Orientation: maps local to world.
+    pub rotation: UnitQuaternion<f64>,
+}
+
+impl Default for Frame {
+    fn default() -> Self {
+        Self { origin: Vector3::zeros(), rotation: UnitQuaternion::identity() }
+    }
+}
+
+impl Frame {
+    /// A frame from plain numbers: position (m) and quaternion (x, y, z, w).
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when a number is not finite or the quaternion's length is not 1 within
+    /// [`UNIT_QUATERNION_TOLERANCE`] (it is then normalised to rounding).
+    pub fn from_arrays(argument: &str, origin: [f64; 3], rotation: [f64; 4]) -> Result<Self> {
+        for (axis, value) in origin.iter().enumerate() {
+            check_finite(|| format!("{argument}.origin[{axis}]"), *value)?;
+        }
+        for (axis, value) in rotation.iter().enumerate() {
+            check_finite(|| format!("{argument}.rotation[{axis}]"), *value)?;
+        }
+        let quaternion = Quaternion::new(rotation[3], rotation[0], rotation[1], rotation[2]);
+        let norm = quaternion.norm();
+        if (norm - 1.0).abs() > UNIT_QUATERNION_TOLERANCE {
+            return Err(Error::invalid(
+                format!("{argument}.rotation"),
+                format!("{rotation:?} of length {norm}"),
+                "a unit quaternion x, y, z, w",
+            ));
+        }
+        Ok(Self { origin: Vector3::from(origin), rotation: UnitQuaternion::new_normalize(quaternion) })
+    }
+
+    /// The quaternion's numbers in the order x, y, z, w.
+    pub fn rotation_xyzw(&self) -> [f64; 4] {
+        let q = self.rotation.quaternion();
+        [q.i, q.j, q.k, q.w]
+    }
+
+    /// The pose of a child whose pose in this frame is `local`.
+    pub fn compose(&self, local: &Frame) -> Frame {
+        Frame { origin: self.origin + self.rotation * local.origin, rotation: self.rotation * local.rotation }
+    }
+}

@@ -1,0 +1,2 @@
+//! Numbers: frames, entire functions, small vectors and matrices.
+pub mod frame;

@@ -1,0 +1,58 @@
+//! What a step tells afterwards.
+
+use nalgebra::Vector3;
+
+/// What happened in a call of [`Solver::step`](super::Solver::step), all its substeps together.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StepReport {
+    /// Substeps taken.
+    pub substeps: u32,
+    /// Strand-substeps rolled back because a state turned non-finite.
+    pub quarantined: u32,
+    /// Strand-substeps whose Newton iteration ended at the cap or could not descend further before reaching the tolerance.
+    pub unconverged: u32,
+    /// Most Newton iterations that a strand took in a substep.
+    pub max_iterations: u32,
+    /// Mean Newton iterations a strand and substep.
+    pub mean_iterations: f64,
+    /// Largest rotation of an element in the last iteration of a strand's substep, rad.
+    pub max_residual: f64,
+    /// Largest condition number met (dense singular-value solver only; otherwise 0).
+    pub max_condition: f64,
+    /// Energies after the step.
+    pub energies: Energies,
+    /// Wall-clock time of the call, s.
+    pub seconds: f64,
+}
+
+/// Energies of a strand or of all strands, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energies {
+    /// ½ ∫ ρS |v|² ds, v the velocity of the material points.
+    pub kinetic: f64,
+    /// ½ ∫ Σ EIᵢ (κᵢ − κᵢⁿ)² ds.
+    pub elastic: f64,
+    /// −∫ ρS g·r ds, measured from the world's origin.
+    pub gravity: f64,
+}
+
+/// What a strand does to its follicle.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Wrench {
+    /// Force on the follicle, N, world axes. At rest: the strand's weight.
+    pub force: Vector3<f64>,
+    /// Torque on the follicle about its origin, N·m, world axes.
+    pub torque: Vector3<f64>,
+}
+
+/// How a strand fared in the last step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StrandStatus {
+    /// Well.
+    #[default]
+    Ok,
+    /// Newton stopped at the cap, or could not descend further, before reaching the tolerance; the state is usable.
+    Unconverged,
+    /// The state turned non-finite and was rolled back to the step's start.
+    Quarantined,
+}

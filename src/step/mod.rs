@@ -1,0 +1,2 @@
+//! Time integration of one strand.
+pub mod options;
