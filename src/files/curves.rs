@@ -1,0 +1,259 @@
+//! A set of polylines as a groom file has them: points in the file's own units, root first.
+
+use std::path::Path;
+
+use crate::error::{Error, Result, check_positive};
+use crate::files::hair::HairHeader;
+use crate::files::{bytes, hair, obj, tfx};
+
+/// Where a set of curves came from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CurvesFormat {
+    /// Made in memory, from no file.
+    Memory,
+    /// Cem Yuksel's `.hair`.
+    Hair,
+    /// TressFX 2 `.tfx`: text.
+    TfxV2Text,
+    /// TressFX 3 `.tfx`: binary, three floats a point.
+    TfxV3,
+    /// TressFX 4 `.tfx`: binary, four floats a point.
+    TfxV4,
+    /// Wavefront `.obj` with `v` and `l` lines.
+    Obj,
+}
+
+impl CurvesFormat {
+    /// A short name for people: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "memory".
+    pub fn name(self) -> &'static str {
+        match self {
+            CurvesFormat::Memory => "memory",
+            CurvesFormat::Hair => "hair",
+            CurvesFormat::TfxV2Text => "tfx 2 (text)",
+            CurvesFormat::TfxV3 => "tfx 3",
+            CurvesFormat::TfxV4 => "tfx 4",
+            CurvesFormat::Obj => "obj",
+        }
+    }
+}
+
+/// Polylines in a file's own units, root first. There is at least one strand, every strand has at least two points, and every
+/// number is finite. Points of a strand may coincide, and strands may be shorter than a hair is wide: real grooms have both.
+///
+/// Grooms state no unit and no up axis: [`Curves::scaled`] and [`Curves::to_z_up`] bring them into the engine's metres and,
+/// where wanted, its default axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curves {
+    pub(super) format: CurvesFormat,
+    pub(super) counts: Vec<u32>,
+    /// Index of each strand's first point, and the number of points at the end.
+    pub(super) starts: Vec<usize>,
+    pub(super) points: Vec<[f32; 3]>,
+    pub(super) extras: Extras,
+}
+
+/// What a file may say beyond the points. Lists "a point" are in the order of the points, lists "a strand" of the strands.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Extras {
+    /// Thickness a point, in file units (`.hair`).
+    pub thickness: Option<Vec<f32>>,
+    /// Transparency a point, 0 to 1 (`.hair`).
+    pub transparency: Option<Vec<f32>>,
+    /// Red, green, blue a point, 0 to 1 (`.hair`, `.tfx`).
+    pub colors: Option<Vec<[f32; 3]>>,
+    /// Whether each point is held, that is, moves with the head alone: in `.tfx` 4 the points whose fourth number is 0; in `.tfx`
+    /// 2 and 3, when the file asks for both ends to be held, the first two and the last two points of each strand.
+    pub held: Option<Vec<bool>>,
+    /// Thickness factor a strand (`.tfx` 3 and 4).
+    pub strand_thickness: Option<Vec<f32>>,
+    /// Texture coordinates of the root, a strand (`.tfx`).
+    pub strand_uvs: Option<Vec<[f32; 2]>>,
+    /// The rest of a `.hair` file's head, so that it can be written back as it was.
+    pub hair_header: Option<HairHeader>,
+}
+
+impl Curves {
+    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4) or `.obj` with polylines, told apart by content first and by the
+    /// name's extension where content does not say.
+    ///
+    /// # Errors
+    /// [`Error::File`] when the file cannot be read, is of no known format, or is truncated, oversized or nonsense: the text
+    /// says where and what was expected. [`Error::OutOfMemory`].
+    pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
+        let path = path.as_ref();
+        let bytes = bytes::read_file(path)?;
+        Self::read_from_bytes(&path.display().to_string(), &bytes)
+    }
+
+    /// [`Curves::read`] from memory. `name` stands for the path in errors, and its extension counts as one.
+    ///
+    /// # Errors
+    /// As [`Curves::read`].
+    pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
+        if bytes.starts_with(b"HAIR") {
+            return hair::read_from_bytes(name, bytes);
+        }
+        if bytes.starts_with(&[0x1f, 0x8b]) {
+            return Err(Error::file(name, "is compressed (gzip): uncompress it first"));
+        }
+        let extension = Path::new(name).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        match extension.to_ascii_lowercase().as_str() {
+            "hair" => hair::read_from_bytes(name, bytes),
+            "tfx" => tfx::read_from_bytes(name, bytes),
+            "obj" => obj::read_from_bytes(name, bytes),
+            _ if tfx::is_text(bytes) || tfx::is_binary(bytes) => tfx::read_from_bytes(name, bytes),
+            _ => Err(Error::file(name, "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4) or .obj")),
+        }
+    }
+
+    /// Curves from strands of points, root first.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for no strands, a strand with fewer than two points, or a point that is not finite.
+    pub fn from_strands<S: AsRef<[[f32; 3]]>>(strands: &[S]) -> Result<Curves> {
+        let mut counts = Vec::with_capacity(strands.len());
+        let mut points = Vec::with_capacity(strands.iter().map(|strand| strand.as_ref().len()).sum());
+        for (index, strand) in strands.iter().enumerate() {
+            let count = u32::try_from(strand.as_ref().len())
+                .map_err(|_| Error::invalid(format!("strands[{index}]"), strand.as_ref().len(), "at most 4294967295 points"))?;
+            counts.push(count);
+            points.extend_from_slice(strand.as_ref());
+        }
+        Self::from_counts(counts, points)
+    }
+
+    /// Curves from one list of points, root first, and the number of points of each strand.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when there are no strands, a count is below two, the counts do not add up to the number of
+    /// points, or a point is not finite.
+    pub fn from_counts(counts: Vec<u32>, points: Vec<[f32; 3]>) -> Result<Curves> {
+        if counts.is_empty() {
+            return Err(Error::invalid("counts", "empty", "at least one strand"));
+        }
+        if let Some(index) = counts.iter().position(|count| *count < 2) {
+            return Err(Error::invalid(format!("counts[{index}]"), counts[index], "at least two points"));
+        }
+        let total: u64 = counts.iter().map(|count| u64::from(*count)).sum();
+        if total != points.len() as u64 {
+            return Err(Error::invalid("points", format!("{} points", points.len()), format!("{total}, the sum of the counts")));
+        }
+        if let Some(index) = points.iter().position(|point| !point.iter().all(|value| value.is_finite())) {
+            return Err(Error::invalid(format!("points[{index}]"), format!("{:?}", points[index]), "finite numbers"));
+        }
+        Self::from_parts(CurvesFormat::Memory, counts, points, Extras::default())
+    }
+
+    /// Curves of parts that have been checked: at least one strand, counts of at least two that add up to the number of points,
+    /// finite numbers, lists of the right length.
+    pub(super) fn from_parts(format: CurvesFormat, counts: Vec<u32>, points: Vec<[f32; 3]>, extras: Extras) -> Result<Curves> {
+        let mut starts = bytes::list(counts.len() + 1)?;
+        let mut start = 0;
+        starts.push(start);
+        starts.extend(counts.iter().map(|count| {
+            start += *count as usize;
+            start
+        }));
+        debug_assert!(start == points.len() && !counts.is_empty());
+        Ok(Curves { format, counts, starts, points, extras })
+    }
+
+    /// The format that the curves were read from.
+    pub fn format(&self) -> CurvesFormat {
+        self.format
+    }
+
+    /// Number of strands.
+    pub fn strand_count(&self) -> usize {
+        self.counts.len()
+    }
+
+    /// Number of points of all strands.
+    pub fn point_count(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Points of each strand.
+    pub fn counts(&self) -> &[u32] {
+        &self.counts
+    }
+
+    /// All points, strand after strand, in file units.
+    pub fn points(&self) -> &[[f32; 3]] {
+        &self.points
+    }
+
+    /// Where strand `index` lies in [`Curves::points`], and in the lists of [`Extras`] that have one entry a point.
+    ///
+    /// # Panics
+    /// When there is no such strand.
+    pub fn strand_range(&self, index: usize) -> std::ops::Range<usize> {
+        self.starts[index]..self.starts[index + 1]
+    }
+
+    /// The points of strand `index`, root first, in file units.
+    ///
+    /// # Panics
+    /// When there is no such strand, as slices do.
+    pub fn strand(&self, index: usize) -> &[[f32; 3]] {
+        &self.points[self.strand_range(index)]
+    }
+
+    /// The strands in order, each a slice of points, root first.
+    pub fn strands(&self) -> impl ExactSizeIterator<Item = &[[f32; 3]]> + '_ {
+        self.starts.windows(2).map(|ends| &self.points[ends[0]..ends[1]])
+    }
+
+    /// What the file says beyond the points.
+    pub fn extras(&self) -> &Extras {
+        &self.extras
+    }
+
+    /// The length of strand `index` along its edges, in file units.
+    ///
+    /// # Panics
+    /// When there is no such strand.
+    pub fn strand_length(&self, index: usize) -> f64 {
+        let edge =
+            |pair: &[[f32; 3]]| (0..3).map(|axis| (f64::from(pair[1][axis]) - f64::from(pair[0][axis])).powi(2)).sum::<f64>();
+        self.strand(index).windows(2).map(|pair| edge(pair).sqrt()).sum()
+    }
+
+    /// The smallest and the largest coordinates of all points, in file units.
+    pub fn bounding_box(&self) -> ([f32; 3], [f32; 3]) {
+        self.points.iter().fold((self.points[0], self.points[0]), |(low, high), point| {
+            (std::array::from_fn(|axis| low[axis].min(point[axis])), std::array::from_fn(|axis| high[axis].max(point[axis])))
+        })
+    }
+
+    /// The same curves with every point and every thickness of a `.hair` file multiplied by `factor`: given the metres of a file
+    /// unit, it makes metres. Thickness factors ([`Extras::strand_thickness`]) stay.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when `factor` is not a finite number above zero, or takes a number beyond the range of f32.
+    pub fn scaled(&self, factor: f64) -> Result<Curves> {
+        check_positive(|| "factor".to_owned(), factor)?;
+        let mut scaled = self.clone();
+        let lengths = scaled.points.iter_mut().flatten();
+        let lengths = lengths.chain(scaled.extras.thickness.iter_mut().flatten());
+        for length in lengths.chain(scaled.extras.hair_header.iter_mut().map(|header| &mut header.thickness)) {
+            let value = (f64::from(*length) * factor) as f32;
+            if !value.is_finite() {
+                return Err(Error::invalid("factor", factor, format!("one that keeps {length} below 3.4e38")));
+            }
+            *length = value;
+        }
+        Ok(scaled)
+    }
+
+    /// The same curves turned from y up to z up: (x, y, z) becomes (x, -z, y). [`crate::files::motion::Motion::to_z_up`] turns
+    /// a motion the same way.
+    pub fn to_z_up(&self) -> Curves {
+        let mut turned = self.clone();
+        for point in &mut turned.points {
+            *point = [point[0], -point[2], point[1]];
+        }
+        turned
+    }
+}
