@@ -1,9 +1,10 @@
 //! A strand from a polyline: the Super-Helix whose centreline comes closest at equal arclength.
 //!
-//! Two stages. Element by element from the root, the three curvatures of each are found from several starts (the element before, the
-//! polyline's mean turning, and that with the twist of a helix to either side), so that a curl is not mistaken for a straight line.
-//! Then all curvatures and the root's direction together, by Levenberg and Marquardt's method on the squared distance; its linear
-//! systems are those of a step (a spring from every quadrature point to the polyline) and take linear time.
+//! Two starts: the polyline's turning without twist, spread over the elements; and element by element from the root, the three
+//! curvatures of each found from several guesses (the element before, the mean turning, and that with the twist of a helix to either
+//! side), so that a curl is not mistaken for a straight line. From each start all curvatures and the root's direction together, by
+//! Levenberg and Marquardt's method on the squared distance; its linear systems are those of a step (a spring from every quadrature
+//! point to the polyline) and take linear time. The better end is kept.
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
@@ -66,12 +67,43 @@ pub fn fit_polyline(points: &[Vector3<f64>], options: &FitOptions) -> Result<Fit
 
     let matrix = Mat3::from(root.to_rotation_matrix().into_inner());
     let mut problem = Problem { polyline: &polyline, rule: &rule, scale: length, work: Work::default() };
-    let start = problem.element_by_element(&matrix, &lengths, &turnings);
-    let (curvatures, matrix) = problem.refine(&lengths, matrix, start, 0.0, true, 60);
+    let mut starts = vec![spread(&polyline, &turnings, &lengths)];
+    if 3 * count <= polyline.points.len() {
+        // With fewer points than that an element sees little but noise.
+        starts.push(problem.element_by_element(&matrix, &lengths, &turnings));
+    }
+    let mut best: Option<(f64, Vec<[f64; 3]>, Mat3<f64>)> = None;
+    for start in starts {
+        let (rows, turned) = problem.refine(&lengths, matrix, start);
+        let cost = problem.cost(&lengths, &turned, &rows);
+        if best.as_ref().is_none_or(|(least, _, _)| cost < *least) {
+            best = Some((cost, rows, turned));
+        }
+    }
+    let (_, curvatures, matrix) = best.unwrap_or_else(|| (0.0, vec![[0.0; 3]; count], matrix));
 
     let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(matrix.into()));
     let (rms_error, max_error) = distances(&polyline, &matrix, &lengths, &curvatures);
     Ok(Fit { root: Frame { origin: polyline.points[0], rotation }, element_lengths: lengths, curvatures, rms_error, max_error })
+}
+
+/// Curvatures without twist: each corner's turning spread evenly between the middles of the edges that meet there.
+fn spread(polyline: &Polyline, turnings: &[(f64, Vector3<f64>)], lengths: &[f64]) -> Vec<[f64; 3]> {
+    let mut rows = vec![Vector3::<f64>::zeros(); lengths.len()];
+    let length = lengths[0];
+    for (corner, (arclength, turn)) in turnings.iter().enumerate() {
+        // Corner k lies between edges k and k + 1.
+        let from = 0.5 * (polyline.arclengths[corner] + arclength);
+        let to = 0.5 * (arclength + polyline.arclengths[corner + 2]);
+        let last = lengths.len() - 1;
+        let (first_element, last_element) = (((from / length) as usize).min(last), ((to / length) as usize).min(last));
+        for (element, row) in rows.iter_mut().enumerate().take(last_element + 1).skip(first_element) {
+            let (left, right) = (element as f64 * length, (element + 1) as f64 * length);
+            let shared = (right.min(to) - left.max(from)).max(0.0);
+            *row += turn * (shared / (to - from) / length);
+        }
+    }
+    rows.into_iter().map(|row| [0.0, row.y, row.z]).collect()
 }
 
 /// Root mean square and largest distance at the polyline's points.
@@ -183,17 +215,9 @@ impl Problem<'_> {
     }
 
     /// All elements together.
-    fn refine(
-        &mut self,
-        lengths: &[f64],
-        root: Mat3<f64>,
-        rows: Vec<[f64; 3]>,
-        start: f64,
-        turn_root: bool,
-        iterations: usize,
-    ) -> (Vec<[f64; 3]>, Mat3<f64>) {
-        self.work.targets = self.targets(start, lengths);
-        self.minimise(lengths, root, rows, turn_root, iterations)
+    fn refine(&mut self, lengths: &[f64], root: Mat3<f64>, rows: Vec<[f64; 3]>) -> (Vec<[f64; 3]>, Mat3<f64>) {
+        self.work.targets = self.targets(0.0, lengths);
+        self.minimise(lengths, root, rows, true, 60)
     }
 
     /// Where the polyline is at the quadrature points, relative to its first point.
