@@ -176,6 +176,22 @@ fn files_that_cannot_be_read_say_so() {
     assert!(matches!(Curves::read("/dev/zero"), Err(Error::File { reason, .. }) if reason.contains("neither a file nor a pipe")));
 }
 
+/// What a shell's `<(zcat groom.hair.gz)` gives: a pipe, which states no size.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_pipe_is_read_to_its_end() {
+    use std::io::Write;
+    use std::os::fd::AsRawFd;
+    let (reader, mut writer) = std::io::pipe().unwrap();
+    let path = format!("/proc/self/fd/{}", reader.as_raw_fd());
+    let bytes = std::fs::read(data("blender_curly.hair")).unwrap();
+    let sent = bytes.clone();
+    let sender = std::thread::spawn(move || writer.write_all(&sent).unwrap());
+    let curves = Curves::read(path).unwrap();
+    sender.join().unwrap();
+    assert_eq!(curves, Curves::read(data("blender_curly.hair")).unwrap());
+}
+
 #[test]
 fn content_decides_before_the_name_does() {
     let bytes = sample(2, &[2, 2]);

@@ -9,6 +9,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use crate::error::{Error, Result};
 use crate::files::text::{Quote, Text, count, number};
 use crate::math::frame::Frame;
+use crate::math::rotation::from_rotation_vector;
 
 /// What one number of a frame does to its joint.
 #[derive(Clone, Copy, PartialEq)]
@@ -221,7 +222,7 @@ fn local_pose(joint: &Joint<'_>, row: &[f64]) -> Frame {
                 let mut turn = Vector3::zeros();
                 // Whole turns say nothing, and a huge angle would lose its digits in radians.
                 turn[*axis] = (value % 360.0).to_radians();
-                rotation *= UnitQuaternion::new(turn);
+                rotation *= from_rotation_vector(turn);
             }
         }
     }
