@@ -324,9 +324,11 @@ impl Solver {
         self.crew.for_each(&mut self.strands, |strand, workspace| {
             strand.tally = Tally::default();
             for _ in 0..substeps {
-                let root = strand.root_after(h);
-                strand.outcome =
-                    step::take(&strand.model, &mut strand.state, &root, h, &surroundings, &options, rules, workspace);
+                strand.begin_root_way(h);
+                let Strand { model, state, root_move, .. } = strand;
+                let start = state.root;
+                let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
+                strand.outcome = step::take(model, state, &root_at, h, &surroundings, &options, rules, workspace);
                 strand.advance_root(h);
                 strand.tally.add(&strand.outcome);
             }

@@ -52,6 +52,18 @@ impl Tally {
     }
 }
 
+/// The root's pose `elapsed` seconds on: on its way, or where it rests.
+pub(super) fn root_after(root_move: &Option<(PoseMove, f64)>, rest: &Frame, elapsed: f64) -> Frame {
+    match root_move {
+        Some((root_move, done)) => {
+            let time = done + elapsed;
+            // A step meant to end with the move may miss its end by rounding.
+            if time >= root_move.duration * (1.0 - 1e-12) { root_move.to } else { root_move.at(time) }
+        }
+        None => *rest,
+    }
+}
+
 impl Strand {
     /// A strand from a checked definition.
     pub fn new(id: StrandId, def: &StrandDef, rules: &Rules) -> Self {
@@ -114,26 +126,19 @@ impl Strand {
         }
     }
 
-    /// The root's pose `h` seconds on.
-    pub fn root_after(&self, h: f64) -> Frame {
-        match &self.root_move {
-            Some((root_move, elapsed)) => {
-                let time = elapsed + h;
-                // A step meant to end with the move may miss its end by rounding.
-                if time >= root_move.duration * (1.0 - 1e-12) { root_move.to } else { root_move.at(time) }
-            }
-            None => self.state.root,
+    /// A way to be gone at once takes the coming substep of `h` seconds.
+    pub fn begin_root_way(&mut self, h: f64) {
+        if let Some((root_move, _)) = &mut self.root_move
+            && root_move.duration == 0.0
+        {
+            root_move.duration = h;
         }
     }
 
     /// Counts `h` seconds of the root's way; a move that ended a step ago is forgotten, and the root rests.
     pub fn advance_root(&mut self, h: f64) {
         if let Some((root_move, elapsed)) = &mut self.root_move {
-            if root_move.duration == 0.0 {
-                // Asked for at once: it took this step.
-                root_move.duration = h;
-                *elapsed = h;
-            } else if *elapsed >= root_move.duration {
+            if *elapsed >= root_move.duration {
                 self.root_move = None;
             } else {
                 *elapsed += h;

@@ -4,12 +4,12 @@
 
 use super::newton;
 use super::options::StepOptions;
+use super::stages::root_velocity;
 use super::state::{StrandState, rotation_matrix};
 use super::workspace::Workspace;
 use super::{StrandOutcome, Surroundings};
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
-use crate::math::rotation::rotation_vector;
 use crate::math::vector::Vec3;
 use crate::rod::strand::StrandModel;
 use crate::rod::velocity::{self, RootMotion};
@@ -29,8 +29,7 @@ pub fn take(
     let rule = rules.rule(state.rule);
     let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
     // The root's mean velocity over the step, and the acceleration to it from the last one.
-    let velocity_end = (root.origin - state.root.origin) / h;
-    let angular_end = state.root.rotation * (rotation_vector(&(state.root.rotation.inverse() * root.rotation)) / h);
+    let (velocity_end, angular_end) = root_velocity(&state.root, root, h);
     let motion = RootMotion {
         velocity: state.root_velocity.into(),
         angular_velocity: state.root_angular_velocity.into(),

@@ -1,10 +1,11 @@
 //! Time integration of one strand.
 
-pub mod implicit_euler;
 pub mod linearly_implicit;
 pub mod newton;
 pub mod options;
+pub mod stages;
 pub mod state;
+pub mod tableau;
 pub mod workspace;
 
 use crate::math::frame::Frame;
@@ -39,12 +40,13 @@ pub struct StrandOutcome {
     pub condition: f64,
 }
 
-/// Takes one strand through a step of `h` seconds at whose end its root is at `root`. A strand that turns non-finite is rolled back.
+/// Takes one strand through a step of `h` seconds; `root_at(seconds)` is the root's pose that long after the step's start. A strand that
+/// turns non-finite is rolled back.
 #[allow(clippy::too_many_arguments)]
 pub fn take(
     model: &StrandModel,
     state: &mut StrandState,
-    root: &Frame,
+    root_at: &dyn Fn(f64) -> Frame,
     h: f64,
     surroundings: &Surroundings,
     options: &StepOptions,
@@ -54,9 +56,17 @@ pub fn take(
     workspace.rolled_back.clone_from(state);
     state.adapt_rule(model, rules, &mut workspace.rule_scratch);
     let mut outcome = match options.integrator {
-        Integrator::LinearlyImplicit => linearly_implicit::take(model, state, root, h, surroundings, options, rules, workspace),
-        Integrator::ImplicitEuler | Integrator::SecondOrder | Integrator::Reference => {
-            implicit_euler::take(model, state, root, h, surroundings, options, rules, workspace)
+        Integrator::LinearlyImplicit => {
+            linearly_implicit::take(model, state, &root_at(h), h, surroundings, options, rules, workspace)
+        }
+        Integrator::ImplicitEuler => {
+            stages::take(&tableau::IMPLICIT_EULER, model, state, root_at, h, surroundings, options, rules, workspace)
+        }
+        Integrator::SecondOrder => {
+            stages::take(&tableau::SECOND_ORDER, model, state, root_at, h, surroundings, options, rules, workspace)
+        }
+        Integrator::Reference => {
+            stages::take(&tableau::THIRD_ORDER, model, state, root_at, h, surroundings, options, rules, workspace)
         }
     };
     if outcome.quarantined || !state.is_finite() {

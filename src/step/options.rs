@@ -90,13 +90,6 @@ impl StepOptions {
         if !(self.tolerance.is_finite() && self.tolerance > 0.0) {
             return Err(Error::invalid(format!("{argument}.tolerance"), self.tolerance, "a finite number above zero (rad)"));
         }
-        if matches!(self.integrator, Integrator::SecondOrder | Integrator::Reference) {
-            return Err(Error::Unsupported {
-                argument: format!("{argument}.integrator"),
-                value: format!("{:?}", self.integrator),
-                hint: "this version has LinearlyImplicit and ImplicitEuler".into(),
-            });
-        }
         Ok(())
     }
 }

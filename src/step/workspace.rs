@@ -3,11 +3,30 @@
 use nalgebra::Vector3;
 
 use super::state::{RuleScratch, StrandState};
+use super::tableau::MAX_STAGES;
 use crate::chain::elimination::Elimination;
 use crate::chain::system::ChainSystem;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
+
+/// One stage of a Runge–Kutta step: where it starts from and what its end says. Positions relative to the root's origin at the step's
+/// start, world axes.
+#[derive(Debug, Clone, Default)]
+pub struct Stage {
+    /// r̃.
+    pub start_positions: Vec<Vec3<f64>>,
+    /// ṽ.
+    pub start_velocities: Vec<Vec3<f64>>,
+    /// q̃.
+    pub start_curvatures: Vec<[f64; 3]>,
+    /// V.
+    pub velocities: Vec<Vec3<f64>>,
+    /// A.
+    pub accelerations: Vec<Vec3<f64>>,
+    /// q̇.
+    pub rates: Vec<[f64; 3]>,
+}
 
 /// Scratch for one strand at a time.
 #[derive(Debug, Clone)]
@@ -24,8 +43,10 @@ pub struct Workspace {
     pub point_target: Vec<Vec3<f64>>,
     /// Where each curvature is drawn to.
     pub curvature_target: Vec<[f64; 3]>,
-    /// Where each point was at the step's start, relative to the root's new origin.
+    /// Where each point was at the step's start, relative to the root's origin then.
     pub base: Vec<Vec3<f64>>,
+    /// The stages of the step.
+    pub stages: [Stage; MAX_STAGES],
     /// The accepted curvatures.
     pub curvatures: Vec<[f64; 3]>,
     /// The curvatures on trial.
@@ -48,6 +69,7 @@ impl Default for Workspace {
             point_target: Vec::new(),
             curvature_target: Vec::new(),
             base: Vec::new(),
+            stages: std::array::from_fn(|_| Stage::default()),
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
             change: Vec::new(),

@@ -1,0 +1,190 @@
+//! Runge–Kutta steps as minimisations (design, section 5). Stage i of step h ends where
+//! Φ(q) = Σ w ρS/(2k²) |r(q) − r̃ − k ṽ|² − Σ w ρS g·r + Σ w ν/(2k) |r − r̃ − k·wind|² + ½ (q−qⁿ)ᵀK(q−qⁿ) + (q−q̃)ᵀD(q−q̃)/(2k)
+//! is least, k = γh: implicit Euler over k from a displaced start r̃ = r_t + hΣaᵢⱼVⱼ, ṽ = v_t + hΣaᵢⱼAⱼ, q̃ = q_t + hΣaᵢⱼq̇ⱼ, where
+//! Vᵢ = (r − r̃)/k, Aᵢ = (Vᵢ − ṽ)/k, q̇ᵢ = (q − q̃)/k. r̃ need not be a shape of the strand: it is where each point is drawn to.
+//! Velocity products need no code: they are in r(q). The root moves first, rigidly; r̃ stays in the world.
+
+use nalgebra::Vector3;
+
+use super::newton::{self, Problem};
+use super::options::StepOptions;
+use super::state::{StrandState, rotation_matrix};
+use super::tableau::Tableau;
+use super::workspace::{Stage, Workspace};
+use super::{StrandOutcome, Surroundings};
+use crate::energy::{CurvatureQuadratic, PointQuadratic, drag, elastic, friction, gravity, inertia};
+use crate::math::frame::Frame;
+use crate::math::quadrature::Rules;
+use crate::math::rotation::rotation_vector;
+use crate::math::vector::Vec3;
+use crate::rod::strand::StrandModel;
+
+/// Takes one strand through a step of `h` seconds; `root_at(seconds)` is the root's pose that long after the step's start.
+#[allow(clippy::too_many_arguments)]
+pub fn take(
+    tableau: &Tableau,
+    model: &StrandModel,
+    state: &mut StrandState,
+    root_at: &dyn Fn(f64) -> Frame,
+    h: f64,
+    surroundings: &Surroundings,
+    options: &StepOptions,
+    rules: &Rules,
+    workspace: &mut Workspace,
+) -> StrandOutcome {
+    let rule = rules.rule(state.rule);
+    let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
+    workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
+    workspace.base.clear();
+    workspace.base.extend(workspace.kinematics.points.iter().map(|point| point.position));
+    workspace.curvatures.clone_from(&state.curvatures);
+
+    let k = tableau.gamma * h;
+    let mut total = StrandOutcome { converged: true, ..StrandOutcome::default() };
+    let mut root = state.root;
+    for index in 0..tableau.stages {
+        root = root_at(tableau.times[index] * h);
+        let end_rotation = rotation_matrix(&root);
+        let problem = Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule };
+        displace(index, tableau, state, h, workspace);
+        let offset = Vec3::from(root.origin - state.root.origin);
+        assemble_terms(index, model, k, surroundings, offset, rule.weights.as_slice(), workspace);
+        choose_start(index, tableau, model, state, h, &problem, workspace);
+
+        let outcome = newton::minimise(&problem, options, workspace);
+        total.iterations += outcome.iterations;
+        total.converged &= outcome.converged;
+        total.residual = outcome.residual;
+        total.condition = total.condition.max(outcome.condition);
+        if outcome.quarantined {
+            total.quarantined = true;
+            return total;
+        }
+        finish_stage(index, k, offset, workspace);
+    }
+
+    let last = &workspace.stages[tableau.stages - 1];
+    state.curvatures.copy_from_slice(&workspace.curvatures);
+    state.rates.copy_from_slice(&last.rates);
+    state.velocities.copy_from_slice(&last.velocities);
+    (state.wrench_force, state.wrench_torque) = newton::wrench(&workspace.kinematics, &workspace.system.point_force);
+    (state.root_velocity, state.root_angular_velocity) = root_velocity(&state.root, &root, h);
+    state.root = root;
+    total
+}
+
+/// The displaced start of stage `index`: where it would be after the stages before it.
+fn displace(index: usize, tableau: &Tableau, state: &StrandState, h: f64, workspace: &mut Workspace) {
+    let (before, from_here) = workspace.stages.split_at_mut(index);
+    let stage = &mut from_here[0];
+    stage.start_positions.clone_from(&workspace.base);
+    stage.start_velocities.clone_from(&state.velocities);
+    stage.start_curvatures.clone_from(&state.curvatures);
+    for (j, earlier) in before.iter().enumerate() {
+        let share = h * tableau.below[index][j];
+        for p in 0..stage.start_positions.len() {
+            stage.start_positions[p] += earlier.velocities[p].scale(share);
+            stage.start_velocities[p] += earlier.accelerations[p].scale(share);
+        }
+        for (row, rate) in stage.start_curvatures.iter_mut().zip(&earlier.rates) {
+            for axis in 0..3 {
+                row[axis] += share * rate[axis];
+            }
+        }
+    }
+}
+
+/// What the stage's end says about velocities, accelerations and rates.
+fn finish_stage(index: usize, k: f64, offset: Vec3<f64>, workspace: &mut Workspace) {
+    let Workspace { stages, kinematics, curvatures, .. } = workspace;
+    let Stage { start_positions, start_velocities, start_curvatures, velocities, accelerations, rates } = &mut stages[index];
+    let inverse = 1.0 / k;
+    velocities.clear();
+    accelerations.clear();
+    rates.clear();
+    for ((point, position), velocity) in kinematics.points.iter().zip(start_positions).zip(start_velocities) {
+        let reached = (point.position + offset - *position).scale(inverse);
+        velocities.push(reached);
+        accelerations.push((reached - *velocity).scale(inverse));
+    }
+    for (row, start) in curvatures.iter().zip(start_curvatures) {
+        rates.push(std::array::from_fn(|axis| (row[axis] - start[axis]) * inverse));
+    }
+}
+
+/// Starts Newton from where the rates lead, or from where it is, whichever is nearer to the minimum. Frozen curvatures are natural.
+fn choose_start(
+    index: usize,
+    tableau: &Tableau,
+    model: &StrandModel,
+    state: &StrandState,
+    h: f64,
+    problem: &Problem,
+    workspace: &mut Workspace,
+) {
+    for (row, natural) in workspace.curvatures.iter_mut().zip(&model.natural) {
+        for axis in 0..3 {
+            if !model.freedoms.contains(axis) {
+                row[axis] = natural[axis];
+            }
+        }
+    }
+    workspace.trial_curvatures.clone_from(&workspace.curvatures);
+    let (way, rates) = match index {
+        0 => (tableau.times[0] * h, &state.rates),
+        _ => ((tableau.times[index] - tableau.times[index - 1]) * h, &workspace.stages[index - 1].rates),
+    };
+    for (row, rate) in workspace.trial_curvatures.iter_mut().zip(rates) {
+        for axis in problem.axes {
+            row[*axis] += way * rate[*axis];
+        }
+    }
+    newton::choose_start(problem, workspace);
+}
+
+/// Sums the terms of every point and curvature into a stiffness and a target.
+fn assemble_terms(
+    index: usize,
+    model: &StrandModel,
+    k: f64,
+    surroundings: &Surroundings,
+    offset: Vec3<f64>,
+    weights: &[f64],
+    workspace: &mut Workspace,
+) {
+    let points = workspace.base.len();
+    workspace.system.resize(model.element_count(), points);
+    workspace.point_target.resize(points, Vec3::zero());
+    workspace.curvature_target.resize(model.element_count(), [0.0; 3]);
+    let stage = &workspace.stages[index];
+    let per_element = weights.len();
+    for (element, length) in model.lengths.iter().enumerate() {
+        for (node, weight) in weights.iter().enumerate() {
+            let p = element * per_element + node;
+            let mut quadratic = PointQuadratic::zero();
+            inertia::add(&mut quadratic, model.linear_density, k, stage.start_velocities[p]);
+            gravity::add(&mut quadratic, model.linear_density, surroundings.gravity);
+            if model.material.air_drag > 0.0 {
+                drag::add(&mut quadratic, model.material.air_drag, k, surroundings.wind);
+            }
+            workspace.system.point_stiffness[p] = quadratic.stiffness * (weight * length);
+            workspace.point_target[p] = stage.start_positions[p] - offset + quadratic.pull.scale(1.0 / quadratic.stiffness);
+        }
+        for axis in 0..3 {
+            let start = stage.start_curvatures[element][axis];
+            let mut quadratic = CurvatureQuadratic::zero();
+            elastic::add(&mut quadratic, model.stiffness[axis], model.natural[element][axis], start);
+            if model.dissipation[axis] > 0.0 {
+                friction::add(&mut quadratic, model.dissipation[axis], k);
+            }
+            workspace.system.curvature_stiffness[element][axis] = quadratic.stiffness * length;
+            workspace.curvature_target[element][axis] = start + quadratic.pull / quadratic.stiffness;
+        }
+    }
+}
+
+/// The root's mean velocity over a step, for steps that do not go through stages.
+pub fn root_velocity(from: &Frame, to: &Frame, h: f64) -> (Vector3<f64>, Vector3<f64>) {
+    let angular = from.rotation * (rotation_vector(&(from.rotation.inverse() * to.rotation)) / h);
+    ((to.origin - from.origin) / h, angular)
+}
