@@ -1,5 +1,6 @@
 //! superhelix: a hair engine that others build into their programs.
 
+pub mod capi;
 pub mod error;
 pub mod files;
 pub mod groom;
