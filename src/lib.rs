@@ -1,6 +1,8 @@
 //! superhelix: a hair engine that others build into their programs.
 
 pub mod capi;
+pub mod chain;
+pub mod energy;
 pub mod error;
 pub mod files;
 pub mod groom;
