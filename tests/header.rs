@@ -5,8 +5,23 @@ use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
 const SOURCES: [&str; 17] = [
-    "version", "errors", "types", "log", "parallel", "solver_def", "strand_def", "guard", "solver", "strands", "roots", "shape",
-    "sampling", "state", "fit", "curves", "mod",
+    "version",
+    "errors",
+    "types",
+    "log",
+    "parallel",
+    "solver_def",
+    "strand_def",
+    "guard",
+    "solver",
+    "strands",
+    "roots",
+    "shape",
+    "sampling",
+    "state",
+    "fit",
+    "curves",
+    "mod",
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
@@ -145,8 +160,7 @@ fn every_declared_item_has_a_comment() {
             assert!(lines[number - 1].starts_with("//"), "line {}: {line} has no comment", number + 1);
         }
         if line.starts_with("SHX_API ") {
-            let comment: Vec<&str> =
-                lines[..number].iter().rev().take_while(|line| line.starts_with("//")).copied().collect();
+            let comment: Vec<&str> = lines[..number].iter().rev().take_while(|line| line.starts_with("//")).copied().collect();
             let text = comment.join(" ");
             let threads = ["Any thread", "May run beside", "Alone with"].iter().any(|rule| text.contains(rule));
             assert!(threads, "line {}: {line}: its comment has no thread rule", number + 1);

@@ -2,8 +2,8 @@
 
 pub mod entire;
 pub mod frame;
-pub mod pose_spline;
 pub mod lane;
+pub mod pose_spline;
 pub mod quadrature;
 pub mod rotation;
 pub mod trigonometry;
