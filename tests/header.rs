@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 16] = [
     "version",
     "errors",
     "types",
@@ -21,11 +21,10 @@ const SOURCES: [&str; 17] = [
     "state",
     "fit",
     "curves",
-    "mod",
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 20] = [
+const SECTIONS: [(&str, &str); 19] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -45,7 +44,6 @@ const SECTIONS: [(&str, &str); 20] = [
     ("SHX_API shx_result shx_solver_snapshot(", "State"),
     ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
     ("SHX_API shx_result shx_curves_read(", "Groom files and caches"),
-    ("#ifdef __cplusplus\n}", ""),
 ];
 
 fn root() -> PathBuf {
@@ -56,7 +54,7 @@ fn root() -> PathBuf {
 fn with_titles(header: &str) -> String {
     let lines: Vec<&str> = header.lines().collect();
     let mut titled: Vec<String> = Vec::new();
-    let mut wanted = SECTIONS.iter().filter(|(_, title)| !title.is_empty());
+    let mut wanted = SECTIONS.iter();
     let mut next = wanted.next();
     for line in &lines {
         if let Some((start, title)) = next
@@ -70,8 +68,47 @@ fn with_titles(header: &str) -> String {
         }
         titled.push((*line).trim_end().to_string());
     }
-    assert!(next.is_none(), "the header has no {next:?}, or not in this order");
+    assert!(next.is_none(), "the header has no {next:?}, or not in this order:\n{header}");
     titled.join("\n") + "\n"
+}
+
+/// cbindgen's layout made plainer: a declaration on one line or wrapped with a fixed indent, no `struct` where the typedef will do,
+/// negative codes in parentheses.
+fn tidy(header: &str) -> String {
+    let mut tidied = String::new();
+    let mut lines = header.lines();
+    while let Some(line) = lines.next() {
+        if line.starts_with("SHX_API") {
+            let mut declaration = line.to_string();
+            while !declaration.ends_with(");") {
+                declaration = declaration + " " + lines.next().expect("the rest of a declaration").trim();
+            }
+            tidied.push_str(&wrapped(&declaration.replace("struct shx_", "shx_").replace("( ", "(")));
+        } else if let Some((define, code)) = line.split_once(" -").filter(|_| line.starts_with("#define SHX_")) {
+            tidied.push_str(&format!("{define} (-{code})"));
+        } else if line.starts_with("typedef struct") {
+            tidied.push_str(line);
+        } else {
+            tidied.push_str(&line.replace("struct shx_", "shx_"));
+        }
+        tidied.push('\n');
+    }
+    tidied
+}
+
+fn wrapped(declaration: &str) -> String {
+    let mut text = String::new();
+    let mut column = 0;
+    for piece in declaration.split_inclusive(", ") {
+        if column + piece.trim_end().len() > 120 {
+            text.truncate(text.trim_end().len());
+            text.push_str("\n    ");
+            column = 4;
+        }
+        text.push_str(piece);
+        column += piece.len();
+    }
+    text
 }
 
 fn generate() -> String {
@@ -83,7 +120,7 @@ fn generate() -> String {
     }
     let mut bytes = Vec::new();
     builder.generate().expect("a header").write(&mut bytes);
-    with_titles(&String::from_utf8(bytes).expect("UTF-8"))
+    with_titles(&tidy(&String::from_utf8(bytes).expect("UTF-8")))
 }
 
 /// The functions that src/capi exports, sorted, read from the sources themselves: cbindgen does not see what macros make.

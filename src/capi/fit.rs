@@ -109,7 +109,6 @@ pub unsafe extern "C" fn shx_fit_polyline(
 /// curvatures (count rows, rad/m; count is def.element_count): the sag-free natural shape. They go to out_natural, which holds
 /// count rows. Only the material, the lengths and the root of the definition matter.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
-///
 /// cbindgen:ptrs-as-arrays=[[gravity; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_natural_curvatures(

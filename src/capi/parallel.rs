@@ -12,7 +12,7 @@ use crate::solver::definition::ParallelFor;
 /// time). May be called from any thread of the host, in any floating-point mode.
 pub type shx_range_fn = Option<unsafe extern "C" fn(task: *mut c_void, begin: u32, end: u32, worker: u32)>;
 
-/// The host's parallel loop. Must call fn(task, begin, end, worker) over disjoint ranges that cover 0 to count - 1, each item
+/// The host's parallel loop. Must call function(task, begin, end, worker) over disjoint ranges that cover 0 to count - 1, each item
 /// once, and return when all calls have returned. Ranges should hold min_range items or more. user is
 /// shx_solver_def.parallel_for_user. Called on the thread that called the library, in its floating-point mode. Calling the same
 /// solver from it gives SHX_ERROR_BUSY. It must return: no exception, no longjmp. Items that it leaves out are done by the

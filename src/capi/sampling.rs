@@ -152,7 +152,6 @@ fn origin(argument: &str, origin: [f64; 3]) -> Result<Vector3<f64>> {
 /// arclengths[i]. origin (three doubles, m) is subtracted from positions; null: 0. Outputs as in shx_solver_sample_strands.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (an arclength outside the strand),
 /// SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
-///
 /// cbindgen:ptrs-as-arrays=[[origin; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_sample_at(

@@ -94,7 +94,7 @@ pub unsafe extern "C" fn shx_step_report_init(report: *mut shx_step_report, size
 /// Makes a solver. def may be null: all defaults. *out_solver is yours; free it with shx_solver_destroy. The callbacks and user
 /// pointers of the definition must stay valid until then.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range),
-/// SHX_ERROR_UNSUPPORTED (an integrator or a precision that is not in this version), SHX_ERROR_OUT_OF_MEMORY (no threads).
+/// SHX_ERROR_UNSUPPORTED (an integrator or a precision that is not in this version, threads that could not be started).
 /// Any thread; a solver belongs to no thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_create(def: *const shx_solver_def, out_solver: *mut *mut shx_solver) -> shx_result {
@@ -137,7 +137,6 @@ fn vector(argument: &str, numbers: *const f64) -> Result<Vector3<f64>> {
 
 /// Sets gravity, m/s^2, from the next step on.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite). Alone with the solver.
-///
 /// cbindgen:ptrs-as-arrays=[[gravity; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_gravity(solver: *mut shx_solver, gravity: *const f64) -> shx_result {
@@ -147,7 +146,6 @@ pub unsafe extern "C" fn shx_solver_set_gravity(solver: *mut shx_solver, gravity
 
 /// Sets the uniform wind, m/s, from the next step on. Only strands with an air_drag feel it.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite). Alone with the solver.
-///
 /// cbindgen:ptrs-as-arrays=[[wind; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_wind(solver: *mut shx_solver, wind: *const f64) -> shx_result {
