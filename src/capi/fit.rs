@@ -13,7 +13,7 @@ use super::types::{shx_frame, shx_input};
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
-use crate::solver::definition::{MAX_ELEMENTS, check_rows};
+use crate::rod::definition::{MAX_ELEMENTS, check_rows};
 
 /// A strand fitted to a polyline, beside its element lengths and curvatures. Prepare with shx_fit_init.
 #[repr(C)]
