@@ -20,7 +20,9 @@ fn root() -> &'static Path {
 fn run(command: &mut Command) -> Output {
     let program = command.get_program().to_string_lossy().into_owned();
     let output = command.output().unwrap_or_else(|error| {
-        panic!("{program}: {error}. These tests need gcc, g++, make, binutils and valgrind: apt-get install build-essential valgrind")
+        panic!(
+            "{program}: {error}. These tests need gcc, g++, make, binutils and valgrind: apt-get install build-essential valgrind"
+        )
     });
     assert!(
         output.status.success(),
@@ -71,10 +73,11 @@ fn examples() -> &'static Path {
     static EXAMPLES: OnceLock<PathBuf> = OnceLock::new();
     EXAMPLES.get_or_init(|| {
         let out = build().join("examples");
-        run(Command::new("make").arg("-C").arg(root().join("examples_c")).args(["-j2", "all"]).args([
-            format!("BUILD={}", build().display()),
-            format!("OUT={}", out.display()),
-        ]));
+        run(Command::new("make")
+            .arg("-C")
+            .arg(root().join("examples_c"))
+            .args(["-j2", "all"])
+            .args([format!("BUILD={}", build().display()), format!("OUT={}", out.display())]));
         out
     })
 }
@@ -82,7 +85,13 @@ fn examples() -> &'static Path {
 fn valgrind(program: &Path) -> Command {
     let mut command = Command::new("valgrind");
     // Not "possible": rayon's crossbeam-epoch keeps a few kilobytes a process behind tagged pointers.
-    command.args(["--quiet", "--error-exitcode=9", "--leak-check=full", "--errors-for-leak-kinds=definite,indirect", "--show-leak-kinds=definite,indirect"]);
+    command.args([
+        "--quiet",
+        "--error-exitcode=9",
+        "--leak-check=full",
+        "--errors-for-leak-kinds=definite,indirect",
+        "--show-leak-kinds=definite,indirect",
+    ]);
     command.arg(program);
     command
 }

@@ -4,7 +4,14 @@
 
 use std::mem::{offset_of, size_of};
 
-use superhelix::capi::{fit::shx_fit, sampling::shx_sample_def, solver::shx_step_report, solver_def::shx_solver_def, strand_def::shx_strand_def, types::{shx_frame, shx_input, shx_output, shx_strand_id}};
+use superhelix::capi::{
+    fit::shx_fit,
+    sampling::shx_sample_def,
+    solver::shx_step_report,
+    solver_def::shx_solver_def,
+    strand_def::shx_strand_def,
+    types::{shx_frame, shx_input, shx_output, shx_strand_id},
+};
 
 /// The lines of layout.c for these structures, after their numbers have been compared with Rust's.
 macro_rules! layouts {

@@ -52,6 +52,17 @@ pub(crate) unsafe fn strand_ids(ids: *const shx_strand_id, count: usize) -> Resu
     Ok(ids.iter().map(|id| StrandId::from_bits(id.bits)).collect())
 }
 
+/// Something of each of the caller's strands; an error says which of the ids it is about.
+pub(crate) fn each<T>(ids: &[StrandId], item: impl Fn(StrandId) -> Result<T>) -> Result<Vec<T>> {
+    let named = |(index, id): (usize, &StrandId)| {
+        item(*id).map_err(|error| match error {
+            Error::InvalidId { bits, .. } => Error::InvalidId { argument: format!("ids[{index}]"), bits },
+            other => other,
+        })
+    };
+    ids.iter().enumerate().map(named).collect()
+}
+
 /// Where a function leaves one value; checked at once, written when all went well.
 pub(crate) struct Place<T>(*mut T);
 

@@ -1,6 +1,6 @@
 //! Roots: the host moves them, the strands follow.
 
-use super::buffers::{FRAME_FORMATS, Reader, Writer, strand_ids};
+use super::buffers::{FRAME_FORMATS, Reader, Writer, each, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 use super::types::{SHX_FORMAT_FRAME, shx_input, shx_output, shx_strand_id};
@@ -75,7 +75,7 @@ pub unsafe extern "C" fn shx_solver_get_root_frames(
         read("shx_solver_get_root_frames", solver, |core| {
             let ids = strand_ids(ids, count)?;
             let writer = Writer::required("frames", frames, FRAME_FORMATS, count)?;
-            let found = ids.iter().map(|id| core.root_frame(*id)).collect::<Result<Vec<_>>>()?;
+            let found = each(&ids, |id| core.root_frame(id))?;
             for (index, frame) in found.iter().enumerate() {
                 writer.frame(index, frame);
             }

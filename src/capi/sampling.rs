@@ -4,7 +4,7 @@ use std::mem::{offset_of, size_of};
 
 use nalgebra::Vector3;
 
-use super::buffers::{FRAME_FORMATS, POINT_FORMATS, VECTOR_FORMATS, Writer, array, strand_ids};
+use super::buffers::{FRAME_FORMATS, POINT_FORMATS, VECTOR_FORMATS, Writer, array, each, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver};
 use super::types::{MAX_COUNT, shx_output, shx_strand_id};
@@ -121,23 +121,11 @@ pub unsafe extern "C" fn shx_solver_sample_strands(
             let origin = origin("def.origin", def.origin)?;
             let outputs = Outputs::new(points, frames, velocities, needed, origin)?;
             // All ids are looked up before the first point is written.
-            let radii = ids.iter().map(|id| core.radius(*id)).collect::<Result<Vec<_>>>();
-            let radii = radii.map_err(|error| name_id(&ids, error))?;
+            let radii = each(&ids, |id| core.radius(id))?;
             core.sample_strands(&ids, per_strand, |strand, point, sample| {
                 outputs.write(strand * per_strand + point, sample, radii[strand]);
             })
         })
-    }
-}
-
-/// Says which of a list of ids an error is about.
-fn name_id(ids: &[StrandId], error: Error) -> Error {
-    match error {
-        Error::InvalidId { bits, .. } => {
-            let index = ids.iter().position(|id| id.bits() == bits).unwrap_or(0);
-            Error::InvalidId { argument: format!("ids[{index}]"), bits }
-        }
-        other => other,
     }
 }
 
@@ -209,8 +197,8 @@ pub unsafe extern "C" fn shx_solver_root_wrenches(
             let ids = strand_ids(ids, count)?;
             let forces = Writer::optional("forces", forces, VECTOR_FORMATS, count)?;
             let torques = Writer::optional("torques", torques, VECTOR_FORMATS, count)?;
-            let wrenches = ids.iter().map(|id| core.root_wrench(*id)).collect::<Result<Vec<_>>>();
-            for (index, wrench) in wrenches.map_err(|error| name_id(&ids, error))?.iter().enumerate() {
+            let wrenches = each(&ids, |id| core.root_wrench(id))?;
+            for (index, wrench) in wrenches.iter().enumerate() {
                 if let Some(forces) = &forces {
                     forces.vector(index, wrench.force.into());
                 }

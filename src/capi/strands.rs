@@ -1,6 +1,6 @@
 //! Adding, removing and listing strands, and what can be asked of each.
 
-use super::buffers::{Place, Places, strand_ids};
+use super::buffers::{Place, Places, each, strand_ids};
 use super::errors::{SHX_ERROR_QUARANTINED, SHX_OK, SHX_UNCONVERGED, shx_result};
 use super::guard::{read, shx_solver, write};
 use super::strand_def::shx_strand_def;
@@ -175,16 +175,6 @@ pub unsafe extern "C" fn shx_solver_get_user_data(
             Ok(())
         })
     }
-}
-
-fn each<T>(ids: &[StrandId], item: impl Fn(StrandId) -> Result<T>) -> Result<Vec<T>> {
-    let named = |(index, id): (usize, &StrandId)| {
-        item(*id).map_err(|error| match error {
-            Error::InvalidId { bits, .. } => Error::InvalidId { argument: format!("ids[{index}]"), bits },
-            other => other,
-        })
-    };
-    ids.iter().enumerate().map(named).collect()
 }
 
 /// How each of count strands fared in the last step: SHX_OK, SHX_UNCONVERGED or SHX_ERROR_QUARANTINED (rolled back to the step's
