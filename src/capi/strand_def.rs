@@ -193,7 +193,8 @@ impl shx_strand_def {
             }
         }
         let sum: f64 = lengths.iter().sum();
-        if self.length != 0.0 && !((self.length - sum).abs() <= LENGTH_TOLERANCE * sum) {
+        let agrees = (self.length - sum).abs() <= LENGTH_TOLERANCE * sum;
+        if self.length != 0.0 && !agrees {
             return Err(Error::invalid(
                 length_argument,
                 self.length,
