@@ -1,1 +1,17 @@
 //! Files: grooms in, motions in, caches out.
+//!
+//! A groom is read into [`curves::Curves`], head motion into [`motion::Motion`]; simulated frames leave through
+//! [`sequence::SequenceWriter`]. Every reader checks the lengths that a file states against the bytes that are there before it
+//! asks for memory, and says what it found, where, and what it expected. Nothing here keeps a file open or shares state between
+//! calls: all functions may be called from any thread.
+mod bvh;
+mod bytes;
+pub mod curves;
+pub mod hair;
+pub mod motion;
+mod motion_csv;
+pub mod obj;
+pub mod sequence;
+pub mod tfx;
+mod tfx_binary;
+mod tfx_text;

@@ -53,7 +53,11 @@ impl Material {
         check_positive(|| format!("{argument}.density"), self.density)?;
         check_positive(|| format!("{argument}.youngs_modulus"), self.youngs_modulus)?;
         if !(self.poisson_ratio > -1.0 && self.poisson_ratio <= 0.5) {
-            return Err(Error::invalid(format!("{argument}.poisson_ratio"), self.poisson_ratio, "a number above -1, at most 0.5"));
+            return Err(Error::invalid(
+                format!("{argument}.poisson_ratio"),
+                self.poisson_ratio,
+                "a number above -1, at most 0.5",
+            ));
         }
         check_not_negative(|| format!("{argument}.internal_friction"), self.internal_friction)?;
         check_not_negative(|| format!("{argument}.viscosity"), self.viscosity)?;

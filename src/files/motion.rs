@@ -1,0 +1,97 @@
+//! The motion of a head: poses over time, from a table (`.csv`) or from motion capture (`.bvh`).
+
+use std::path::Path;
+
+use nalgebra::Vector3;
+
+use crate::error::Result;
+use crate::math::frame::Frame;
+use crate::math::pose_spline::PoseSpline;
+
+/// How to read a motion.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MotionOptions {
+    /// `.bvh` only: the joint whose motion is wanted, by its exact name. `None`: the first joint whose name contains "head",
+    /// in capitals or not.
+    pub joint: Option<String>,
+    /// `.bvh` only: metres a file unit, a finite number above zero. `None`: 1, the file is taken to be in metres. Motion capture
+    /// is often in centimetres (0.01) or inches (0.0254), and the files do not say.
+    pub metres_per_unit: Option<f64>,
+}
+
+/// A rigid motion: poses at increasing times, smooth in between, held before the first and after the last.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    spline: PoseSpline,
+}
+
+impl Motion {
+    /// Reads a motion with [`MotionOptions`] that name at most the joint.
+    ///
+    /// # Errors
+    /// As [`Motion::read_with`].
+    pub fn read(path: impl AsRef<Path>, joint: Option<&str>) -> Result<Motion> {
+        Self::read_with(path, &MotionOptions { joint: joint.map(str::to_owned), metres_per_unit: None })
+    }
+
+    /// Reads a motion from a `.csv` table with the header `time_s,px_m,py_m,pz_m,qw,qx,qy,qz`, or from a `.bvh` file.
+    ///
+    /// # Errors
+    /// [`crate::error::Error::File`] with the line number; [`crate::error::Error::InvalidArgument`] for options that are out of
+    /// range or that the format has no use for; [`crate::error::Error::OutOfMemory`].
+    pub fn read_with(path: impl AsRef<Path>, options: &MotionOptions) -> Result<Motion> {
+        todo!()
+    }
+
+    /// [`Motion::read_with`] from memory. `name` stands for the path in errors, and its extension counts as one.
+    ///
+    /// # Errors
+    /// As [`Motion::read_with`].
+    pub fn read_from_bytes(name: &str, bytes: &[u8], options: &MotionOptions) -> Result<Motion> {
+        todo!()
+    }
+
+    /// A motion from samples: times in s, finite and strictly increasing, and as many poses.
+    ///
+    /// # Errors
+    /// As [`PoseSpline::new`].
+    pub fn from_samples(times: Vec<f64>, frames: Vec<Frame>) -> Result<Motion> {
+        Ok(Motion { spline: PoseSpline::new(times, frames)? })
+    }
+
+    /// Times of the samples, s, strictly increasing.
+    pub fn times(&self) -> &[f64] {
+        self.spline.times()
+    }
+
+    /// Poses at the samples. Neighbouring quaternions have a dot product that is not negative.
+    pub fn frames(&self) -> &[Frame] {
+        self.spline.frames()
+    }
+
+    /// From the first sample to the last, s; 0 for a single sample.
+    pub fn duration(&self) -> f64 {
+        self.spline.duration()
+    }
+
+    /// The pose at a time (s): exact at samples, smooth in between, held outside. See [`PoseSpline::at`].
+    pub fn at(&self, time: f64) -> Frame {
+        self.spline.at(time)
+    }
+
+    /// Velocity (m/s) and angular velocity (rad/s), both in world axes, at a time (s). See [`PoseSpline::velocity`].
+    pub fn velocity(&self, time: f64) -> (Vector3<f64>, Vector3<f64>) {
+        self.spline.velocity(time)
+    }
+
+    /// The curve through the samples.
+    pub fn spline(&self) -> &PoseSpline {
+        &self.spline
+    }
+
+    /// The same motion in axes with z up, of one with y up: (x, y, z) becomes (x, -z, y) in the world and in the moving frame
+    /// alike, so that an unturned frame stays unturned. [`crate::files::curves::Curves::to_z_up`] turns a groom the same way.
+    pub fn to_z_up(&self) -> Motion {
+        todo!()
+    }
+}
