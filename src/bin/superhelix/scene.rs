@@ -6,13 +6,13 @@ use nalgebra::Vector3;
 use serde_json::Value;
 use superhelix::error::Error;
 use superhelix::math::frame::Frame;
+use superhelix::math::pose_spline::PoseSpline;
 use superhelix::rod::freedoms::Freedoms;
 use superhelix::rod::material::Material;
 use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef, Workers};
 use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
 
 use crate::json::{self, Complaint, Entries, Node};
-use crate::root_motion::RootMotion;
 use crate::timeline;
 
 /// Samples a strand for `points`, `frames` and `velocities` when the scene does not say.
@@ -91,7 +91,7 @@ pub struct SceneStrand {
     /// What the strand is made from; its root and root velocity are already those of the motion's start.
     pub definition: StrandDef,
     /// The root's motion, if it moves.
-    pub motion: Option<RootMotion>,
+    pub motion: Option<PoseSpline>,
 }
 
 /// A scene that has been checked.
@@ -203,7 +203,8 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
 /// The solver names its own fields: the same complaint in the keys of a scene.
 pub fn in_words_of_the_scene(error: Error, integrator: Integrator) -> Complaint {
     let key = |argument: &str| {
-        let argument = argument.split_once('.').map_or(argument, |(first, rest)| if first.contains('[') { argument } else { rest });
+        let argument =
+            argument.split_once('.').map_or(argument, |(first, rest)| if first.contains('[') { argument } else { rest });
         let mut key = argument.replace(" (count)", "");
         for (field, name) in
             [("natural", "natural_curvatures"), ("initial", "initial_curvatures"), ("max_iterations", "newton.max_iterations")]
@@ -221,7 +222,10 @@ pub fn in_words_of_the_scene(error: Error, integrator: Integrator) -> Complaint 
     };
     match error {
         Error::Unsupported { argument, value, hint } if argument.ends_with(".integrator") => {
-            let name = INTEGRATORS.iter().find(|(_, candidate)| *candidate == integrator).map_or(value, |(name, _)| format!("\"{name}\""));
+            let name = INTEGRATORS
+                .iter()
+                .find(|(_, candidate)| *candidate == integrator)
+                .map_or(value, |(name, _)| format!("\"{name}\""));
             let _ = hint; // it lists the names that Rust has
             Complaint::new(
                 key(&argument),
@@ -285,10 +289,8 @@ fn read_strand(node: &Node) -> Result<SceneStrand, Complaint> {
     }
     let motion = strand.get_unless_null("root_motion").map(read_motion).transpose()?;
     if let Some(motion) = &motion {
-        let start = motion.at(0.0);
-        definition.root = start.frame;
-        definition.root_velocity = start.velocity;
-        definition.root_angular_velocity = start.angular_velocity;
+        definition.root = motion.at(0.0);
+        (definition.root_velocity, definition.root_angular_velocity) = motion.velocity(0.0);
     }
     definition.check(&node.key).map_err(|error| in_words_of_the_scene(error, Integrator::default()))?;
     Ok(SceneStrand { definition, motion })
@@ -341,7 +343,7 @@ fn read_frame(key: &str, origin: [f64; 3], rotation: [f64; 4]) -> Result<Frame, 
     Frame::from_arrays(key, origin, rotation).map_err(|error| in_words_of_the_scene(error, Integrator::default()))
 }
 
-fn read_motion(node: &Node) -> Result<RootMotion, Complaint> {
+fn read_motion(node: &Node) -> Result<PoseSpline, Complaint> {
     let entries = node.object(&["times", "frames"])?;
     let (times_node, frames_node) = (entries.require("times")?, entries.require("frames")?);
     let items = times_node.list()?;
@@ -363,7 +365,7 @@ fn read_motion(node: &Node) -> Result<RootMotion, Complaint> {
             read_frame(&item.key, [x, y, z], [qx, qy, qz, qw])
         })
         .collect::<Result<Vec<_>, _>>()?;
-    RootMotion::new(times, frames).map_err(|error| Complaint::new(&node.key, error.to_string()))
+    PoseSpline::new(times, frames).map_err(|error| Complaint::new(&node.key, error.to_string()))
 }
 
 fn read_samples(node: &Node) -> Result<usize, Complaint> {

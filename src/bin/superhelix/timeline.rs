@@ -62,7 +62,9 @@ mod tests {
 
     #[test]
     fn every_interval_is_covered_exactly() {
-        for (duration, interval, step) in [(1.0, 0.016666, 0.016666), (0.7, 0.3, 0.011), (1e-3, 5.0, 1e-4), (3.0, 1.0 / 30.0, 1.0 / 240.0)] {
+        for (duration, interval, step) in
+            [(1.0, 0.016666, 0.016666), (0.7, 0.3, 0.011), (1e-3, 5.0, 1e-4), (3.0, 1.0 / 30.0, 1.0 / 240.0)]
+        {
             let times = output_times(duration, interval);
             assert_eq!(*times.last().unwrap(), duration);
             for pair in times.windows(2) {
