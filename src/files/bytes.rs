@@ -1,10 +1,178 @@
-//! Bytes of a file, and numbers out of them.
+//! Whole files in and out, and little-endian numbers out of bytes.
 
-use std::path::Path;
+use std::fs::{self, File};
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 
-/// Reads a whole file.
+/// The most that is read from something without a size of its own (a pipe): 1 GiB.
+const PIPE_LIMIT: u64 = 1 << 30;
+
+/// Reads a whole file. Memory is asked for once, of the size that the file system states; a pipe is read to its end, up to
+/// [`PIPE_LIMIT`]. Directories and devices are refused.
 pub(super) fn read_file(path: &Path) -> Result<Vec<u8>> {
-    todo!()
+    let cannot = |error: std::io::Error| Error::file(path, format_args!("cannot be read: {error}"));
+    // Looked at before it is opened: opening a device may already do something.
+    let kind = fs::metadata(path).map_err(cannot)?.file_type();
+    if !(kind.is_file() || is_pipe(&kind)) {
+        return Err(Error::file(path, if kind.is_dir() { "is a directory" } else { "is neither a file nor a pipe" }));
+    }
+    let mut file = File::open(path).map_err(cannot)?;
+    let stated = file.metadata().map_err(cannot)?.len();
+    let mut bytes = Vec::new();
+    if kind.is_file() {
+        let size = usize::try_from(stated).map_err(|_| Error::OutOfMemory { bytes: usize::MAX })?;
+        reserve(&mut bytes, size)?;
+        // One more than stated is asked for, so that a file that grows is noticed.
+        let read = (&mut file).take(stated).read_to_end(&mut bytes).map_err(cannot)?;
+        if read != size || file.read(&mut [0]).map_err(cannot)? != 0 {
+            return Err(Error::file(path, format_args!("changed while it was read ({size} bytes at first)")));
+        }
+    } else {
+        let mut chunk = vec![0; 1 << 16];
+        loop {
+            let read = match file.read(&mut chunk) {
+                Ok(0) => break,
+                Ok(read) => read,
+                Err(error) if error.kind() == std::io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(cannot(error)),
+            };
+            if (bytes.len() + read) as u64 > PIPE_LIMIT {
+                return Err(Error::file(path, format_args!("is a pipe that gave more than {PIPE_LIMIT} bytes")));
+            }
+            bytes.try_reserve(read).map_err(|_| Error::OutOfMemory { bytes: bytes.len() + read })?;
+            bytes.extend_from_slice(&chunk[..read]);
+        }
+    }
+    Ok(bytes)
+}
+
+#[cfg(unix)]
+fn is_pipe(kind: &fs::FileType) -> bool {
+    std::os::unix::fs::FileTypeExt::is_fifo(kind)
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_kind: &fs::FileType) -> bool {
+    false
+}
+
+/// Writes a whole file: to a neighbour first, which then takes the name, so that no reader ever sees half a file. What is there
+/// and is no regular file (a pipe, a device, a link) is written to directly.
+pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
+    let cannot = |error: std::io::Error| Error::file(path, format_args!("cannot be written: {error}"));
+    if fs::symlink_metadata(path).is_ok_and(|there| !there.is_file()) {
+        let mut file = File::options().write(true).truncate(true).open(path).map_err(cannot)?;
+        return file.write_all(bytes).and_then(|()| file.flush()).map_err(cannot);
+    }
+    let Some(neighbour) = neighbour(path) else { return Err(Error::file(path, "cannot be written: it has no file name")) };
+    let written = File::options()
+        .write(true)
+        .create_new(true)
+        .open(&neighbour)
+        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.flush()))
+        .and_then(|()| fs::rename(&neighbour, path));
+    written.map_err(|error| {
+        // The error is about the file that was asked for; the neighbour is best forgotten, and may not even be there.
+        let _ = fs::remove_file(&neighbour);
+        cannot(error)
+    })
+}
+
+/// A name beside `path` that no other process or thread writes to.
+fn neighbour(path: &Path) -> Option<PathBuf> {
+    static NEXT: AtomicU64 = AtomicU64::new(0);
+    let mut name = std::ffi::OsString::from(".");
+    name.push(path.file_name()?);
+    name.push(format!(".{}-{}.part", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed)));
+    Some(path.with_file_name(name))
+}
+
+/// Makes room for exactly `count` more items, or says that there is none.
+pub(super) fn reserve<T>(list: &mut Vec<T>, count: usize) -> Result<()> {
+    list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) })
+}
+
+/// A list with exactly this much room, or the error that there is none.
+pub(super) fn list<T>(capacity: usize) -> Result<Vec<T>> {
+    let mut list = Vec::new();
+    reserve(&mut list, capacity)?;
+    Ok(list)
+}
+
+/// A part of a binary file, known to lie inside it.
+#[derive(Clone, Copy)]
+pub(super) struct Section<'a> {
+    /// The file's name, for errors.
+    pub name: &'a str,
+    /// Where it begins in the file.
+    pub offset: usize,
+    /// Its bytes.
+    pub bytes: &'a [u8],
+}
+
+impl<'a> Section<'a> {
+    /// The part of `bytes` that begins at `offset` and holds `count` items of `width` bytes, or the error that the file is too
+    /// short for it. `what` says what the part is: "points".
+    pub fn of(name: &'a str, bytes: &'a [u8], what: &str, offset: u64, count: u64, width: u64) -> Result<Self> {
+        let end = count.checked_mul(width).and_then(|size| offset.checked_add(size));
+        match end {
+            Some(end) if end <= bytes.len() as u64 => {
+                Ok(Self { name, offset: offset as usize, bytes: &bytes[offset as usize..end as usize] })
+            }
+            _ => Err(Error::file(
+                name,
+                format_args!(
+                    "truncated: {count} {what} of {width} bytes from byte {offset} end at byte {}, and the file has {} bytes",
+                    end.map_or("2^64 or beyond".to_owned(), |end| end.to_string()),
+                    bytes.len()
+                ),
+            )),
+        }
+    }
+
+    /// One past its last byte.
+    pub fn end(&self) -> usize {
+        self.offset + self.bytes.len()
+    }
+
+    /// All its floats, `N` to an item, checked to be finite. `what` says what an item is: "point".
+    pub fn floats<const N: usize>(&self, what: &str) -> Result<Vec<[f32; N]>> {
+        let mut items = list(self.bytes.len() / (4 * N))?;
+        for (index, item) in self.bytes.chunks_exact(4 * N).enumerate() {
+            let mut values = [0.0; N];
+            for (axis, value) in values.iter_mut().enumerate() {
+                *value = f32::from_bits(u32_at(item, 4 * axis));
+                if !value.is_finite() {
+                    return Err(Error::file(
+                        self.name,
+                        format_args!(
+                            "number {axis} of {what} {index} at byte {} is {value}; expected a finite number",
+                            self.offset + (index * N + axis) * 4
+                        ),
+                    ));
+                }
+            }
+            items.push(values);
+        }
+        Ok(items)
+    }
+
+    /// [`Section::floats`] of one float an item.
+    pub fn singles(&self, what: &str) -> Result<Vec<f32>> {
+        // The items are laid out alike: this is a copy that the compiler sees through.
+        Ok(self.floats::<1>(what)?.into_iter().map(|[value]| value).collect())
+    }
+}
+
+/// The 32-bit number at a byte. The caller has checked that it is there.
+pub(super) fn u32_at(bytes: &[u8], at: usize) -> u32 {
+    u32::from_le_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]])
+}
+
+/// The float at a byte. The caller has checked that it is there.
+pub(super) fn f32_at(bytes: &[u8], at: usize) -> f32 {
+    f32::from_bits(u32_at(bytes, at))
 }

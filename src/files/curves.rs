@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_positive};
 use crate::files::hair::HairHeader;
 use crate::files::{bytes, hair, obj, tfx};
 
@@ -38,7 +38,8 @@ impl CurvesFormat {
     }
 }
 
-/// Polylines in a file's own units, root first. Every strand has at least two points and every number is finite.
+/// Polylines in a file's own units, root first. There is at least one strand, every strand has at least two points, and every
+/// number is finite. Points of a strand may coincide, and strands may be shorter than a hair is wide: real grooms have both.
 ///
 /// Grooms state no unit and no up axis: [`Curves::scaled`] and [`Curves::to_z_up`] bring them into the engine's metres and,
 /// where wanted, its default axes.
@@ -61,9 +62,10 @@ pub struct Extras {
     pub transparency: Option<Vec<f32>>,
     /// Red, green, blue a point, 0 to 1 (`.hair`, `.tfx`).
     pub colors: Option<Vec<[f32; 3]>>,
-    /// Whether a point is held (does not move with the simulation), a point (`.tfx` 4: w = 0; `.tfx` 2 and 3: "both ends held").
+    /// Whether each point is held, that is, moves with the head alone: in `.tfx` 4 the points whose fourth number is 0; in `.tfx`
+    /// 2 and 3, when the file asks for both ends to be held, the first two and the last two points of each strand.
     pub held: Option<Vec<bool>>,
-    /// Thickness factor a strand (`.tfx` 4).
+    /// Thickness factor a strand (`.tfx` 3 and 4).
     pub strand_thickness: Option<Vec<f32>>,
     /// Texture coordinates of the root, a strand (`.tfx`).
     pub strand_uvs: Option<Vec<[f32; 2]>>,
@@ -89,24 +91,72 @@ impl Curves {
     /// # Errors
     /// As [`Curves::read`].
     pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
-        todo!()
+        if bytes.starts_with(b"HAIR") {
+            return hair::read_from_bytes(name, bytes);
+        }
+        if bytes.starts_with(&[0x1f, 0x8b]) {
+            return Err(Error::file(name, "is compressed (gzip): uncompress it first"));
+        }
+        let extension = Path::new(name).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        match extension.to_ascii_lowercase().as_str() {
+            "hair" => hair::read_from_bytes(name, bytes),
+            "tfx" => tfx::read_from_bytes(name, bytes),
+            "obj" => obj::read_from_bytes(name, bytes),
+            _ if tfx::is_text(bytes) || tfx::is_binary(bytes) => tfx::read_from_bytes(name, bytes),
+            _ => Err(Error::file(name, "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4) or .obj")),
+        }
     }
 
     /// Curves from strands of points, root first.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a strand with fewer than two points or a point that is not finite.
+    /// [`Error::InvalidArgument`] for no strands, a strand with fewer than two points, or a point that is not finite.
     pub fn from_strands<S: AsRef<[[f32; 3]]>>(strands: &[S]) -> Result<Curves> {
-        todo!()
+        let mut counts = Vec::with_capacity(strands.len());
+        let mut points = Vec::with_capacity(strands.iter().map(|strand| strand.as_ref().len()).sum());
+        for (index, strand) in strands.iter().enumerate() {
+            let count = u32::try_from(strand.as_ref().len())
+                .map_err(|_| Error::invalid(format!("strands[{index}]"), strand.as_ref().len(), "at most 4294967295 points"))?;
+            counts.push(count);
+            points.extend_from_slice(strand.as_ref());
+        }
+        Self::from_counts(counts, points)
     }
 
     /// Curves from one list of points, root first, and the number of points of each strand.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] when a count is below two, the counts do not add up to the number of points, or a point is
-    /// not finite.
+    /// [`Error::InvalidArgument`] when there are no strands, a count is below two, the counts do not add up to the number of
+    /// points, or a point is not finite.
     pub fn from_counts(counts: Vec<u32>, points: Vec<[f32; 3]>) -> Result<Curves> {
-        todo!()
+        if counts.is_empty() {
+            return Err(Error::invalid("counts", "empty", "at least one strand"));
+        }
+        if let Some(index) = counts.iter().position(|count| *count < 2) {
+            return Err(Error::invalid(format!("counts[{index}]"), counts[index], "at least two points"));
+        }
+        let total: u64 = counts.iter().map(|count| u64::from(*count)).sum();
+        if total != points.len() as u64 {
+            return Err(Error::invalid("points", format!("{} points", points.len()), format!("{total}, the sum of the counts")));
+        }
+        if let Some(index) = points.iter().position(|point| !point.iter().all(|value| value.is_finite())) {
+            return Err(Error::invalid(format!("points[{index}]"), format!("{:?}", points[index]), "finite numbers"));
+        }
+        Self::from_parts(CurvesFormat::Memory, counts, points, Extras::default())
+    }
+
+    /// Curves of parts that have been checked: at least one strand, counts of at least two that add up to the number of points,
+    /// finite numbers, lists of the right length.
+    pub(super) fn from_parts(format: CurvesFormat, counts: Vec<u32>, points: Vec<[f32; 3]>, extras: Extras) -> Result<Curves> {
+        let mut starts = bytes::list(counts.len() + 1)?;
+        let mut start = 0;
+        starts.push(start);
+        starts.extend(counts.iter().map(|count| {
+            start += *count as usize;
+            start
+        }));
+        debug_assert!(start == points.len() && !counts.is_empty());
+        Ok(Curves { format, counts, starts, points, extras })
     }
 
     /// The format that the curves were read from.
@@ -134,7 +184,7 @@ impl Curves {
         &self.points
     }
 
-    /// Where strand `index` lies in [`Curves::points`] and in the lists of [`Extras`] that are a point.
+    /// Where strand `index` lies in [`Curves::points`], and in the lists of [`Extras`] that have one entry a point.
     ///
     /// # Panics
     /// When there is no such strand.
@@ -165,25 +215,45 @@ impl Curves {
     /// # Panics
     /// When there is no such strand.
     pub fn strand_length(&self, index: usize) -> f64 {
-        todo!()
+        let edge =
+            |pair: &[[f32; 3]]| (0..3).map(|axis| (f64::from(pair[1][axis]) - f64::from(pair[0][axis])).powi(2)).sum::<f64>();
+        self.strand(index).windows(2).map(|pair| edge(pair).sqrt()).sum()
     }
 
-    /// The smallest and largest coordinates of all points, in file units; `None` when there are no strands.
-    pub fn bounding_box(&self) -> Option<([f32; 3], [f32; 3])> {
-        todo!()
+    /// The smallest and the largest coordinates of all points, in file units.
+    pub fn bounding_box(&self) -> ([f32; 3], [f32; 3]) {
+        self.points.iter().fold((self.points[0], self.points[0]), |(low, high), point| {
+            (std::array::from_fn(|axis| low[axis].min(point[axis])), std::array::from_fn(|axis| high[axis].max(point[axis])))
+        })
     }
 
-    /// The same curves with every point (and thickness a point) multiplied by `factor`: metres a file unit makes metres.
+    /// The same curves with every point and every thickness of a `.hair` file multiplied by `factor`: given the metres of a file
+    /// unit, it makes metres. Thickness factors ([`Extras::strand_thickness`]) stay.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] when `factor` is not a finite number above zero, or a point overflows.
+    /// [`Error::InvalidArgument`] when `factor` is not a finite number above zero, or takes a number beyond the range of f32.
     pub fn scaled(&self, factor: f64) -> Result<Curves> {
-        todo!()
+        check_positive(|| "factor".to_owned(), factor)?;
+        let mut scaled = self.clone();
+        let lengths = scaled.points.iter_mut().flatten();
+        let lengths = lengths.chain(scaled.extras.thickness.iter_mut().flatten());
+        for length in lengths.chain(scaled.extras.hair_header.iter_mut().map(|header| &mut header.thickness)) {
+            let value = (f64::from(*length) * factor) as f32;
+            if !value.is_finite() {
+                return Err(Error::invalid("factor", factor, format!("one that keeps {length} below 3.4e38")));
+            }
+            *length = value;
+        }
+        Ok(scaled)
     }
 
     /// The same curves turned from y up to z up: (x, y, z) becomes (x, -z, y). [`crate::files::motion::Motion::to_z_up`] turns
     /// a motion the same way.
     pub fn to_z_up(&self) -> Curves {
-        todo!()
+        let mut turned = self.clone();
+        for point in &mut turned.points {
+            *point = [point[0], -point[2], point[1]];
+        }
+        turned
     }
 }

@@ -12,6 +12,7 @@ pub mod motion;
 mod motion_csv;
 pub mod obj;
 pub mod sequence;
+mod text;
 pub mod tfx;
 mod tfx_binary;
 mod tfx_text;

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use crate::error::Result;
+use crate::error::{Error, Result, check_positive};
+use crate::files::{bvh, bytes, motion_csv};
 use crate::math::frame::Frame;
 use crate::math::pose_spline::PoseSpline;
 
@@ -17,6 +18,23 @@ pub struct MotionOptions {
     /// `.bvh` only: metres a file unit, a finite number above zero. `None`: 1, the file is taken to be in metres. Motion capture
     /// is often in centimetres (0.01) or inches (0.0254), and the files do not say.
     pub metres_per_unit: Option<f64>,
+}
+
+impl MotionOptions {
+    fn check(&self) -> Result<()> {
+        self.metres_per_unit.map_or(Ok(()), |scale| check_positive(|| "metres_per_unit".to_owned(), scale))
+    }
+
+    /// Refuses what a table has no use for, rather than reading it as if it had not been asked.
+    fn check_unused(&self, name: &str) -> Result<()> {
+        if let Some(joint) = &self.joint {
+            return Err(Error::invalid("joint", format!("{joint:?}"), format!("none: {name} is a table of one motion")));
+        }
+        if let Some(scale) = self.metres_per_unit {
+            return Err(Error::invalid("metres_per_unit", scale, format!("none: {name} is a table in metres")));
+        }
+        Ok(())
+    }
 }
 
 /// A rigid motion: poses at increasing times, smooth in between, held before the first and after the last.
@@ -40,7 +58,9 @@ impl Motion {
     /// [`crate::error::Error::File`] with the line number; [`crate::error::Error::InvalidArgument`] for options that are out of
     /// range or that the format has no use for; [`crate::error::Error::OutOfMemory`].
     pub fn read_with(path: impl AsRef<Path>, options: &MotionOptions) -> Result<Motion> {
-        todo!()
+        let path = path.as_ref();
+        options.check()?;
+        Self::read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?, options)
     }
 
     /// [`Motion::read_with`] from memory. `name` stands for the path in errors, and its extension counts as one.
@@ -48,7 +68,23 @@ impl Motion {
     /// # Errors
     /// As [`Motion::read_with`].
     pub fn read_from_bytes(name: &str, bytes: &[u8], options: &MotionOptions) -> Result<Motion> {
-        todo!()
+        options.check()?;
+        let extension = Path::new(name).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        let is_bvh = match extension.to_ascii_lowercase().as_str() {
+            "bvh" => true,
+            "csv" => false,
+            _ if bytes.trim_ascii_start().starts_with(b"HIERARCHY") => true,
+            _ if bytes.trim_ascii_start().starts_with(b"time_s") => false,
+            _ => return Err(Error::file(name, "is of no known motion format: expected .csv or .bvh")),
+        };
+        let (times, frames) = if is_bvh {
+            bvh::read(name, bytes, options.joint.as_deref(), options.metres_per_unit.unwrap_or(1.0))?
+        } else {
+            options.check_unused(name)?;
+            motion_csv::read(name, bytes)?
+        };
+        // The readers have checked the samples one by one; what is left is their differences.
+        Self::from_samples(times, frames).map_err(|error| Error::file(name, error))
     }
 
     /// A motion from samples: times in s, finite and strictly increasing, and as many poses.
@@ -92,6 +128,15 @@ impl Motion {
     /// The same motion in axes with z up, of one with y up: (x, y, z) becomes (x, -z, y) in the world and in the moving frame
     /// alike, so that an unturned frame stays unturned. [`crate::files::curves::Curves::to_z_up`] turns a groom the same way.
     pub fn to_z_up(&self) -> Motion {
-        todo!()
+        Motion {
+            spline: self.spline.map_frames(|frame| {
+                let (origin, q) = (frame.origin, frame.rotation.quaternion());
+                // A quarter turn about x on both sides of the rotation: the axis turns along, the angle stays.
+                Frame {
+                    origin: Vector3::new(origin.x, -origin.z, origin.y),
+                    rotation: UnitQuaternion::new_unchecked(Quaternion::new(q.w, q.i, -q.k, q.j)),
+                }
+            }),
+        }
     }
 }

@@ -1,16 +1,26 @@
-//! Wavefront OBJ with polylines: `v` and `l` lines.
+//! Wavefront OBJ with polylines: `v x y z` for each point, `l a b c ...` for each strand.
+//!
+//! Groups, objects, materials and comments are read past; faces and all else that is no polyline is refused, as are points that
+//! are on no line.
 
+use std::io::Write;
 use std::path::Path;
 
-use crate::error::Result;
-use crate::files::curves::Curves;
+use crate::error::{Error, Result};
+use crate::files::bytes;
+use crate::files::curves::{Curves, CurvesFormat, Extras};
+use crate::files::text::{Quote, Text, single};
+
+/// First words of lines that say nothing about points.
+const LEFT: [&str; 5] = ["o", "g", "s", "usemtl", "mtllib"];
 
 /// Reads the polylines of an OBJ file.
 ///
 /// # Errors
-/// [`crate::error::Error::File`], [`crate::error::Error::OutOfMemory`]: see [`Curves::read`].
+/// [`Error::File`], [`Error::OutOfMemory`]: see [`Curves::read`].
 pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
-    todo!()
+    let path = path.as_ref();
+    read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
 }
 
 /// [`read`] from memory. `name` stands for the path in errors.
@@ -18,19 +28,105 @@ pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
 /// # Errors
 /// As [`read`].
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
-    todo!()
+    // A first pass counts, so that memory is asked for once and no larger than the file warrants.
+    let (mut vertex_count, mut line_count, mut index_count) = (0, 0, 0);
+    let mut text = Text::new(name, bytes);
+    while let Some((_, content)) = text.next_full_line()? {
+        let mut words = content.split_ascii_whitespace();
+        match words.next() {
+            Some("v") => vertex_count += 1,
+            Some("l") => {
+                line_count += 1;
+                index_count += words.count();
+            }
+            _ => {}
+        }
+    }
+
+    let mut vertices = bytes::list(vertex_count)?;
+    let mut on_line = bytes::list(vertex_count)?;
+    let mut counts = bytes::list(line_count)?;
+    let mut points = bytes::list(index_count)?;
+    let mut text = Text::new(name, bytes);
+    while let Some((line, content)) = text.next_full_line()? {
+        let mut words = content.split_ascii_whitespace();
+        match words.next() {
+            Some("v") => {
+                let row: [&str; 3] = std::array::from_fn(|_| words.next().unwrap_or_default());
+                if row[2].is_empty() || words.next().is_some() {
+                    return Err(text.error(line, format_args!("{}; expected \"v x y z\"", Quote(content))));
+                }
+                vertices.push([
+                    single(&text, line, "x", row[0])?,
+                    single(&text, line, "y", row[1])?,
+                    single(&text, line, "z", row[2])?,
+                ]);
+                on_line.push(false);
+            }
+            Some("l") => {
+                let mut count = 0_u32;
+                for word in words {
+                    let index = vertex_index(word, vertices.len()).ok_or_else(|| {
+                        let known = vertices.len();
+                        text.error(line, format_args!("vertex {}; expected 1 to {known} (those above this line)", Quote(word)))
+                    })?;
+                    points.push(vertices[index]);
+                    on_line[index] = true;
+                    count = count.checked_add(1).ok_or_else(|| text.error(line, "more than 4294967295 points"))?;
+                }
+                if count < 2 {
+                    return Err(
+                        text.error(line, format_args!("strand {} has {count} points; expected at least two", counts.len()))
+                    );
+                }
+                counts.push(count);
+            }
+            Some(word) if LEFT.contains(&word) || word.starts_with('#') => {}
+            _ => {
+                let expected = "only polylines (v and l) are read";
+                return Err(text.error(line, format_args!("{}: {expected}", Quote(content))));
+            }
+        }
+    }
+    if counts.is_empty() {
+        return Err(Error::file(name, "has no polylines (\"l\" lines)"));
+    }
+    if let Some(index) = on_line.iter().position(|on_line| !on_line) {
+        return Err(Error::file(name, format_args!("vertex {} is on no polyline", index + 1)));
+    }
+    Curves::from_parts(CurvesFormat::Obj, counts, points, Extras::default())
+}
+
+/// The place of a vertex that a line names: from 1 on, or from -1 backwards.
+fn vertex_index(word: &str, known: usize) -> Option<usize> {
+    let index = word.parse::<i64>().ok()?;
+    let index = if index < 0 { (known as i64).checked_add(index)? } else { index - 1 };
+    usize::try_from(index).ok().filter(|index| *index < known)
 }
 
 /// Writes curves as one OBJ frame: a `v` line a point, then an `l` line a strand. Numbers are written so that reading them
-/// gives the same floats.
+/// gives the same floats. Thickness, colours and the like have no place in it.
 ///
 /// # Errors
-/// [`crate::error::Error::File`] naming the path when it cannot be written.
+/// [`Error::File`] naming the path when it cannot be written.
 pub fn write(path: impl AsRef<Path>, curves: &Curves) -> Result<()> {
-    todo!()
+    bytes::write_file(path.as_ref(), &write_to_bytes(curves))
 }
 
-/// [`write`] into memory.
+/// [`write()`] into memory.
 pub fn write_to_bytes(curves: &Curves) -> Vec<u8> {
-    todo!()
+    let mut out = Vec::with_capacity(40 * curves.point_count());
+    // Writing to a Vec cannot fail, so its results say nothing.
+    let _ = writeln!(out, "# superhelix: {} strands, {} points", curves.strand_count(), curves.point_count());
+    for [x, y, z] in curves.points() {
+        let _ = writeln!(out, "v {x} {y} {z}");
+    }
+    for strand in 0..curves.strand_count() {
+        out.push(b'l');
+        for index in curves.strand_range(strand) {
+            let _ = write!(out, " {}", index + 1);
+        }
+        out.push(b'\n');
+    }
+    out
 }

@@ -1,9 +1,11 @@
 //! A cache: simulated frames as a sequence of files, `stem.0001.obj`, `stem.0002.obj` and so on.
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::files::curves::Curves;
+use crate::files::{hair, obj};
 
 /// The format of a cache's frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,16 +41,17 @@ pub struct SequenceWriter {
     directory: PathBuf,
     stem: String,
     format: CacheFormat,
-    next: u32,
+    next: Option<u32>,
     written: u32,
 }
 
 impl SequenceWriter {
-    /// Begins a sequence `directory/stem.NNNN.ext`; makes the directory if it is not there. The first frame's number is `first_frame`.
+    /// Begins a sequence `directory/stem.NNNN.ext`; makes the directory if it is not there. The first frame's number is
+    /// `first_frame`; numbers have at least four digits.
     ///
     /// # Errors
-    /// [`crate::error::Error::InvalidArgument`] for a stem that is empty or has a path separator in it;
-    /// [`crate::error::Error::File`] when the directory cannot be made or read, or holds frames of this name and `existing` is [`Existing::Refuse`].
+    /// [`Error::InvalidArgument`] for a stem that is empty or has a path separator in it; [`Error::File`] when the directory
+    /// cannot be made, read or cleared, or holds frames of this name and `existing` is [`Existing::Refuse`].
     pub fn create(
         directory: impl AsRef<Path>,
         stem: &str,
@@ -56,15 +59,40 @@ impl SequenceWriter {
         first_frame: u32,
         existing: Existing,
     ) -> Result<Self> {
-        todo!()
+        check_stem(stem)?;
+        let directory = directory.as_ref();
+        fs::create_dir_all(directory).map_err(|error| Error::file(directory, format_args!("cannot be made: {error}")))?;
+        let there = find(directory, stem, format)?;
+        match (existing, there.first()) {
+            (Existing::Refuse, Some((_, path))) => {
+                return Err(Error::file(path, "is there already: a cache of this name would mix with it"));
+            }
+            (Existing::Replace, _) => {
+                for (_, path) in &there {
+                    fs::remove_file(path).map_err(|error| Error::file(path, format_args!("cannot be deleted: {error}")))?;
+                }
+            }
+            (Existing::Refuse, None) => {}
+        }
+        Ok(Self { directory: directory.to_owned(), stem: stem.to_owned(), format, next: Some(first_frame), written: 0 })
     }
 
     /// Writes the next frame and gives its path.
     ///
     /// # Errors
-    /// [`crate::error::Error::File`] naming the path; the frame is then not there, and the next call tries the same number.
+    /// [`Error::File`] naming the path; the frame is then not there, and the next call tries the same number.
     pub fn write(&mut self, curves: &Curves) -> Result<PathBuf> {
-        todo!()
+        let Some(number) = self.next else {
+            return Err(Error::file(self.directory.join(&self.stem), format_args!("frame {} was the last possible", u32::MAX)));
+        };
+        let path = self.directory.join(format!("{}.{number:04}.{}", self.stem, self.format.extension()));
+        match self.format {
+            CacheFormat::Obj => obj::write(&path, curves)?,
+            CacheFormat::Hair => hair::write(&path, curves)?,
+        }
+        self.next = number.checked_add(1);
+        self.written += 1;
+        Ok(path)
     }
 
     /// [`SequenceWriter::write`] from the number of points of each strand and the points of all strands.
@@ -72,7 +100,7 @@ impl SequenceWriter {
     /// # Errors
     /// As [`SequenceWriter::write`] and [`Curves::from_counts`].
     pub fn write_points(&mut self, counts: &[u32], points: &[[f32; 3]]) -> Result<PathBuf> {
-        todo!()
+        self.write(&Curves::from_counts(counts.to_vec(), points.to_vec())?)
     }
 
     /// Frames written so far.
@@ -84,7 +112,6 @@ impl SequenceWriter {
 /// A cache on disk: the frames that a directory holds, in order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sequence {
-    format: CacheFormat,
     frames: Vec<(u32, PathBuf)>,
 }
 
@@ -92,9 +119,27 @@ impl Sequence {
     /// Lists the frames `directory/stem.NNNN.ext` by number.
     ///
     /// # Errors
-    /// [`crate::error::Error::File`] when the directory cannot be read, holds no such frame, or one is missing in between.
+    /// [`Error::InvalidArgument`] for a stem that is empty or has a path separator in it; [`Error::File`] when the directory cannot
+    /// be read, holds no such frame, holds one twice, or one is missing in between.
     pub fn list(directory: impl AsRef<Path>, stem: &str, format: CacheFormat) -> Result<Self> {
-        todo!()
+        check_stem(stem)?;
+        let directory = directory.as_ref();
+        let frames = find(directory, stem, format)?;
+        let name = |number: u64| format!("{stem}.{number:04}.{}", format.extension());
+        if frames.is_empty() {
+            return Err(Error::file(directory, format_args!("holds no frame {stem}.NNNN.{}", format.extension())));
+        }
+        for pair in frames.windows(2) {
+            let ((before, _), (after, path)) = (&pair[0], &pair[1]);
+            if before == after {
+                return Err(Error::file(path, format_args!("is frame {after}, which is there a second time")));
+            }
+            let wanted = u64::from(*before) + 1;
+            if u64::from(*after) != wanted {
+                return Err(Error::file(directory.join(name(wanted)), "is missing from the sequence"));
+            }
+        }
+        Ok(Self { frames })
     }
 
     /// Frame numbers and paths, in order.
@@ -105,8 +150,41 @@ impl Sequence {
     /// Reads the frame at `index` (0 is the first one, whatever its number).
     ///
     /// # Errors
-    /// As [`Curves::read`]; [`crate::error::Error::InvalidArgument`] when there is no such frame.
+    /// As [`Curves::read`]; [`Error::InvalidArgument`] when there is no such frame.
     pub fn read(&self, index: usize) -> Result<Curves> {
-        todo!()
+        match self.frames.get(index) {
+            Some((_, path)) => Curves::read(path),
+            None => Err(Error::invalid("index", index, format!("below {}, the number of frames", self.frames.len()))),
+        }
     }
+}
+
+fn check_stem(stem: &str) -> Result<()> {
+    // A path that is more than one plain name would write outside the directory.
+    let plain = Path::new(stem).file_name().is_some_and(|name| name == stem) && !stem.contains(['/', '\\', '\0']);
+    if plain { Ok(()) } else { Err(Error::invalid("stem", format!("{stem:?}"), "a file name without path separators")) }
+}
+
+/// The files of a directory that are frames of a stem and format, by number.
+fn find(directory: &Path, stem: &str, format: CacheFormat) -> Result<Vec<(u32, PathBuf)>> {
+    let cannot = |error: std::io::Error| Error::file(directory, format_args!("cannot be listed: {error}"));
+    let mut frames = Vec::new();
+    for entry in fs::read_dir(directory).map_err(cannot)? {
+        let entry = entry.map_err(cannot)?;
+        let name = entry.file_name();
+        if let Some(number) = name.to_str().and_then(|name| frame_number(name, stem, format)) {
+            frames.push((number, entry.path()));
+        }
+    }
+    frames.sort();
+    Ok(frames)
+}
+
+/// The number in `stem.NNNN.ext`.
+fn frame_number(name: &str, stem: &str, format: CacheFormat) -> Option<u32> {
+    let digits = name.strip_prefix(stem)?.strip_prefix('.')?.strip_suffix(format.extension())?.strip_suffix('.')?;
+    if digits.len() < 4 || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    digits.parse().ok()
 }

@@ -1,1 +1,178 @@
-//! tfx_binary
+//! TressFX 3 and 4 `.tfx` files: a head of numbers and byte offsets, then sections.
+//!
+//! Version 3: version (a float), number of strands, points a strand, followers a guide, one byte "both ends held" in four, 31
+//! reserved words; byte offsets of points (three floats), thickness (a float a strand), texture coordinates (two floats a
+//! strand), colours (four floats a point), guide indices (a word a strand), texture coordinates a point; 32 reserved words.
+//! Version 4: version, number of strands, points a strand; byte offsets of points (four floats: x, y, z and w, which is 0 on held
+//! points), texture coordinates (a strand), texture coordinates a point, thickness (a strand), colours (a point); 32 reserved
+//! words. An offset of 0 means that the section is not there.
+//!
+//! Sections may stand in any order and have gaps between them, but may not overlap each other or the head. More than seven bytes
+//! after the last one (sections are aligned to eight) are refused as oversized: a strand count that is too small looks like that.
+
+use crate::error::{Error, Result};
+use crate::files::bytes::{self, Section, u32_at};
+use crate::files::curves::{Curves, CurvesFormat, Extras};
+use crate::files::tfx::held_ends;
+
+/// Bytes of a version 3 head.
+const HEAD_V3: usize = 296;
+/// Bytes of a version 4 head.
+const HEAD_V4: usize = 160;
+/// Bytes that may follow the last section.
+const PADDING: usize = 7;
+
+/// What both versions' heads say, and the sections found so far.
+struct Head<'a> {
+    name: &'a str,
+    bytes: &'a [u8],
+    length: usize,
+    strands: u32,
+    points: u64,
+    points_each: u32,
+    sections: Vec<(Section<'a>, &'static str)>,
+}
+
+impl<'a> Head<'a> {
+    fn new(name: &'a str, bytes: &'a [u8], version: u32, length: usize) -> Result<Self> {
+        if bytes.len() < length {
+            return Err(Error::file(
+                name,
+                format_args!(
+                    "truncated: the head of a version {version} .tfx file has {length} bytes, and the file has {}",
+                    bytes.len()
+                ),
+            ));
+        }
+        let (strands, points_each) = (u32_at(bytes, 4), u32_at(bytes, 8));
+        if strands == 0 {
+            return Err(Error::file(name, "the number of strands at byte 4 is 0; expected at least one"));
+        }
+        if points_each < 2 {
+            return Err(Error::file(
+                name,
+                format_args!("the number of points a strand at byte 8 is {points_each}; expected at least two"),
+            ));
+        }
+        let points = u64::from(strands) * u64::from(points_each);
+        Ok(Self { name, bytes, length, strands, points, points_each, sections: Vec::new() })
+    }
+
+    /// The section whose offset stands at byte `at`; `None` if the file has none.
+    fn section(&mut self, at: usize, what: &'static str, count: u64, width: u64) -> Result<Option<Section<'a>>> {
+        let offset = u32_at(self.bytes, at);
+        if offset == 0 {
+            return Ok(None);
+        }
+        if (offset as usize) < self.length {
+            return Err(Error::file(
+                self.name,
+                format_args!("the {what} (offset at byte {at}) begin at byte {offset}, inside the head of {} bytes", self.length),
+            ));
+        }
+        let section = Section::of(self.name, self.bytes, what, u64::from(offset), count, width)?;
+        for (other, other_what) in &self.sections {
+            if section.offset < other.end() && other.offset < section.end() {
+                return Err(Error::file(
+                    self.name,
+                    format_args!(
+                        "the {what} (bytes {} to {}) overlap the {other_what} (bytes {} to {})",
+                        section.offset,
+                        section.end(),
+                        other.offset,
+                        other.end()
+                    ),
+                ));
+            }
+        }
+        self.sections.push((section, what));
+        Ok(Some(section))
+    }
+
+    /// The points' section, which must be there.
+    fn point_section(&mut self, at: usize, width: u64) -> Result<Section<'a>> {
+        let (name, points) = (self.name, self.points);
+        self.section(at, "points", points, width)?
+            .ok_or_else(|| Error::file(name, format_args!("the offset of the points at byte {at} is 0: the file has none")))
+    }
+
+    /// Checks that the file ends where its last section does.
+    fn check_end(&self) -> Result<()> {
+        let end = self.sections.iter().map(|(section, _)| section.end()).max().unwrap_or(self.length);
+        if self.bytes.len() - end > PADDING {
+            return Err(Error::file(
+                self.name,
+                format_args!("oversized: by its head the file ends at byte {end}, and it has {} bytes", self.bytes.len()),
+            ));
+        }
+        Ok(())
+    }
+
+    fn counts(&self) -> Result<Vec<u32>> {
+        let mut counts = bytes::list(self.strands as usize)?;
+        counts.resize(self.strands as usize, self.points_each);
+        Ok(counts)
+    }
+}
+
+/// Colours without their fourth number (opacity, which TressFX does not read either).
+fn colors(section: Option<Section<'_>>) -> Result<Option<Vec<[f32; 3]>>> {
+    let Some(section) = section else { return Ok(None) };
+    let colors = section.floats::<4>("colour")?;
+    Ok(Some(colors.into_iter().map(|[red, green, blue, _]| [red, green, blue]).collect()))
+}
+
+/// Reads version 3, whose first four bytes have been checked.
+pub(super) fn read_v3(name: &str, bytes: &[u8]) -> Result<Curves> {
+    let mut head = Head::new(name, bytes, 3, HEAD_V3)?;
+    let (strands, points) = (u64::from(head.strands), head.points);
+    // The three bytes after this one are a compiler's padding: they may hold anything.
+    let both_ends_held = match bytes[16] {
+        0 => false,
+        1 => true,
+        other => {
+            return Err(Error::file(name, format_args!("the flag \"both ends held\" at byte 16 is {other}; expected 0 or 1")));
+        }
+    };
+    let point_section = head.point_section(144, 12)?;
+    let thickness = head.section(148, "thicknesses", strands, 4)?;
+    let uvs = head.section(152, "texture coordinates", strands, 8)?;
+    let color_section = head.section(156, "colours", points, 16)?;
+    head.section(160, "guide indices", strands, 4)?;
+    head.section(164, "texture coordinates of points", points, 8)?;
+    head.check_end()?;
+    let counts = head.counts()?;
+    let extras = Extras {
+        colors: colors(color_section)?,
+        held: held_ends(both_ends_held, &counts, points as usize)?,
+        strand_thickness: thickness.map(|section| section.singles("thickness")).transpose()?,
+        strand_uvs: uvs.map(|section| section.floats("texture coordinate")).transpose()?,
+        ..Extras::default()
+    };
+    Curves::from_parts(CurvesFormat::TfxV3, counts, point_section.floats("point")?, extras)
+}
+
+/// Reads version 4, whose first four bytes have been checked.
+pub(super) fn read_v4(name: &str, bytes: &[u8]) -> Result<Curves> {
+    let mut head = Head::new(name, bytes, 4, HEAD_V4)?;
+    let (strands, points) = (u64::from(head.strands), head.points);
+    let point_section = head.point_section(12, 16)?;
+    let uvs = head.section(16, "texture coordinates", strands, 8)?;
+    head.section(20, "texture coordinates of points", points, 8)?;
+    let thickness = head.section(24, "thicknesses", strands, 4)?;
+    let color_section = head.section(28, "colours", points, 16)?;
+    head.check_end()?;
+    let rows = point_section.floats::<4>("point")?;
+    let mut points = bytes::list(rows.len())?;
+    points.extend(rows.iter().map(|[x, y, z, _]| [*x, *y, *z]));
+    let mut held = bytes::list(rows.len())?;
+    held.extend(rows.iter().map(|row| row[3] == 0.0));
+    let extras = Extras {
+        colors: colors(color_section)?,
+        held: Some(held),
+        strand_thickness: thickness.map(|section| section.singles("thickness")).transpose()?,
+        strand_uvs: uvs.map(|section| section.floats("texture coordinate")).transpose()?,
+        ..Extras::default()
+    };
+    Curves::from_parts(CurvesFormat::TfxV4, head.counts()?, points, extras)
+}
