@@ -2,14 +2,24 @@
 
 mod atomic_file;
 mod failure;
+mod groom_statistics;
+mod groom_strands;
+mod head;
+mod info;
 mod json;
+mod material_arguments;
+mod picture;
+mod presets;
 mod progress;
 mod resolution;
 mod result;
 mod run;
 mod scene;
+mod simulate;
+mod simulate_report;
 mod timeline;
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -25,6 +35,19 @@ struct CommandLine {
 #[derive(Debug, Subcommand)]
 enum Command {
     Run(run::RunArguments),
+    Simulate(Box<simulate::SimulateArguments>),
+    Info(info::InfoArguments),
+    Picture(picture::PictureArguments),
+}
+
+/// Prints a command's answer. A reader that has gone away is no failure of ours.
+fn print_line(text: &str) -> Result<(), failure::Failure> {
+    match writeln!(std::io::stdout(), "{text}") {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(failure::Failure::Other(format!("standard output cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn main() -> ExitCode {
@@ -39,6 +62,9 @@ fn main() -> ExitCode {
     };
     let outcome = match &command_line.command {
         Command::Run(arguments) => run::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Info(arguments) => info::run(arguments),
+        Command::Picture(arguments) => picture::run(arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

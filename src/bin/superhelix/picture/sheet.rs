@@ -3,9 +3,9 @@
 use tiny_skia::{FillRule, Paint, PathBuilder, Pixmap, PixmapPaint, Rect, Stroke, Transform};
 
 use super::colour::{self, Colour};
+use super::lettering;
 use super::strands::{self, Window};
 use super::view::{Up, View};
-use super::lettering;
 use crate::failure::Failure;
 
 /// One moment of the motion.
@@ -87,8 +87,9 @@ pub fn draw(moments: &[Moment], options: &SheetOptions) -> Result<Pixmap, Failur
 
     let width = 2.0 * MARGIN + moments.len() as f32 * (cell_width + GAP) - GAP;
     let height = HEAD + views.len() as f32 * (cell_height + GAP) - GAP + FOOT;
-    let mut sheet = Pixmap::new(width as u32, height as u32)
-        .ok_or_else(|| Failure::Other(format!("a picture of {width} by {height} pixels cannot be made: ask for fewer or smaller frames")))?;
+    let mut sheet = Pixmap::new(width as u32, height as u32).ok_or_else(|| {
+        Failure::Other(format!("a picture of {width} by {height} pixels cannot be made: ask for fewer or smaller frames"))
+    })?;
     sheet.fill(Colour::PAPER.to_skia(1.0));
     let title_height = fitting_height(&options.title, 15.0, width - 2.0 * MARGIN);
     lettering::draw(&mut sheet, &options.title, MARGIN, 32.0, title_height, Colour::LABEL);
@@ -125,7 +126,6 @@ pub fn draw(moments: &[Moment], options: &SheetOptions) -> Result<Pixmap, Failur
     draw_scale_bar(&mut sheet, MARGIN, height - 14.0, &bar);
     Ok(sheet)
 }
-
 
 /// The height of letters, at most `height`, at which a text is no wider than `room`.
 fn fitting_height(text: &str, height: f32, room: f32) -> f32 {
@@ -164,7 +164,8 @@ struct ScaleBar {
 fn scale_bar(wide: f32, scale: f32, metres_per_unit: Option<f64>) -> ScaleBar {
     let wanted = f64::from(wide) / 3.0 * metres_per_unit.unwrap_or(1.0);
     let decade = 10f64.powf(wanted.log10().floor());
-    let round = [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|length| *length <= wanted * (1.0 + 1e-9)).unwrap_or(decade);
+    let round =
+        [5.0, 2.0, 1.0].into_iter().map(|step| step * decade).find(|length| *length <= wanted * (1.0 + 1e-9)).unwrap_or(decade);
     let pixels = (round / metres_per_unit.unwrap_or(1.0)) as f32 * scale;
     let number = |value: f64| format!("{}", (value * 1e6).round() / 1e6);
     let label = match metres_per_unit {
@@ -210,16 +211,22 @@ mod tests {
     #[test]
     fn strands_are_drawn_in_their_cell_and_move_with_the_motion() {
         let strand = |shift: f32, tip: f32| vec![[shift, 0.0, 0.0], [shift + tip, -0.1, 0.0], [shift + tip, -0.2, 0.0]];
-        let moment = |shift: f32, tip: f32| Moment { label: "t".into(), strands: vec![strand(shift, tip), strand(shift + 0.1, tip)] };
+        let moment =
+            |shift: f32, tip: f32| Moment { label: "t".into(), strands: vec![strand(shift, tip), strand(shift + 0.1, tip)] };
         let options = SheetOptions { title: "t".into(), up: Up::Y, cell_width: 200, metres_per_unit: Some(1.0) };
         let cell_of = |moments: &[Moment], column: usize| {
             let sheet = draw(moments, &options).unwrap();
             let left = MARGIN as u32 + column as u32 * (200 + GAP as u32);
-            (left + 2..left + 198).flat_map(|x| (HEAD as u32 + 30..HEAD as u32 + 140).map(move |y| (x, y))).map(|(x, y)| sheet.pixel(x, y).unwrap()).collect::<Vec<_>>()
+            (left + 2..left + 198)
+                .flat_map(|x| (HEAD as u32 + 30..HEAD as u32 + 140).map(move |y| (x, y)))
+                .map(|(x, y)| sheet.pixel(x, y).unwrap())
+                .collect::<Vec<_>>()
         };
         let same = [moment(0.0, 0.0), moment(0.0, 0.05)];
         let carried = [moment(0.0, 0.0), moment(7.0, 0.05)];
-        let bright = |cell: &[tiny_skia::PremultipliedColorU8]| cell.iter().filter(|pixel| pixel.red().max(pixel.green()).max(pixel.blue()) > 90).count();
+        let bright = |cell: &[tiny_skia::PremultipliedColorU8]| {
+            cell.iter().filter(|pixel| pixel.red().max(pixel.green()).max(pixel.blue()) > 90).count()
+        };
         assert!(bright(&cell_of(&same, 0)) > 50);
         assert_ne!(cell_of(&same, 0), cell_of(&same, 1), "a bent strand must look bent");
         let (here, there) = (bright(&cell_of(&same, 1)), bright(&cell_of(&carried, 1)));
