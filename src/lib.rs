@@ -1,5 +1,7 @@
 //! superhelix: a hair engine that others build into their programs.
 
+pub mod chain;
+pub mod energy;
 pub mod error;
 pub mod files;
 pub mod groom;

@@ -1,3 +1,10 @@
-//! Numbers: frames, entire functions, small vectors and matrices.
+//! Numbers: lanes, entire functions, small vectors and matrices, quadrature, rigid poses.
+
+pub mod entire;
 pub mod frame;
+pub mod lane;
 pub mod pose_spline;
+pub mod quadrature;
+pub mod rotation;
+pub mod trigonometry;
+pub mod vector;

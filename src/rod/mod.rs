@@ -1,3 +1,8 @@
 //! One strand at rest in itself: material, freedoms, kinematics.
+
 pub mod freedoms;
+pub mod kinematics;
 pub mod material;
+pub mod segment;
+pub mod strand;
+pub mod velocity;

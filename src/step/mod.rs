@@ -1,2 +1,68 @@
 //! Time integration of one strand.
+
+pub mod implicit_euler;
+pub mod linearly_implicit;
+pub mod newton;
 pub mod options;
+pub mod state;
+pub mod workspace;
+
+use crate::math::frame::Frame;
+use crate::math::quadrature::Rules;
+use crate::math::vector::Vec3;
+use crate::rod::strand::StrandModel;
+use options::{Integrator, StepOptions};
+use state::StrandState;
+use workspace::Workspace;
+
+/// What acts on all strands alike.
+#[derive(Debug, Clone, Copy)]
+pub struct Surroundings {
+    /// Gravity, m/s².
+    pub gravity: Vec3<f64>,
+    /// Uniform wind, m/s.
+    pub wind: Vec3<f64>,
+}
+
+/// How one strand's step went.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StrandOutcome {
+    /// Newton iterations.
+    pub iterations: u32,
+    /// Reached the tolerance.
+    pub converged: bool,
+    /// A number turned non-finite; the state is that of the step's start.
+    pub quarantined: bool,
+    /// Largest rotation of an element in the last iteration, rad.
+    pub residual: f64,
+    /// Condition number of the last matrix (dense singular values only).
+    pub condition: f64,
+}
+
+/// Takes one strand through a step of `h` seconds at whose end its root is at `root`. A strand that turns non-finite is rolled back.
+#[allow(clippy::too_many_arguments)]
+pub fn take(
+    model: &StrandModel,
+    state: &mut StrandState,
+    root: &Frame,
+    h: f64,
+    surroundings: &Surroundings,
+    options: &StepOptions,
+    rules: &Rules,
+    workspace: &mut Workspace,
+) -> StrandOutcome {
+    workspace.rolled_back.clone_from(state);
+    state.adapt_rule(model, rules, &mut workspace.rule_scratch);
+    let mut outcome = match options.integrator {
+        Integrator::LinearlyImplicit => linearly_implicit::take(model, state, root, h, surroundings, options, rules, workspace),
+        Integrator::ImplicitEuler | Integrator::SecondOrder | Integrator::Reference => {
+            implicit_euler::take(model, state, root, h, surroundings, options, rules, workspace)
+        }
+    };
+    if outcome.quarantined || !state.is_finite() {
+        state.clone_from(&workspace.rolled_back);
+        outcome.quarantined = true;
+        outcome.converged = false;
+    }
+    outcome
+}

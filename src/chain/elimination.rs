@@ -1,0 +1,384 @@
+//! The linear-time solve: elimination from tip to root, then one pass from root to tip (design, section 4; Featherstone's recursion for
+//! flexible segments, Bertails 2009).
+//!
+//! Everything of a segment is in the axes of its left end. Symbols: u = (ψ, ρ) rotation and displacement of the left end; δκ; the right
+//! end turns by ψ + Ψδκ and moves by ρ + ψ×a + Jδκ, a the right end's place. What lies downstream acts on the right end as a quadratic
+//! ½ uᵀPu − pᵀu, P = [A B; Bᵀ C]; F, M are the sum of the forces downstream and their moment about the right end. A point with
+//! stiffness k and force f at place x moves by ρ + ψ×x + J_x δκ. The exact Hessian adds tension: the second variations of x and of the
+//! right end, weighted by −f, −F, −M.
+
+use super::pivot::{cholesky, reflect};
+use super::system::{ChainSystem, Direction};
+use crate::math::lane::Lane;
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::Kinematics;
+use crate::rod::segment::{self, CurvatureForm};
+
+/// What the second pass needs of an element, D free curvatures.
+#[derive(Debug, Clone, Copy)]
+struct Eliminated<T, const D: usize> {
+    /// Cholesky factor of the pivot, diagonal inverted.
+    factor: [[T; D]; D],
+    /// Factor⁻¹ × coupling to u: rows are freedoms, columns ψ then ρ.
+    coupling: [[T; 6]; D],
+    /// Factor⁻¹ × reduced force.
+    reduced: [T; D],
+    /// Force on the free curvatures before any elimination: the potential's slope.
+    force: [T; D],
+    /// Ψ and J at the right end, free columns.
+    psi: [Vec3<T>; D],
+    jacobian: [Vec3<T>; D],
+}
+
+/// Scratch of the elimination; kept between calls so that nothing is allocated.
+#[derive(Debug, Clone)]
+pub struct Elimination<T> {
+    one: Vec<Eliminated<T, 1>>,
+    two: Vec<Eliminated<T, 2>>,
+    three: Vec<Eliminated<T, 3>>,
+}
+
+impl<T> Default for Elimination<T> {
+    fn default() -> Self {
+        Self { one: Vec::new(), two: Vec::new(), three: Vec::new() }
+    }
+}
+
+impl Elimination<f64> {
+    /// Solves the system for the change of the curvatures `axes` (ascending) of every element; the others get 0.
+    pub fn solve(
+        &mut self,
+        kinematics: &Kinematics<f64>,
+        system: &ChainSystem<f64>,
+        axes: &[usize],
+        change: &mut Vec<[f64; 3]>,
+    ) -> Direction<f64> {
+        match *axes {
+            [a] => solve_for(&mut self.one, kinematics, system, [a], change),
+            [a, b] => solve_for(&mut self.two, kinematics, system, [a, b], change),
+            _ => solve_for(&mut self.three, kinematics, system, [0, 1, 2], change),
+        }
+    }
+}
+
+/// The upper triangle of a symmetric 3×3 matrix: 00, 01, 02, 11, 12, 22.
+type Upper<T> = [T; 6];
+
+#[inline(always)]
+fn full<T: Lane>(m: &Upper<T>) -> Mat3<T> {
+    Mat3([[m[0], m[1], m[2]], [m[1], m[3], m[4]], [m[2], m[4], m[5]]])
+}
+
+#[inline(always)]
+fn upper_of<T: Lane>(m: &Mat3<T>) -> Upper<T> {
+    let half = T::splat(0.5);
+    let mean = |i: usize, j: usize| (m.0[i][j] + m.0[j][i]) * half;
+    [m.0[0][0], mean(0, 1), mean(0, 2), m.0[1][1], mean(1, 2), m.0[2][2]]
+}
+
+/// What lies downstream of a point of the strand, in the axes at hand. A and C are kept symmetric by construction: without it rounding
+/// grows like a geometric series along the strand.
+#[derive(Clone, Copy)]
+struct Downstream<T> {
+    a: Upper<T>,
+    b: Mat3<T>,
+    c: Upper<T>,
+    moment: Vec3<T>,
+    force: Vec3<T>,
+    whole_moment: Vec3<T>,
+    whole_force: Vec3<T>,
+}
+
+impl<T: Lane> Downstream<T> {
+    #[inline(always)]
+    fn nothing() -> Self {
+        Self {
+            a: [T::zero(); 6],
+            b: Mat3::zero(),
+            c: [T::zero(); 6],
+            moment: Vec3::zero(),
+            force: Vec3::zero(),
+            whole_moment: Vec3::zero(),
+            whole_force: Vec3::zero(),
+        }
+    }
+
+    /// The same, seen in axes from which the present ones are turned by `turn`.
+    #[inline(always)]
+    fn turned(&self, turn: &Mat3<T>) -> Self {
+        Self {
+            a: upper_of(&turn.mul(&full(&self.a)).mul_transposed(turn)),
+            b: turn.mul(&self.b).mul_transposed(turn),
+            c: upper_of(&turn.mul(&full(&self.c)).mul_transposed(turn)),
+            moment: turn.apply(self.moment),
+            force: turn.apply(self.force),
+            whole_moment: turn.apply(self.whole_moment),
+            whole_force: turn.apply(self.whole_force),
+        }
+    }
+
+    /// The same, acting at a point that lies at −x from here: A gains −BS + SBᵀ − SCS, B gains SC, moments x × force, S = [x]×.
+    #[inline(always)]
+    fn moved(&self, x: Vec3<T>) -> Self {
+        let sc = full(&self.c).crossed_from_left(x);
+        let b = self.b.add(&sc);
+        // M·S = ([S]ᵀMᵀ)ᵀ = −(S Mᵀ)ᵀ.
+        let s_bt = self.b.transpose().crossed_from_left(x);
+        let s_sct = sc.transpose().crossed_from_left(x);
+        let mut a = self.a;
+        let pairs = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+        let half = T::splat(0.5);
+        for (slot, (i, j)) in pairs.into_iter().enumerate() {
+            a[slot] += s_bt.0[i][j] + s_bt.0[j][i] + (s_sct.0[i][j] + s_sct.0[j][i]) * half;
+        }
+        Self {
+            a,
+            b,
+            c: self.c,
+            moment: self.moment + x.cross(self.force),
+            force: self.force,
+            whole_moment: self.whole_moment + x.cross(self.whole_force),
+            whole_force: self.whole_force,
+        }
+    }
+
+    /// Adds −sym(f xᵀ) + (f·x) I to A: the tension of force f at place x.
+    #[inline(always)]
+    fn add_tension(&mut self, f: Vec3<T>, x: Vec3<T>) {
+        let half = T::splat(0.5);
+        let dot = f.dot(x);
+        let sym = |i: usize, j: usize| (f.0[i] * x.0[j] + f.0[j] * x.0[i]) * half;
+        self.a[0] += dot - sym(0, 0);
+        self.a[1] -= sym(0, 1);
+        self.a[2] -= sym(0, 2);
+        self.a[3] += dot - sym(1, 1);
+        self.a[4] -= sym(1, 2);
+        self.a[5] += dot - sym(2, 2);
+    }
+}
+
+fn solve_for<const D: usize>(
+    scratch: &mut Vec<Eliminated<f64, D>>,
+    kinematics: &Kinematics<f64>,
+    system: &ChainSystem<f64>,
+    axes: [usize; D],
+    change: &mut Vec<[f64; 3]>,
+) -> Direction<f64> {
+    let count = kinematics.elements.len();
+    scratch.clear();
+    let mut repaired = 0;
+    let mut down = Downstream::nothing();
+    for index in (0..count).rev() {
+        let (eliminated, left, repair) = eliminate(&down, kinematics, system, axes, index);
+        repaired += usize::from(repair);
+        scratch.push(eliminated);
+        down = if index > 0 { left.turned(&kinematics.elements[index - 1].turn) } else { left };
+    }
+    // From root to tip: the root does not move.
+    change.clear();
+    change.resize(count, [0.0; 3]);
+    let (mut psi, mut rho) = (Vec3::<f64>::zero(), Vec3::<f64>::zero());
+    let (mut descent, mut rotation_squared) = (0.0_f64, 0.0_f64);
+    for (index, element) in kinematics.elements.iter().enumerate() {
+        let done = &scratch[count - 1 - index];
+        let mut delta = [0.0; D];
+        for i in (0..D).rev() {
+            let mut value = done.reduced[i];
+            for axis in 0..3 {
+                value -= done.coupling[i][axis] * psi.0[axis] + done.coupling[i][axis + 3] * rho.0[axis];
+            }
+            for k in i + 1..D {
+                value -= done.factor[k][i] * delta[k];
+            }
+            delta[i] = value * done.factor[i][i];
+            descent += delta[i] * done.force[i];
+            change[index][axes[i]] = delta[i];
+        }
+        let (mut next_psi, mut next_rho) = (psi, rho + psi.cross(element.end));
+        for i in 0..D {
+            next_psi += done.psi[i].scale(delta[i]);
+            next_rho += done.jacobian[i].scale(delta[i]);
+        }
+        rotation_squared = rotation_squared.max(next_psi.norm_squared());
+        psi = element.turn.apply_transposed(next_psi);
+        rho = element.turn.apply_transposed(next_rho);
+    }
+    Direction { descent, rotation_squared, repaired, condition: 0.0 }
+}
+
+/// Eliminates one element's curvatures: what it and all downstream are to its left end, and what the second pass needs.
+#[inline(always)]
+fn eliminate<const D: usize>(
+    right: &Downstream<f64>,
+    kinematics: &Kinematics<f64>,
+    system: &ChainSystem<f64>,
+    axes: [usize; D],
+    index: usize,
+) -> (Eliminated<f64, D>, Downstream<f64>, bool) {
+    let element = &kinematics.elements[index];
+    let (kappa, length, end) = (element.kappa, element.length, element.end);
+    let theta = kappa.scale(length);
+    let z = element.kappa_squared * (length * length);
+    let psi = segment::mean_frame(theta, z, &element.c).scale(length);
+    let jacobian = segment::chord_gradient(theta, z, &element.c).scale(length * length);
+
+    // What is downstream, through δκ: Y = P (Ψ; J), and its couplings.
+    let y_psi = full(&right.a).mul(&psi).add(&right.b.mul(&jacobian));
+    let y_rho = right.b.transposed_mul(&psi).add(&full(&right.c).mul(&jacobian));
+    let mut kk = psi.transposed_mul(&y_psi).add(&jacobian.transposed_mul(&y_rho));
+    let mut psi_k = y_psi.add(&y_rho.crossed_from_left(end));
+    let mut rho_k = y_rho;
+    let mut reduced = psi.apply_transposed(right.moment) + jacobian.apply_transposed(right.force);
+    let mut force = psi.apply_transposed(right.whole_moment) + jacobian.apply_transposed(right.whole_force);
+    let mut left = right.moved(end);
+
+    let mut form = CurvatureForm::zero();
+    if system.exact {
+        let (f, m) = (right.whole_force, right.whole_moment);
+        left.add_tension(f, end);
+        psi_k = psi_k.add(&jacobian.crossed_from_left(f)).add(&psi.crossed_from_left(m.scale(0.5)));
+        form.subtract_force(f, kappa, length, element.kappa_squared, &element.c);
+        form.subtract_moment(m, kappa, length, element.kappa_squared, &element.c);
+    }
+
+    // The element's own points.
+    let per_element = kinematics.points_per_element;
+    let first = index * per_element;
+    let mut stiffness_sum = 0.0;
+    let mut first_moment = Vec3::zero();
+    let mut point_rho_k = Mat3::zero();
+    let mut own = [0.0; 6];
+    for p in first..first + per_element {
+        let point = &kinematics.points[p];
+        let stiffness = system.point_stiffness[p];
+        let x = point.local;
+        let s = point.s;
+        let j = segment::chord_gradient(kappa.scale(s), element.kappa_squared * (s * s), &point.c).scale(s * s);
+        let f = element.frame_left.apply_transposed(system.point_force[p]);
+        stiffness_sum += stiffness;
+        let kx = x.scale(stiffness);
+        first_moment += kx;
+        let k_xx = kx.dot(x);
+        own[0] += k_xx - kx.0[0] * x.0[0];
+        own[1] -= kx.0[0] * x.0[1];
+        own[2] -= kx.0[0] * x.0[2];
+        own[3] += k_xx - kx.0[1] * x.0[1];
+        own[4] -= kx.0[1] * x.0[2];
+        own[5] += k_xx - kx.0[2] * x.0[2];
+        let kj = j.scale(stiffness);
+        point_rho_k = point_rho_k.add(&kj);
+        kk = kk.add(&j.transposed_mul(&kj));
+        let mut coupling = kj.crossed_from_left(x);
+        if system.exact {
+            left.add_tension(f, x);
+            coupling = coupling.add(&j.crossed_from_left(f));
+            form.subtract_force(f, kappa, s, element.kappa_squared, &point.c);
+        }
+        psi_k = psi_k.add(&coupling);
+        let jf = j.apply_transposed(f);
+        reduced += jf;
+        force += jf;
+        let xf = x.cross(f);
+        left.moment += xf;
+        left.force += f;
+        left.whole_moment += xf;
+        left.whole_force += f;
+    }
+    rho_k = rho_k.add(&point_rho_k);
+    for slot in 0..6 {
+        left.a[slot] += own[slot];
+    }
+    left.b = left.b.add(&Mat3::cross(first_moment));
+    left.c[0] += stiffness_sum;
+    left.c[3] += stiffness_sum;
+    left.c[5] += stiffness_sum;
+    if system.exact {
+        kk = kk.add(&form.matrix(kappa));
+    }
+
+    // The pivot of the free curvatures.
+    let own_stiffness = &system.curvature_stiffness[index];
+    let own_force = &system.curvature_force[index];
+    let mut pivot = [[0.0; D]; D];
+    for i in 0..D {
+        for j in 0..D {
+            pivot[i][j] = 0.5 * (kk.0[axes[i]][axes[j]] + kk.0[axes[j]][axes[i]]);
+        }
+        pivot[i][i] += own_stiffness[axes[i]];
+    }
+    let mut smallest = own_stiffness[axes[0]];
+    for axis in axes {
+        smallest = smallest.min(own_stiffness[axis]);
+    }
+    let (factor, repair) = factorise(&pivot, smallest);
+
+    let mut done = Eliminated {
+        factor,
+        coupling: [[0.0; 6]; D],
+        reduced: [0.0; D],
+        force: std::array::from_fn(|i| force.0[axes[i]] + own_force[axes[i]]),
+        psi: std::array::from_fn(|i| psi.column(axes[i])),
+        jacobian: std::array::from_fn(|i| jacobian.column(axes[i])),
+    };
+    for i in 0..D {
+        let axis = axes[i];
+        let mut row: [f64; 6] =
+            std::array::from_fn(|column| if column < 3 { psi_k.0[column][axis] } else { rho_k.0[column - 3][axis] });
+        let mut value = reduced.0[axis] + own_force[axis];
+        for k in 0..i {
+            for column in 0..6 {
+                row[column] -= factor[i][k] * done.coupling[k][column];
+            }
+            value -= factor[i][k] * done.reduced[k];
+        }
+        for column in 0..6 {
+            done.coupling[i][column] = row[column] * factor[i][i];
+        }
+        done.reduced[i] = value * factor[i][i];
+    }
+    // Schur's complement on the left end.
+    for i in 0..D {
+        let w = &done.coupling[i];
+        let y = done.reduced[i];
+        left.a[0] -= w[0] * w[0];
+        left.a[1] -= w[0] * w[1];
+        left.a[2] -= w[0] * w[2];
+        left.a[3] -= w[1] * w[1];
+        left.a[4] -= w[1] * w[2];
+        left.a[5] -= w[2] * w[2];
+        left.c[0] -= w[3] * w[3];
+        left.c[1] -= w[3] * w[4];
+        left.c[2] -= w[3] * w[5];
+        left.c[3] -= w[4] * w[4];
+        left.c[4] -= w[4] * w[5];
+        left.c[5] -= w[5] * w[5];
+        for row in 0..3 {
+            for column in 0..3 {
+                left.b.0[row][column] -= w[row] * w[column + 3];
+            }
+            left.moment.0[row] -= w[row] * y;
+            left.force.0[row] -= w[row + 3] * y;
+        }
+    }
+    (done, left, repair)
+}
+
+/// The pivot's factor; a pivot that is not positive definite is repaired, and said to be. `smallest` is the least stiffness that the
+/// element's own curvatures have: nothing smaller is a curvature of the potential worth following.
+#[inline(always)]
+fn factorise<const D: usize>(pivot: &[[f64; D]; D], smallest: f64) -> ([[f64; D]; D], bool) {
+    let floor = 1e-3 * smallest;
+    if let Some(factor) = cholesky(pivot, floor) {
+        return (factor, false);
+    }
+    let mut largest = 0.0_f64;
+    for i in 0..D {
+        largest = largest.max(pivot[i][i].abs());
+    }
+    let repaired = reflect(pivot, (smallest).max(1e-12 * largest));
+    match cholesky(&repaired, 0.0) {
+        Some(factor) => (factor, true),
+        // Not finite: the caller sees a direction that is not finite, and gives the strand up.
+        None => ([[f64::NAN; D]; D], true),
+    }
+}

@@ -1,0 +1,6 @@
+//! The linear systems of one strand: the linear-time elimination from tip to root, and the dense reference it is tested against.
+
+pub mod dense;
+pub mod elimination;
+pub mod pivot;
+pub mod system;

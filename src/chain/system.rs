@@ -1,0 +1,55 @@
+//! The quadratic model of one strand that the linear solves share: what pulls at the quadrature points and at the curvatures.
+
+use crate::math::lane::Lane;
+use crate::math::vector::Vec3;
+
+/// A spring at every quadrature point and at every curvature. In the linear solves they are stiffness and force; in Newton's
+/// iteration the forces follow from the targets and the present state.
+#[derive(Debug, Clone)]
+pub struct ChainSystem<T> {
+    /// Stiffness of each quadrature point, weight included, N/m.
+    pub point_stiffness: Vec<T>,
+    /// Force on each quadrature point in world axes, weight included, N.
+    pub point_force: Vec<Vec3<T>>,
+    /// Stiffness of each curvature of each element, length included, N·m³.
+    pub curvature_stiffness: Vec<[T; 3]>,
+    /// Generalised force on each curvature of each element, length included, N·m².
+    pub curvature_force: Vec<[T; 3]>,
+    /// Whether tension counts: the exact Hessian's geometric terms of `point_force` are added.
+    pub exact: bool,
+}
+
+impl<T> Default for ChainSystem<T> {
+    fn default() -> Self {
+        Self {
+            point_stiffness: Vec::new(),
+            point_force: Vec::new(),
+            curvature_stiffness: Vec::new(),
+            curvature_force: Vec::new(),
+            exact: true,
+        }
+    }
+}
+
+/// What a solve gives back beside the change of the curvatures.
+#[derive(Debug, Clone, Copy)]
+pub struct Direction<T> {
+    /// Force·direction: minus the slope of the potential along the direction.
+    pub descent: T,
+    /// Largest rotation of an element's right end for the whole direction, rad, squared.
+    pub rotation_squared: T,
+    /// How many pivots were not positive definite and were repaired (dense solves: eigenvalues).
+    pub repaired: usize,
+    /// Condition number of the matrix (dense singular values only; otherwise 0).
+    pub condition: f64,
+}
+
+impl<T: Lane> ChainSystem<T> {
+    /// Makes room for a strand.
+    pub fn resize(&mut self, elements: usize, points: usize) {
+        self.point_stiffness.resize(points, T::zero());
+        self.point_force.resize(points, Vec3::zero());
+        self.curvature_stiffness.resize(elements, [T::zero(); 3]);
+        self.curvature_force.resize(elements, [T::zero(); 3]);
+    }
+}

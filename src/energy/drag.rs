@@ -1,0 +1,13 @@
+//! Viscous drag of the air (Bertails et al. 2006, eq. 5a) against a uniform wind: the force −ν (v − wind) per unit length, as the
+//! potential ν/(2h) |r − r_t − h·wind|².
+
+use super::PointQuadratic;
+use crate::math::lane::Lane;
+use crate::math::vector::Vec3;
+
+/// Adds the term for drag ν and step h.
+#[inline(always)]
+pub fn add<T: Lane>(quadratic: &mut PointQuadratic<T>, air_drag: T, step: T, wind: Vec3<T>) {
+    quadratic.stiffness += air_drag / step;
+    quadratic.pull += wind.scale(air_drag);
+}

@@ -1,0 +1,46 @@
+//! The terms of the incremental potential, one file a term.
+//!
+//! Per unit of length, each of today's terms is a quadratic in the displacement of a material point from where the step found it
+//! (d = r − r_t), or in the change of a curvature (e = κ − κ_t): ½ stiffness·d² − pull·d. A term adds to the two numbers once a step; the
+//! sum is a spring to one target, so that a term costs nothing in Newton's iterations, and one that is absent costs nothing at all.
+
+pub mod drag;
+pub mod elastic;
+pub mod friction;
+pub mod gravity;
+pub mod inertia;
+
+use crate::math::lane::Lane;
+use crate::math::vector::Vec3;
+
+/// ½ stiffness·d² − pull·d of a material point, per unit of length.
+#[derive(Debug, Clone, Copy)]
+pub struct PointQuadratic<T> {
+    /// N/m per m.
+    pub stiffness: T,
+    /// N per m.
+    pub pull: Vec3<T>,
+}
+
+impl<T: Lane> PointQuadratic<T> {
+    /// No term yet.
+    pub fn zero() -> Self {
+        Self { stiffness: T::zero(), pull: Vec3::zero() }
+    }
+}
+
+/// ½ stiffness·e² − pull·e of one curvature, per unit of length.
+#[derive(Debug, Clone, Copy)]
+pub struct CurvatureQuadratic<T> {
+    /// N·m².
+    pub stiffness: T,
+    /// N·m.
+    pub pull: T,
+}
+
+impl<T: Lane> CurvatureQuadratic<T> {
+    /// No term yet.
+    pub fn zero() -> Self {
+        Self { stiffness: T::zero(), pull: T::zero() }
+    }
+}

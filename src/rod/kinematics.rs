@@ -1,0 +1,120 @@
+//! Where all the quadrature points of a strand are, from the curvatures and the root's rotation: one pass from root to tip.
+//!
+//! Positions are relative to the root's origin in world axes, so that a strand far from the world's origin keeps its digits.
+
+use crate::math::entire::Stumpff;
+use crate::math::lane::Lane;
+use crate::math::quadrature::Rule;
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::segment;
+
+/// One element in its present state. Local: in the axes of its left end.
+#[derive(Debug, Clone, Copy)]
+pub struct ElementState<T> {
+    /// κ.
+    pub kappa: Vec3<T>,
+    /// κ·κ.
+    pub kappa_squared: T,
+    /// ℓ.
+    pub length: T,
+    /// Stumpff's functions at ℓ.
+    pub c: Stumpff<T>,
+    /// Frame at the left end, world axes.
+    pub frame_left: Mat3<T>,
+    /// Left end, relative to the root's origin, world axes.
+    pub origin_left: Vec3<T>,
+    /// Frame of the right end in the left end's axes.
+    pub turn: Mat3<T>,
+    /// Right end, local.
+    pub end: Vec3<T>,
+}
+
+/// One quadrature point in its present state.
+#[derive(Debug, Clone, Copy)]
+pub struct PointState<T> {
+    /// Arclength from the element's left end.
+    pub s: T,
+    /// Stumpff's functions at s.
+    pub c: Stumpff<T>,
+    /// Position in the element's axes, from its left end.
+    pub local: Vec3<T>,
+    /// Position relative to the root's origin, world axes.
+    pub position: Vec3<T>,
+}
+
+/// The state of a strand at all quadrature points.
+#[derive(Debug, Clone)]
+pub struct Kinematics<T> {
+    /// From root to tip.
+    pub elements: Vec<ElementState<T>>,
+    /// `points_per_element` an element, from root to tip.
+    pub points: Vec<PointState<T>>,
+    /// Points of the quadrature rule.
+    pub points_per_element: usize,
+}
+
+impl<T> Default for Kinematics<T> {
+    fn default() -> Self {
+        Self { elements: Vec::new(), points: Vec::new(), points_per_element: 0 }
+    }
+}
+
+/// The element of curvature κ and length ℓ whose left end is given.
+#[inline(always)]
+pub fn element_state<T: Lane>(kappa: Vec3<T>, length: T, frame_left: Mat3<T>, origin_left: Vec3<T>) -> ElementState<T> {
+    let kappa_squared = kappa.norm_squared();
+    let theta = kappa.scale(length);
+    let z = kappa_squared * (length * length);
+    let c = Stumpff::at(z);
+    ElementState {
+        kappa,
+        kappa_squared,
+        length,
+        c,
+        frame_left,
+        origin_left,
+        turn: segment::frame(theta, z, &c),
+        end: segment::chord(theta, z, &c).scale(length),
+    }
+}
+
+impl<T: Lane> ElementState<T> {
+    /// Right end, relative to the root's origin, world axes.
+    #[inline(always)]
+    pub fn origin_right(&self) -> Vec3<T> {
+        self.origin_left + self.frame_left.apply(self.end)
+    }
+
+    /// Frame at the right end, world axes.
+    #[inline(always)]
+    pub fn frame_right(&self) -> Mat3<T> {
+        self.frame_left.mul(&self.turn)
+    }
+
+    /// The material point at arclength s from the left end.
+    #[inline(always)]
+    pub fn point(&self, s: T) -> PointState<T> {
+        let z = self.kappa_squared * (s * s);
+        let c = Stumpff::at(z);
+        let local = segment::chord(self.kappa.scale(s), z, &c).scale(s);
+        PointState { s, c, local, position: self.origin_left + self.frame_left.apply(local) }
+    }
+}
+
+impl<T: Lane> Kinematics<T> {
+    /// Brings all elements and points to the curvatures `curvatures` (a row an element).
+    pub fn update(&mut self, root: &Mat3<T>, lengths: &[T], curvatures: &[[T; 3]], rule: &Rule) {
+        self.elements.clear();
+        self.points.clear();
+        self.points_per_element = rule.len();
+        let (mut frame, mut origin) = (*root, Vec3::zero());
+        for (length, row) in lengths.iter().zip(curvatures) {
+            let element = element_state(Vec3(*row), *length, frame, origin);
+            for node in &rule.nodes {
+                self.points.push(element.point(*length * T::splat(*node)));
+            }
+            (frame, origin) = (element.frame_right(), element.origin_right());
+            self.elements.push(element);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! What does not change about a strand while it moves: its elements, its material, its natural shape, its freedoms.
+
+use super::freedoms::Freedoms;
+use super::material::Material;
+
+/// One strand's constants, as the kernels want them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StrandModel {
+    /// Element lengths ℓ from root to tip, m.
+    pub lengths: Vec<f64>,
+    /// Natural curvatures κⁿ, a row an element.
+    pub natural: Vec<[f64; 3]>,
+    /// Section and material.
+    pub material: Material,
+    /// Which curvatures may change.
+    pub freedoms: Freedoms,
+    /// EI0, EI1, EI2, N·m².
+    pub stiffness: [f64; 3],
+    /// γ + μ EIᵢ, N·m²·s.
+    pub dissipation: [f64; 3],
+    /// ρS, kg/m.
+    pub linear_density: f64,
+}
+
+impl StrandModel {
+    /// From its definition's parts.
+    pub fn new(lengths: Vec<f64>, natural: Vec<[f64; 3]>, material: Material, freedoms: Freedoms) -> Self {
+        let (stiffness, dissipation, linear_density) = (material.stiffness(), material.dissipation(), material.linear_density());
+        Self { lengths, natural, material, freedoms, stiffness, dissipation, linear_density }
+    }
+
+    /// Number of elements.
+    pub fn element_count(&self) -> usize {
+        self.lengths.len()
+    }
+
+    /// L, m.
+    pub fn length(&self) -> f64 {
+        self.lengths.iter().sum()
+    }
+
+    /// The largest angle Ωℓ that an element turns by, rad.
+    pub fn largest_angle(&self, curvatures: &[[f64; 3]]) -> f64 {
+        let mut largest = 0.0_f64;
+        for (row, length) in curvatures.iter().zip(&self.lengths) {
+            largest = largest.max((row[0] * row[0] + row[1] * row[1] + row[2] * row[2]).sqrt() * length);
+        }
+        largest
+    }
+
+    /// ½ ∫ Σ EIᵢ (κᵢ − κᵢⁿ)² ds, J.
+    pub fn elastic_energy(&self, curvatures: &[[f64; 3]]) -> f64 {
+        let mut energy = 0.0;
+        for (element, length) in self.lengths.iter().enumerate() {
+            for axis in 0..3 {
+                let strain = curvatures[element][axis] - self.natural[element][axis];
+                energy += 0.5 * length * self.stiffness[axis] * strain * strain;
+            }
+        }
+        energy
+    }
+}

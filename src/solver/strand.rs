@@ -1,0 +1,176 @@
+//! One strand inside a solver: constants, state, the root's motion, and how the last step went.
+
+use nalgebra::Vector3;
+
+use super::definition::StrandDef;
+use super::id::StrandId;
+use super::report::{Energies, StrandStatus};
+use crate::math::frame::Frame;
+use crate::math::quadrature::Rules;
+use crate::math::rotation::PoseMove;
+use crate::rod::kinematics::Kinematics;
+use crate::rod::strand::StrandModel;
+use crate::step::StrandOutcome;
+use crate::step::state::{StrandState, rotation_matrix};
+
+/// A strand and all that the solver keeps about it.
+#[derive(Debug, Clone)]
+pub(super) struct Strand {
+    pub id: StrandId,
+    pub user_data: u64,
+    pub model: StrandModel,
+    pub state: StrandState,
+    /// Where the root is going, and how many seconds of the way are done.
+    pub root_move: Option<(PoseMove, f64)>,
+    /// The last substep.
+    pub outcome: StrandOutcome,
+    /// All substeps of the last call.
+    pub tally: Tally,
+    pub energies: Energies,
+}
+
+/// What a strand's substeps of one call came to.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Tally {
+    pub iterations: u64,
+    pub most_iterations: u32,
+    pub unconverged: u32,
+    pub quarantined: u32,
+    pub residual: f64,
+    pub condition: f64,
+}
+
+impl Tally {
+    /// Counts one substep.
+    pub fn add(&mut self, outcome: &StrandOutcome) {
+        self.iterations += u64::from(outcome.iterations);
+        self.most_iterations = self.most_iterations.max(outcome.iterations);
+        self.quarantined += u32::from(outcome.quarantined);
+        self.unconverged += u32::from(!outcome.converged && !outcome.quarantined);
+        self.residual = self.residual.max(outcome.residual);
+        self.condition = self.condition.max(outcome.condition);
+    }
+}
+
+impl Strand {
+    /// A strand from a checked definition.
+    pub fn new(id: StrandId, def: &StrandDef, rules: &Rules) -> Self {
+        let model = StrandModel::new(def.element_lengths.clone(), def.natural.clone(), def.material, def.freedoms);
+        let count = model.element_count();
+        let curvatures = def.initial.clone().unwrap_or_else(|| def.natural.clone());
+        let rates = def.initial_rates.clone().unwrap_or_else(|| vec![[0.0; 3]; count]);
+        let state = StrandState::new(&model, rules, curvatures, rates, def.root, def.root_velocity, def.root_angular_velocity);
+        Self {
+            id,
+            user_data: def.user_data,
+            model,
+            state,
+            root_move: None,
+            outcome: StrandOutcome { converged: true, ..StrandOutcome::default() },
+            tally: Tally::default(),
+            energies: Energies::default(),
+        }
+    }
+
+    pub fn status(&self) -> StrandStatus {
+        if self.outcome.quarantined {
+            StrandStatus::Quarantined
+        } else if !self.outcome.converged {
+            StrandStatus::Unconverged
+        } else {
+            StrandStatus::Ok
+        }
+    }
+
+    /// Sends the root to `frame` in `duration` seconds, leaving with the velocity that it has.
+    pub fn move_root(&mut self, frame: Frame, duration: f64) {
+        let to_local = self.state.root.rotation.inverse();
+        let root_move = PoseMove {
+            from: self.state.root,
+            to: frame,
+            velocity: self.instant_velocity(),
+            angular_velocity: to_local * self.instant_angular_velocity(),
+            duration,
+        };
+        self.root_move = Some((root_move, 0.0));
+    }
+
+    /// The root's velocity where the last move left it: that of the move's end if it was finished.
+    fn instant_velocity(&self) -> Vector3<f64> {
+        match &self.root_move {
+            Some((root_move, elapsed)) if root_move.duration > 0.0 && *elapsed >= root_move.duration => {
+                root_move.final_velocity()
+            }
+            _ => self.state.root_velocity,
+        }
+    }
+
+    fn instant_angular_velocity(&self) -> Vector3<f64> {
+        match &self.root_move {
+            Some((root_move, elapsed)) if root_move.duration > 0.0 && *elapsed >= root_move.duration => {
+                self.state.root.rotation * root_move.final_angular_velocity()
+            }
+            _ => self.state.root_angular_velocity,
+        }
+    }
+
+    /// The root's pose `h` seconds on.
+    pub fn root_after(&self, h: f64) -> Frame {
+        match &self.root_move {
+            Some((root_move, elapsed)) => {
+                let time = elapsed + h;
+                // A step meant to end with the move may miss its end by rounding.
+                if time >= root_move.duration * (1.0 - 1e-12) { root_move.to } else { root_move.at(time) }
+            }
+            None => self.state.root,
+        }
+    }
+
+    /// Counts `h` seconds of the root's way; a move that ended a step ago is forgotten, and the root rests.
+    pub fn advance_root(&mut self, h: f64) {
+        if let Some((root_move, elapsed)) = &mut self.root_move {
+            if root_move.duration == 0.0 {
+                // Asked for at once: it took this step.
+                root_move.duration = h;
+                *elapsed = h;
+            } else if *elapsed >= root_move.duration {
+                self.root_move = None;
+            } else {
+                *elapsed += h;
+                if *elapsed >= root_move.duration * (1.0 - 1e-12) {
+                    *elapsed = root_move.duration;
+                }
+            }
+        }
+    }
+
+    /// Computes the energies from the state; `kinematics` is scratch.
+    pub fn update_energies(&mut self, gravity: Vector3<f64>, rules: &Rules, kinematics: &mut Kinematics<f64>) {
+        let rule = rules.rule(self.state.rule);
+        kinematics.update(&rotation_matrix(&self.state.root), &self.model.lengths, &self.state.curvatures, rule);
+        self.energies = self.energies_from(gravity, rules, kinematics);
+    }
+
+    /// The energies, given up-to-date kinematics.
+    pub fn energies_from(&self, gravity: Vector3<f64>, rules: &Rules, kinematics: &Kinematics<f64>) -> Energies {
+        let rule = rules.rule(self.state.rule);
+        let mut energies = Energies { elastic: self.model.elastic_energy(&self.state.curvatures), ..Energies::default() };
+        for (p, point) in kinematics.points.iter().enumerate() {
+            let mass = self.model.linear_density * rule.weights[p % rule.len()] * self.model.lengths[p / rule.len()];
+            energies.kinetic += 0.5 * mass * self.state.velocities[p].norm_squared();
+            energies.gravity -= mass * gravity.dot(&(self.state.root.origin + Vector3::from(point.position)));
+        }
+        energies
+    }
+
+    /// Bytes on the heap.
+    pub fn heap_bytes(&self) -> usize {
+        let row = size_of::<[f64; 3]>();
+        (self.model.lengths.capacity()) * size_of::<f64>()
+            + row
+                * (self.model.natural.capacity()
+                    + self.state.curvatures.capacity()
+                    + self.state.rates.capacity()
+                    + self.state.velocities.capacity())
+    }
+}

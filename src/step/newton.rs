@@ -1,0 +1,170 @@
+//! Newton's iteration on a strand's incremental potential: a spring at every quadrature point and at every curvature (see `energy`),
+//! nonlinear because the points are where the curvatures put them.
+//!
+//! Each iteration solves with the exact Hessian, its pivots reflected where they are not positive definite, so that the direction
+//! descends; turns no element by more than a radian; and halves the way until the potential falls enough (Armijo's condition). The
+//! minimum is the step.
+
+use super::StrandOutcome;
+use super::options::{LinearSolver, StepOptions};
+use super::workspace::Workspace;
+use crate::chain::dense::{self, DenseMethod};
+use crate::chain::system::Direction;
+use crate::math::quadrature::Rule;
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::Kinematics;
+
+/// No element turns by more than this in an iteration, rad: beyond it the quadratic model says nothing.
+const ROTATION_LIMIT: f64 = 1.0;
+/// Armijo's fraction of the promised descent.
+const ARMIJO: f64 = 1e-4;
+/// Halvings of the way before an iteration is given up.
+const MAX_HALVINGS: u32 = 40;
+
+/// The potential and how far rounding may move it.
+#[derive(Debug, Clone, Copy)]
+struct Potential {
+    value: f64,
+    noise: f64,
+}
+
+/// What does not change during the iteration.
+#[derive(Debug, Clone, Copy)]
+pub struct Problem<'a> {
+    /// The root's rotation at the step's end.
+    pub root: &'a Mat3<f64>,
+    /// Element lengths.
+    pub lengths: &'a [f64],
+    /// Free curvatures, ascending.
+    pub axes: &'a [usize],
+    /// Quadrature rule.
+    pub rule: &'a Rule,
+}
+
+/// Solves the workspace's linear system with the solver that the options name.
+pub fn direction(workspace: &mut Workspace, axes: &[usize], solver: LinearSolver) -> Direction<f64> {
+    let Workspace { kinematics, system, elimination, change, .. } = workspace;
+    let method = match solver {
+        LinearSolver::LinearTime => return elimination.solve(kinematics, system, axes, change),
+        LinearSolver::DenseCholesky => DenseMethod::Cholesky,
+        LinearSolver::DenseConjugateGradients => DenseMethod::ConjugateGradients,
+        LinearSolver::DenseSingularValues => DenseMethod::SingularValues,
+    };
+    dense::solve(kinematics, system, axes, method, change)
+}
+
+/// Minimises the potential that `point_target`, `curvature_target` and the stiffnesses of the workspace's system describe, from
+/// `curvatures`, which ends at the minimum; `kinematics` and the system's forces end there too.
+pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Workspace) -> StrandOutcome {
+    let mut outcome = StrandOutcome::default();
+    workspace.system.exact = options.exact_hessian;
+    place(problem, &mut workspace.kinematics, &workspace.curvatures);
+    let mut potential = evaluate(workspace, false);
+    if !potential.value.is_finite() {
+        outcome.quarantined = true;
+        return outcome;
+    }
+    for iteration in 1..=options.max_iterations {
+        outcome.iterations = iteration;
+        forces(workspace);
+        let found = direction(workspace, problem.axes, options.linear_solver);
+        outcome.condition = found.condition;
+        let rotation = found.rotation_squared.sqrt();
+        if !(rotation.is_finite() && found.descent.is_finite()) {
+            outcome.quarantined = true;
+            return outcome;
+        }
+        let mut part = if rotation > ROTATION_LIMIT { ROTATION_LIMIT / rotation } else { 1.0 };
+        let mut accepted = None;
+        for _ in 0..MAX_HALVINGS {
+            workspace.trial_curvatures.clone_from(&workspace.curvatures);
+            for (row, change) in workspace.trial_curvatures.iter_mut().zip(&workspace.change) {
+                for axis in 0..3 {
+                    row[axis] += part * change[axis];
+                }
+            }
+            place(problem, &mut workspace.trial, &workspace.trial_curvatures);
+            let trial = evaluate(workspace, true);
+            if trial.value <= potential.value - ARMIJO * part * found.descent + potential.noise {
+                accepted = Some(trial);
+                break;
+            }
+            part *= 0.5;
+        }
+        let Some(next) = accepted else {
+            // No way down that rounding lets us see: the state is as good as this potential can tell.
+            outcome.residual = rotation;
+            return outcome;
+        };
+        potential = next;
+        std::mem::swap(&mut workspace.kinematics, &mut workspace.trial);
+        std::mem::swap(&mut workspace.curvatures, &mut workspace.trial_curvatures);
+        outcome.residual = rotation;
+        if rotation <= options.tolerance {
+            outcome.converged = true;
+            break;
+        }
+    }
+    forces(workspace);
+    outcome
+}
+
+/// Of two starts, keeps the one with the lower potential: `curvatures` or `trial_curvatures`.
+pub fn choose_start(problem: &Problem, workspace: &mut Workspace) {
+    place(problem, &mut workspace.kinematics, &workspace.curvatures);
+    place(problem, &mut workspace.trial, &workspace.trial_curvatures);
+    let (first, second) = (evaluate(workspace, false), evaluate(workspace, true));
+    if second.value < first.value {
+        std::mem::swap(&mut workspace.curvatures, &mut workspace.trial_curvatures);
+    }
+}
+
+fn place(problem: &Problem, kinematics: &mut Kinematics<f64>, curvatures: &[[f64; 3]]) {
+    kinematics.update(problem.root, problem.lengths, curvatures, problem.rule);
+}
+
+/// The potential at the accepted state or at the one on trial.
+fn evaluate(workspace: &Workspace, trial: bool) -> Potential {
+    let (kinematics, curvatures) =
+        if trial { (&workspace.trial, &workspace.trial_curvatures) } else { (&workspace.kinematics, &workspace.curvatures) };
+    let mut value = 0.0;
+    let mut lever = 0.0;
+    for (p, point) in kinematics.points.iter().enumerate() {
+        let stiffness = workspace.system.point_stiffness[p];
+        let off = point.position - workspace.point_target[p];
+        let square = off.norm_squared();
+        value += 0.5 * stiffness * square;
+        lever += stiffness * (square * point.position.norm_squared()).sqrt();
+    }
+    for (element, row) in curvatures.iter().enumerate() {
+        for axis in 0..3 {
+            let off = row[axis] - workspace.curvature_target[element][axis];
+            value += 0.5 * workspace.system.curvature_stiffness[element][axis] * off * off;
+        }
+    }
+    Potential { value, noise: 4.0 * f64::EPSILON * (value + lever) }
+}
+
+/// The forces of the springs at the accepted state.
+pub fn forces(workspace: &mut Workspace) {
+    let Workspace { kinematics, system, point_target, curvature_target, curvatures, .. } = workspace;
+    for (p, point) in kinematics.points.iter().enumerate() {
+        system.point_force[p] = (point_target[p] - point.position).scale(system.point_stiffness[p]);
+    }
+    for (element, row) in curvatures.iter().enumerate() {
+        for axis in 0..3 {
+            system.curvature_force[element][axis] =
+                system.curvature_stiffness[element][axis] * (curvature_target[element][axis] - row[axis]);
+        }
+    }
+}
+
+/// Sum of the forces on the points and of their moments about the root.
+pub fn wrench(kinematics: &Kinematics<f64>, forces: &[Vec3<f64>]) -> (Vec3<f64>, Vec3<f64>) {
+    let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
+    for (point, f) in kinematics.points.iter().zip(forces) {
+        force += *f;
+        torque += point.position.cross(*f);
+    }
+    (force, torque)
+}

@@ -1,0 +1,68 @@
+//! The scratch memory of a step, one a worker, kept between strands and steps so that nothing is allocated once it has grown.
+
+use nalgebra::Vector3;
+
+use super::state::{RuleScratch, StrandState};
+use crate::chain::elimination::Elimination;
+use crate::chain::system::ChainSystem;
+use crate::math::frame::Frame;
+use crate::math::vector::Vec3;
+use crate::rod::kinematics::Kinematics;
+
+/// Scratch for one strand at a time.
+#[derive(Debug, Clone)]
+pub struct Workspace {
+    /// The accepted iterate.
+    pub kinematics: Kinematics<f64>,
+    /// The iterate on trial.
+    pub trial: Kinematics<f64>,
+    /// Stiffnesses and forces.
+    pub system: ChainSystem<f64>,
+    /// Scratch of the linear-time solve.
+    pub elimination: Elimination<f64>,
+    /// Where each quadrature point is drawn to, relative to the root's new origin, world axes.
+    pub point_target: Vec<Vec3<f64>>,
+    /// Where each curvature is drawn to.
+    pub curvature_target: Vec<[f64; 3]>,
+    /// Where each point was at the step's start, relative to the root's new origin.
+    pub base: Vec<Vec3<f64>>,
+    /// The accepted curvatures.
+    pub curvatures: Vec<[f64; 3]>,
+    /// The curvatures on trial.
+    pub trial_curvatures: Vec<[f64; 3]>,
+    /// Newton's direction.
+    pub change: Vec<[f64; 3]>,
+    /// Scratch of a change of rule.
+    pub rule_scratch: RuleScratch,
+    /// The strand as the step found it.
+    pub rolled_back: StrandState,
+}
+
+impl Default for Workspace {
+    fn default() -> Self {
+        Self {
+            kinematics: Kinematics::default(),
+            trial: Kinematics::default(),
+            system: ChainSystem::default(),
+            elimination: Elimination::default(),
+            point_target: Vec::new(),
+            curvature_target: Vec::new(),
+            base: Vec::new(),
+            curvatures: Vec::new(),
+            trial_curvatures: Vec::new(),
+            change: Vec::new(),
+            rule_scratch: RuleScratch::default(),
+            rolled_back: StrandState {
+                curvatures: Vec::new(),
+                rates: Vec::new(),
+                velocities: Vec::new(),
+                rule: 0,
+                root: Frame::default(),
+                root_velocity: Vector3::zeros(),
+                root_angular_velocity: Vector3::zeros(),
+                wrench_force: Vec3::zero(),
+                wrench_torque: Vec3::zero(),
+            },
+        }
+    }
+}
