@@ -54,10 +54,22 @@ impl Elimination<f64> {
         change: &mut Vec<[f64; 3]>,
     ) -> Direction<f64> {
         match *axes {
-            [a] => solve_for(&mut self.one, kinematics, system, [a], change),
-            [a, b] => solve_for(&mut self.two, kinematics, system, [a, b], change),
-            _ => solve_for(&mut self.three, kinematics, system, [0, 1, 2], change),
+            [a] => solve_for(&mut self.one, kinematics, system, [a], None, change).0,
+            [a, b] => solve_for(&mut self.two, kinematics, system, [a, b], None, change).0,
+            _ => solve_for(&mut self.three, kinematics, system, [0, 1, 2], None, change).0,
         }
+    }
+
+    /// The same over all three curvatures, with a root that may turn against a spring of `root_stiffness` (N·m/rad): also gives the
+    /// root's rotation in its own axes. For fitting, where the follicle's direction is part of what is sought.
+    pub fn solve_with_turning_root(
+        &mut self,
+        kinematics: &Kinematics<f64>,
+        system: &ChainSystem<f64>,
+        root_stiffness: f64,
+        change: &mut Vec<[f64; 3]>,
+    ) -> (Direction<f64>, Vec3<f64>) {
+        solve_for(&mut self.three, kinematics, system, [0, 1, 2], Some(root_stiffness), change)
     }
 }
 
@@ -162,8 +174,9 @@ fn solve_for<const D: usize>(
     kinematics: &Kinematics<f64>,
     system: &ChainSystem<f64>,
     axes: [usize; D],
+    root_stiffness: Option<f64>,
     change: &mut Vec<[f64; 3]>,
-) -> Direction<f64> {
+) -> (Direction<f64>, Vec3<f64>) {
     let count = kinematics.elements.len();
     scratch.clear();
     let mut repaired = 0;
@@ -174,11 +187,12 @@ fn solve_for<const D: usize>(
         scratch.push(eliminated);
         down = if index > 0 { left.turned(&kinematics.elements[index - 1].turn) } else { left };
     }
-    // From root to tip: the root does not move.
+    // From root to tip: the root does not move, or turns as the last reduced system says.
     change.clear();
     change.resize(count, [0.0; 3]);
-    let (mut psi, mut rho) = (Vec3::<f64>::zero(), Vec3::<f64>::zero());
-    let (mut descent, mut rotation_squared) = (0.0_f64, 0.0_f64);
+    let root_turn = root_stiffness.map_or(Vec3::zero(), |stiffness| turn_of_root(&down, stiffness));
+    let (mut psi, mut rho) = (root_turn, Vec3::<f64>::zero());
+    let (mut descent, mut rotation_squared) = (root_turn.dot(down.whole_moment), root_turn.norm_squared());
     for (index, element) in kinematics.elements.iter().enumerate() {
         let done = &scratch[count - 1 - index];
         let mut delta = [0.0; D];
@@ -203,7 +217,30 @@ fn solve_for<const D: usize>(
         psi = element.turn.apply_transposed(next_psi);
         rho = element.turn.apply_transposed(next_rho);
     }
-    Direction { descent, rotation_squared, repaired, condition: 0.0 }
+    (Direction { descent, rotation_squared, repaired, condition: 0.0 }, root_turn)
+}
+
+/// Solves (A + k I) ψ = moment at the root.
+fn turn_of_root(root: &Downstream<f64>, stiffness: f64) -> Vec3<f64> {
+    let mut pivot = full(&root.a).0;
+    for (i, row) in pivot.iter_mut().enumerate() {
+        row[i] += stiffness;
+    }
+    let (factor, _) = factorise(&pivot, stiffness);
+    let mut y = root.moment.0;
+    for i in 0..3 {
+        for k in 0..i {
+            y[i] -= factor[i][k] * y[k];
+        }
+        y[i] *= factor[i][i];
+    }
+    for i in (0..3).rev() {
+        for k in i + 1..3 {
+            y[i] -= factor[k][i] * y[k];
+        }
+        y[i] *= factor[i][i];
+    }
+    Vec3(y)
 }
 
 /// Eliminates one element's curvatures: what it and all downstream are to its left end, and what the second pass needs.

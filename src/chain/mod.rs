@@ -2,5 +2,6 @@
 
 pub mod dense;
 pub mod elimination;
+pub mod force;
 pub mod pivot;
 pub mod system;

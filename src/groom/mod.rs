@@ -1,2 +1,5 @@
 //! From measured and modelled hair to strands.
+
 pub mod fit;
+pub mod polyline;
+pub mod rest_shape;

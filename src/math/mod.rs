@@ -1,4 +1,4 @@
-//! Numbers: lanes, entire functions, small vectors and matrices, quadrature, rigid poses.
+//! Numbers: lanes, entire functions, small vectors and matrices, quadrature, rigid poses and their motion.
 
 pub mod entire;
 pub mod frame;

@@ -1,5 +1,6 @@
 //! One strand at rest in itself: material, freedoms, kinematics.
 
+pub mod definition;
 pub mod freedoms;
 pub mod kinematics;
 pub mod material;

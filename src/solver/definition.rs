@@ -1,17 +1,12 @@
-//! What a host says to make a solver and its strands.
+//! What a host says to make a solver; strands: [`StrandDef`].
 
 use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use crate::error::{Error, Result, check_finite, check_positive};
-use crate::math::frame::Frame;
-use crate::rod::freedoms::Freedoms;
-use crate::rod::material::Material;
+use crate::error::{Error, Result, check_finite};
+pub use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
 use crate::step::options::StepOptions;
-
-/// The most elements that one strand may have.
-pub const MAX_ELEMENTS: usize = 100_000;
 
 /// A host's own task system: `run(count, min_range, task)` must call `task(begin, end, worker)` over disjoint ranges that cover
 /// `[0, count)` exactly once, on any threads, and return when all are done.
@@ -47,7 +42,7 @@ impl std::fmt::Debug for Workers {
 pub struct SolverOptions {
     /// Gravity, m/s². Default (0, 0, −9.81): z up. For a y-up host give (0, −9.81, 0).
     pub gravity: Vector3<f64>,
-    /// Uniform wind, m/s; felt through [`Material::air_drag`].
+    /// Uniform wind, m/s; felt through [`Material::air_drag`](crate::rod::material::Material::air_drag).
     pub wind: Vector3<f64>,
     /// How a step is taken.
     pub step: StepOptions,
@@ -84,111 +79,4 @@ impl SolverOptions {
         }
         Ok(())
     }
-}
-
-/// What a strand is made from. Curvature rows are (twist κ0, κ1, κ2) in rad/m, one an element.
-#[derive(Debug, Clone)]
-pub struct StrandDef {
-    /// Lengths of the helical elements from root to tip, m; at least one, each above zero.
-    pub element_lengths: Vec<f64>,
-    /// Section and material.
-    pub material: Material,
-    /// Which curvatures may change.
-    pub freedoms: Freedoms,
-    /// Pose of the follicle in the world: n0 (first axis) is where the strand leaves.
-    pub root: Frame,
-    /// Natural curvatures, a row an element.
-    pub natural: Vec<[f64; 3]>,
-    /// Initial curvatures, a row an element; `None`: the natural ones. Frozen freedoms must hold their natural value.
-    pub initial: Option<Vec<[f64; 3]>>,
-    /// Initial rates of the curvatures, rad/(m·s), a row an element; `None`: at rest. Frozen freedoms must have rate 0.
-    pub initial_rates: Option<Vec<[f64; 3]>>,
-    /// Velocity of the root's origin at the start, m/s; the strand starts by moving rigidly with its root.
-    pub root_velocity: Vector3<f64>,
-    /// Angular velocity of the root at the start, world axes, rad/s.
-    pub root_angular_velocity: Vector3<f64>,
-    /// A number of the host's, kept and never looked at.
-    pub user_data: u64,
-}
-
-impl StrandDef {
-    /// A straight strand of `element_count` equal elements with the default material and its root at the world's origin.
-    pub fn straight(length: f64, element_count: usize) -> Self {
-        Self {
-            element_lengths: vec![length / element_count as f64; element_count],
-            material: Material::default(),
-            freedoms: Freedoms::ALL,
-            root: Frame::default(),
-            natural: vec![[0.0; 3]; element_count],
-            initial: None,
-            initial_rates: None,
-            root_velocity: Vector3::zeros(),
-            root_angular_velocity: Vector3::zeros(),
-            user_data: 0,
-        }
-    }
-
-    /// The strand's length, m.
-    pub fn length(&self) -> f64 {
-        self.element_lengths.iter().sum()
-    }
-
-    /// Checks every value; `argument` is the name put before the field in the message.
-    ///
-    /// # Errors
-    /// [`Error::InvalidArgument`] naming the first value out of range.
-    pub fn check(&self, argument: &str) -> Result<()> {
-        let count = self.element_lengths.len();
-        if count == 0 || count > MAX_ELEMENTS {
-            return Err(Error::invalid(format!("{argument}.element_count"), count, format!("1 to {MAX_ELEMENTS}")));
-        }
-        for (element, length) in self.element_lengths.iter().enumerate() {
-            check_positive(|| format!("{argument}.element_lengths[{element}]"), *length)?;
-        }
-        check_positive(|| format!("{argument}.length"), self.length())?;
-        self.material.check(argument)?;
-        check_rows(&format!("{argument}.natural"), &self.natural, count)?;
-        if let Some(initial) = &self.initial {
-            check_rows(&format!("{argument}.initial"), initial, count)?;
-            check_frozen(&format!("{argument}.initial"), initial, &self.natural, self.freedoms)?;
-        }
-        if let Some(rates) = &self.initial_rates {
-            check_rows(&format!("{argument}.initial_rates"), rates, count)?;
-            check_frozen(&format!("{argument}.initial_rates"), rates, &vec![[0.0; 3]; count], self.freedoms)?;
-        }
-        for axis in 0..3 {
-            check_finite(|| format!("{argument}.root_velocity[{axis}]"), self.root_velocity[axis])?;
-            check_finite(|| format!("{argument}.root_angular_velocity[{axis}]"), self.root_angular_velocity[axis])?;
-        }
-        Ok(())
-    }
-}
-
-/// Checks the count and the numbers of a list of curvature rows.
-pub(crate) fn check_rows(argument: &str, rows: &[[f64; 3]], count: usize) -> Result<()> {
-    if rows.len() != count {
-        return Err(Error::invalid(format!("{argument} (count)"), rows.len(), format!("{count} rows, one an element")));
-    }
-    for (element, row) in rows.iter().enumerate() {
-        for axis in 0..3 {
-            check_finite(|| format!("{argument}[{element}][{axis}]"), row[axis])?;
-        }
-    }
-    Ok(())
-}
-
-/// Checks that frozen freedoms hold the value they are frozen at.
-pub(crate) fn check_frozen(argument: &str, rows: &[[f64; 3]], frozen_at: &[[f64; 3]], freedoms: Freedoms) -> Result<()> {
-    for (element, (row, frozen)) in rows.iter().zip(frozen_at).enumerate() {
-        for axis in 0..3 {
-            if !freedoms.contains(axis) && row[axis] != frozen[axis] {
-                return Err(Error::invalid(
-                    format!("{argument}[{element}][{axis}]"),
-                    row[axis],
-                    format!("{}, since this freedom is frozen", frozen[axis]),
-                ));
-            }
-        }
-    }
-    Ok(())
 }

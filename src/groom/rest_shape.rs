@@ -1,0 +1,44 @@
+//! Natural shapes that hold a strand where it is drawn (design, section 6): equilibrium is K(q − qⁿ) = f(q), hence qⁿ = q − K⁻¹ f(q).
+
+use nalgebra::Vector3;
+
+use crate::chain::force::generalised;
+use crate::error::{Result, check_finite};
+use crate::math::quadrature::Rules;
+use crate::math::vector::Vec3;
+use crate::rod::definition::{StrandDef, check_rows};
+use crate::rod::kinematics::Kinematics;
+use crate::rod::strand::StrandModel;
+use crate::step::state::rotation_matrix;
+
+/// Natural curvatures with which a strand of this definition is in equilibrium under gravity (m/s²) in the shape `curvatures`, a row an
+/// element. Frozen freedoms carry no moment of their own: their natural value is the curvature itself.
+///
+/// Whether that equilibrium is stable is another question: a limp strand drawn upright is held exactly, and falls at a touch.
+///
+/// # Errors
+/// [`crate::error::Error::InvalidArgument`] for a definition or rows that cannot be used.
+pub fn natural_under_gravity(strand: &StrandDef, curvatures: &[[f64; 3]], gravity: Vector3<f64>) -> Result<Vec<[f64; 3]>> {
+    strand.check("strand")?;
+    check_rows("curvatures", curvatures, strand.element_lengths.len())?;
+    for axis in 0..3 {
+        check_finite(|| format!("gravity[{axis}]"), gravity[axis])?;
+    }
+    let model = StrandModel::new(strand.element_lengths.clone(), strand.natural.clone(), strand.material, strand.freedoms);
+    // The rule that a step will use: the balance is then exact to rounding.
+    let rules = Rules::default();
+    let rule = rules.rule(rules.next_for_angle(0, model.largest_angle(curvatures)));
+    let mut kinematics = Kinematics::default();
+    kinematics.update(&rotation_matrix(&strand.root), &model.lengths, curvatures, rule);
+    let weight = Vec3::from(gravity * model.linear_density);
+    let forces = generalised(&kinematics, |p| weight.scale(rule.weights[p % rule.len()] * model.lengths[p / rule.len()]));
+    let mut natural = curvatures.to_vec();
+    for (element, row) in natural.iter_mut().enumerate() {
+        for axis in 0..3 {
+            if model.freedoms.contains(axis) {
+                row[axis] -= forces[element][axis] / (model.stiffness[axis] * model.lengths[element]);
+            }
+        }
+    }
+    Ok(natural)
+}
