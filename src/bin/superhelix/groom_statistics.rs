@@ -107,10 +107,14 @@ pub fn is_plausible_length(metres: f64) -> bool {
     (0.005..=1.2).contains(&metres)
 }
 
-/// Roots of a head of hair spread over about this length in metres (the box's diagonal).
-const HEAD_SPREAD: f64 = 0.24;
+/// Roots of a head of hair spread over about this length, m: the diagonal of their box on the heads of real grooms.
+const HEAD_SPREAD: f64 = 0.28;
 
-/// The unit among the usual ones at which the roots spread as on a head and the strands have lengths that hair has.
+/// Units that people model in, metres each.
+const USUAL_UNITS: [(f64, &str); 4] = [(1.0, "a metre"), (0.01, "a centimetre"), (0.0254, "an inch"), (0.001, "a millimetre")];
+
+/// A usual unit at which roots and strands have the sizes of a head of hair; metres before all others, since that is what
+/// careful tools write; else the unit that makes the roots spread as on a head; else the usual unit that is least absurd.
 fn guess_scale(curves: &Curves, length: Spread) -> Option<ScaleGuess> {
     let mut low = [f64::INFINITY; 3];
     let mut high = [f64::NEG_INFINITY; 3];
@@ -121,20 +125,30 @@ fn guess_scale(curves: &Curves, length: Spread) -> Option<ScaleGuess> {
         }
     }
     let spread = (0..3).map(|axis| (high[axis] - low[axis]).powi(2)).sum::<f64>().sqrt();
-    let units = [(1.0, "a metre"), (0.1, "a decimetre"), (0.0254, "an inch"), (0.01, "a centimetre"), (0.001, "a millimetre")];
-    let plausible = units.iter().filter(|(metres, _)| is_plausible_length(length.median * metres) && length.max * metres <= 2.0);
-    let off = |metres: f64| {
-        if spread > 0.0 { (spread * metres / HEAD_SPREAD).ln().abs() } else { (length.median * metres / 0.2).ln().abs() }
-    };
-    let (metres, name) = plausible.min_by(|a, b| off(a.0).total_cmp(&off(b.0)))?;
-    Some(ScaleGuess {
-        metres_per_unit: *metres,
+    let fits = |metres: f64| is_plausible_length(length.median * metres) && length.max * metres <= 2.0;
+    let like_a_head = |metres: f64| (0.6..=1.7).contains(&(spread * metres / HEAD_SPREAD));
+    let guess = |metres: f64, unit: &str| ScaleGuess {
+        metres_per_unit: metres,
         because: format!(
-            "with a unit of {name} the median strand is {:.3} m long and the roots spread over {:.3} m",
+            "with a unit of {unit} the median strand is {:.3} m long and the roots spread over {:.3} m",
             length.median * metres,
             spread * metres
         ),
-    })
+    };
+    if fits(1.0) && spread <= 1.5 {
+        return Some(guess(1.0, "a metre"));
+    }
+    if let Some((metres, name)) = USUAL_UNITS.iter().find(|(metres, _)| fits(*metres) && like_a_head(*metres)) {
+        return Some(guess(*metres, name));
+    }
+    let by_head = HEAD_SPREAD / spread;
+    if by_head.is_finite() && fits(by_head) {
+        let decade = 10f64.powf(by_head.log10().floor() - 1.0);
+        let rounded = (by_head / decade).round() * decade;
+        let rounded = format!("{rounded:.2e}").parse().unwrap_or(rounded);
+        return Some(guess(rounded, &format!("{rounded} m")));
+    }
+    USUAL_UNITS.iter().find(|(metres, _)| fits(*metres)).map(|(metres, name)| guess(*metres, name))
 }
 
 #[cfg(test)]

@@ -60,7 +60,7 @@ fn strokes(character: char) -> &'static str {
 }
 
 /// Small letters are capitals of this size.
-const SMALL: f32 = 0.74;
+const SMALL: f32 = 0.82;
 
 /// Distance from one character to the next and height of a capital, in grid units.
 const ADVANCE: f32 = 6.0;
