@@ -53,7 +53,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let definitions: Vec<StrandDef> = scene.strands.iter().map(|strand| strand.definition.clone()).collect();
     let ids = solver.add_strands(&definitions).map_err(complain)?;
     if !arguments.quiet {
-        resolution::warn(definitions.iter(), |index| format!("{}: strands[{index}]", path.display()));
+        resolution::warn(definitions.iter(), resolution::Shapes::All, |index| format!("{}: strands[{index}]", path.display()));
     }
 
     let mut out = AtomicFile::create(&arguments.out)?;

@@ -22,8 +22,9 @@ use crate::groom_strands::{self, GroomStrand, NaturalShape, StrandRecipe};
 use crate::head::Head;
 use crate::material_arguments::MaterialArguments;
 use crate::picture::sheet::{Moment, SheetOptions};
-use crate::picture::view::Up;
+use crate::picture::view::{Face, Up};
 use crate::picture::{self, spread};
+use crate::resolution::Shapes;
 use crate::result::Report;
 use crate::simulate_report::{FitReport, SimulateReport};
 use crate::{progress, resolution, scene};
@@ -111,6 +112,9 @@ pub struct SimulateArguments {
     /// A contact sheet of the motion.
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
+    /// The axis that the face looks along, for the contact sheet. Default: +z where y is up, -y where z is up.
+    #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
+    face: Option<Face>,
     /// Moments on the contact sheet.
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=64))]
     moments: u32,
@@ -244,7 +248,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     bar.finish_and_clear();
     let (cache_frames, picture) = film.finish(arguments, &strands, scale)?;
 
-    let turns = resolution::coarse_strands(strands.iter().map(|strand| &strand.definition)).len();
+    let turns = resolution::coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
     let answer = SimulateReport {
         version: 1,
         groom: arguments.groom.display().to_string(),
@@ -340,7 +344,7 @@ fn warn(arguments: &SimulateArguments, strands: &[GroomStrand], skipped: usize) 
             arguments.groom.display()
         );
     }
-    resolution::warn(strands.iter().map(|strand| &strand.definition), |index| {
+    resolution::warn(strands.iter().map(|strand| &strand.definition), Shapes::Initial, |index| {
         format!("{}: strand {}", arguments.groom.display(), strands[index].index)
     });
 }
@@ -420,7 +424,8 @@ impl Film {
                 strands.len(),
                 arguments.elements
             );
-            let options = SheetOptions { title, up: arguments.up, cell_width: 340, metres_per_unit: Some(scale) };
+            let options =
+                SheetOptions { title, up: arguments.up, face: arguments.face, cell_width: 340, metres_per_unit: Some(scale) };
             picture::write_png(&mut file, path, &self.moments, &options)?;
             file.commit()?;
         }

@@ -53,18 +53,19 @@ impl Colour {
     }
 }
 
-/// A colour for each root: hue by the direction from the middle around the vertical, lightness by height.
-pub fn by_root(roots: &[[f32; 3]], up: usize, right: usize, forward: usize) -> Vec<Colour> {
+/// A colour for each root, given as right, up, towards the viewer of the front view: hue by the direction from the middle around
+/// the vertical, lightness by height.
+pub fn by_root(roots: &[[f32; 3]]) -> Vec<Colour> {
     let count = roots.len().max(1) as f32;
     let middle: [f32; 3] = [0, 1, 2].map(|axis| roots.iter().map(|root| root[axis]).sum::<f32>() / count);
-    let lowest = roots.iter().map(|root| root[up]).fold(f32::INFINITY, f32::min);
-    let highest = roots.iter().map(|root| root[up]).fold(f32::NEG_INFINITY, f32::max);
+    let lowest = roots.iter().map(|root| root[1]).fold(f32::INFINITY, f32::min);
+    let highest = roots.iter().map(|root| root[1]).fold(f32::NEG_INFINITY, f32::max);
     let rise = (highest - lowest).max(f32::MIN_POSITIVE);
     roots
         .iter()
         .map(|root| {
-            let hue = (root[forward] - middle[forward]).atan2(root[right] - middle[right]);
-            Colour::from_oklch(0.66 + 0.14 * (root[up] - lowest) / rise, 0.125, hue)
+            let hue = (root[2] - middle[2]).atan2(root[0] - middle[0]);
+            Colour::from_oklch(0.66 + 0.14 * (root[1] - lowest) / rise, 0.125, hue)
         })
         .collect()
 }

@@ -18,7 +18,7 @@ use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
 use crate::progress;
 use sheet::{Moment, SheetOptions};
-use view::Up;
+use view::{Face, Up};
 
 /// Draws a contact sheet of simulated frames: several moments, each from the front and from the side, all at one scale.
 ///
@@ -37,6 +37,9 @@ pub struct PictureArguments {
     /// The axis that points up.
     #[arg(long, value_enum, default_value_t = Up::Y)]
     up: Up,
+    /// The axis that the face looks along. Default: +z where y is up, -y where z is up.
+    #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
+    face: Option<Face>,
     /// Frames a second of the cache: labels are then times.
     #[arg(long, value_parser = crate::simulate::positive)]
     fps: Option<f64>,
@@ -89,7 +92,13 @@ pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
         let name = arguments.inputs[0].file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         format!("{name}   {} strands   {} frames", moments[0].strands.len(), frames.len())
     });
-    let options = SheetOptions { title, up: arguments.up, cell_width: arguments.cell, metres_per_unit: arguments.scale };
+    let options = SheetOptions {
+        title,
+        up: arguments.up,
+        face: arguments.face,
+        cell_width: arguments.cell,
+        metres_per_unit: arguments.scale,
+    };
     write_png(&mut out, &arguments.out, &moments, &options)?;
     out.commit()
 }

@@ -5,7 +5,7 @@ use tiny_skia::{FillRule, Paint, PathBuilder, Pixmap, PixmapPaint, Rect, Stroke,
 use super::colour::{self, Colour};
 use super::lettering;
 use super::strands::{self, Window};
-use super::view::{Up, View};
+use super::view::{Face, Up, View};
 use crate::failure::Failure;
 
 /// One moment of the motion.
@@ -24,6 +24,8 @@ pub struct SheetOptions {
     pub title: String,
     /// The axis that points up.
     pub up: Up,
+    /// The axis that the face looks along.
+    pub face: Option<Face>,
     /// Width of a cell, pixels.
     pub cell_width: u32,
     /// Metres a unit, if known: the scale bar then has a length in centimetres.
@@ -71,11 +73,7 @@ fn middle_of_roots(moment: &Moment) -> [f32; 3] {
 
 /// Draws a sheet. There must be at least one moment, each with the same number of strands, at least one.
 pub fn draw(moments: &[Moment], options: &SheetOptions) -> Result<Pixmap, Failure> {
-    let (up, right, forward) = match options.up {
-        Up::Y => (1, 0, 2),
-        Up::Z => (2, 0, 1),
-    };
-    let views = [View::front(options.up), View::side(options.up)];
+    let views = View::pair(options.up, options.face)?;
     let middles: Vec<[f32; 3]> = moments.iter().map(middle_of_roots).collect();
     let extents = views.map(|view| Extent::of(moments, &middles, &view));
     let wide = extents.iter().map(|extent| extent.size(0)).fold(0.0, f32::max).max(f32::MIN_POSITIVE);
@@ -94,8 +92,8 @@ pub fn draw(moments: &[Moment], options: &SheetOptions) -> Result<Pixmap, Failur
     let title_height = fitting_height(&options.title, 15.0, width - 2.0 * MARGIN);
     lettering::draw(&mut sheet, &options.title, MARGIN, 32.0, title_height, Colour::LABEL);
 
-    let first_roots: Vec<[f32; 3]> = moments[0].strands.iter().map(|strand| strand[0]).collect();
-    let colours = colour::by_root(&first_roots, up, right, forward);
+    let first_roots: Vec<[f32; 3]> = moments[0].strands.iter().map(|strand| views[0].look(strand[0])).collect();
+    let colours = colour::by_root(&first_roots);
     let longest = moments[0].strands.len().max(1);
     // Few strands get a pen one can see, many a fine one that lets them be told apart.
     let pen = (2.6 - 0.55 * (longest as f32).log10()).clamp(0.75, 2.4) * (cell_width / 340.0).clamp(0.5, 3.0).sqrt();
@@ -213,7 +211,7 @@ mod tests {
         let strand = |shift: f32, tip: f32| vec![[shift, 0.0, 0.0], [shift + tip, -0.1, 0.0], [shift + tip, -0.2, 0.0]];
         let moment =
             |shift: f32, tip: f32| Moment { label: "t".into(), strands: vec![strand(shift, tip), strand(shift + 0.1, tip)] };
-        let options = SheetOptions { title: "t".into(), up: Up::Y, cell_width: 200, metres_per_unit: Some(1.0) };
+        let options = SheetOptions { title: "t".into(), up: Up::Y, face: None, cell_width: 200, metres_per_unit: Some(1.0) };
         let cell_of = |moments: &[Moment], column: usize| {
             let sheet = draw(moments, &options).unwrap();
             let left = MARGIN as u32 + column as u32 * (200 + GAP as u32);

@@ -1,5 +1,9 @@
 //! The two views of a sheet: which axes run right, up and towards the viewer.
 
+use nalgebra::{Matrix3, Vector3};
+
+use crate::failure::Failure;
+
 /// Which axis of the world points up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Up {
@@ -19,10 +23,46 @@ impl Up {
     }
 
     /// Gravity, m/s².
-    pub fn gravity(self) -> nalgebra::Vector3<f64> {
-        let mut gravity = nalgebra::Vector3::zeros();
+    pub fn gravity(self) -> Vector3<f64> {
+        let mut gravity = Vector3::zeros();
         gravity[self.axis()] = -9.81;
         gravity
+    }
+}
+
+/// The axis that a face looks along. Files do not say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Face {
+    /// Along x.
+    #[value(name = "+x")]
+    PlusX,
+    /// Against x.
+    #[value(name = "-x")]
+    MinusX,
+    /// Along y.
+    #[value(name = "+y")]
+    PlusY,
+    /// Against y.
+    #[value(name = "-y")]
+    MinusY,
+    /// Along z.
+    #[value(name = "+z")]
+    PlusZ,
+    /// Against z.
+    #[value(name = "-z")]
+    MinusZ,
+}
+
+impl Face {
+    fn vector(self) -> Vector3<f32> {
+        match self {
+            Face::PlusX => Vector3::x(),
+            Face::MinusX => -Vector3::x(),
+            Face::PlusY => Vector3::y(),
+            Face::MinusY => -Vector3::y(),
+            Face::PlusZ => Vector3::z(),
+            Face::MinusZ => -Vector3::z(),
+        }
     }
 }
 
@@ -31,31 +71,35 @@ impl Up {
 pub struct View {
     /// Label.
     pub name: &'static str,
-    axes: [(usize, f32); 3],
+    /// Right, up and towards the viewer, as rows.
+    axes: Matrix3<f32>,
 }
 
 impl View {
-    /// From the front: a y-up head looks along +z, a z-up head along -y.
-    pub fn front(up: Up) -> Self {
-        let axes = match up {
-            Up::Y => [(0, 1.0), (1, 1.0), (2, 1.0)],
-            Up::Z => [(0, 1.0), (2, 1.0), (1, -1.0)],
-        };
-        Self { name: "Front", axes }
-    }
-
-    /// From the side: the face looks to the left.
-    pub fn side(up: Up) -> Self {
-        let axes = match up {
-            Up::Y => [(2, -1.0), (1, 1.0), (0, 1.0)],
-            Up::Z => [(1, 1.0), (2, 1.0), (0, 1.0)],
-        };
-        Self { name: "Side", axes }
+    /// From the front and from the side (the face then looks to the left). Without a `face` it looks along +z where y is up
+    /// and along -y where z is up: the same head in the two conventions.
+    ///
+    /// # Errors
+    /// When the face looks up or down.
+    pub fn pair(up: Up, face: Option<Face>) -> Result<[Self; 2], Failure> {
+        let face = face.unwrap_or(match up {
+            Up::Y => Face::PlusZ,
+            Up::Z => Face::MinusY,
+        });
+        let mut vertical = Vector3::zeros();
+        vertical[up.axis()] = 1.0;
+        let ahead = face.vector();
+        let beside = vertical.cross(&ahead);
+        if beside == Vector3::zeros() {
+            return Err(Failure::Other(format!("--face is the axis that --up says is {up:?}; expected a level one")));
+        }
+        let rows = |right: Vector3<f32>, towards: Vector3<f32>| Matrix3::from_columns(&[right, vertical, towards]).transpose();
+        Ok([Self { name: "Front", axes: rows(beside, ahead) }, Self { name: "Side", axes: rows(-ahead, beside) }])
     }
 
     /// A point (or direction) as right, up, towards the viewer.
     pub fn look(&self, point: [f32; 3]) -> [f32; 3] {
-        self.axes.map(|(axis, sign)| sign * point[axis])
+        (self.axes * Vector3::from(point)).into()
     }
 }
 
@@ -65,24 +109,21 @@ mod tests {
 
     #[test]
     fn views_are_right_handed_and_turn_with_the_up_axis() {
-        for up in [Up::Y, Up::Z] {
-            for view in [View::front(up), View::side(up)] {
-                let rows: Vec<_> = (0..3)
-                    .map(|axis| {
-                        let mut unit = [0.0; 3];
-                        unit[axis] = 1.0;
-                        nalgebra::Vector3::from(view.look(unit))
-                    })
-                    .collect();
-                assert_eq!(nalgebra::Matrix3::from_columns(&rows).determinant(), 1.0, "{view:?} mirrors");
-                let mut up_vector = [0.0; 3];
-                up_vector[up.axis()] = 1.0;
-                assert_eq!(view.look(up_vector), [0.0, 1.0, 0.0]);
+        for (up, face) in [(Up::Y, None), (Up::Z, None), (Up::Y, Some(Face::MinusZ)), (Up::Z, Some(Face::PlusX))] {
+            for view in View::pair(up, face).unwrap() {
+                assert_eq!(view.axes.determinant(), 1.0, "{view:?} mirrors");
+                let mut vertical = [0.0; 3];
+                vertical[up.axis()] = 1.0;
+                assert_eq!(view.look(vertical), [0.0, 1.0, 0.0]);
             }
         }
         // The same thing in the two conventions: (x, y, z) with y up is (x, -z, y) with z up.
-        let (x, y, z) = (1.0, 2.0, 3.0);
-        assert_eq!(View::front(Up::Y).look([x, y, z]), View::front(Up::Z).look([x, -z, y]));
-        assert_eq!(View::side(Up::Y).look([x, y, z]), View::side(Up::Z).look([x, -z, y]));
+        let (y_up, z_up) = (View::pair(Up::Y, None).unwrap(), View::pair(Up::Z, None).unwrap());
+        for (one, other) in y_up.iter().zip(&z_up) {
+            assert_eq!(one.look([1.0, 2.0, 3.0]), other.look([1.0, -3.0, 2.0]));
+        }
+        assert_eq!(y_up[0].look([1.0, 2.0, 3.0]), [1.0, 2.0, 3.0]);
+        assert_eq!(y_up[1].look([1.0, 2.0, 3.0]), [-3.0, 2.0, 1.0]);
+        assert!(View::pair(Up::Y, Some(Face::MinusY)).is_err());
     }
 }
