@@ -32,7 +32,8 @@ fn the_documented_example_runs_as_it_stands() {
 
 #[test]
 fn times_are_exact_and_the_last_step_is_shorter() {
-    let scene = with(with(with(small_scene(), "/time_step", json!(0.03)), "/output_interval", json!(0.1)), "/duration", json!(0.25));
+    let scene =
+        with(with(with(small_scene(), "/time_step", json!(0.03)), "/output_interval", json!(0.1)), "/duration", json!(0.25));
     let result = run(&directory("times"), &scene);
     assert_eq!(numbers(&result["times"]), [0.0, 0.1, 0.2, 0.25]);
     // Three whole steps and a shorter one in each tenth of a second, one and a shorter one in the rest.
@@ -137,7 +138,8 @@ fn threads_give_the_same_bits() {
     let directory = directory("threads");
     let mut scene = with(small_scene(), "/output", json!(["tips", "curvatures", "rates", "energies"]));
     let strand = scene["strands"][0].clone();
-    let strands: Vec<Value> = (0..9).map(|index| with(json!([strand]), "/0/length", json!(0.1 + 0.01 * f64::from(index)))[0].clone()).collect();
+    let strands: Vec<Value> =
+        (0..9).map(|index| with(json!([strand]), "/0/length", json!(0.1 + 0.01 * f64::from(index)))[0].clone()).collect();
     scene["strands"] = json!(strands);
     let mut one = run(&directory, &scene);
     let mut three = run(&directory, &with(scene, "/threads", json!(3)));
@@ -170,14 +172,16 @@ fn every_output_has_its_shape() {
     assert_eq!(energies[0]["kinetic"], 0.0);
     assert_eq!(energies[0]["elastic"], 0.0);
     assert!(energies[5]["kinetic"].as_f64().unwrap() > 0.0);
-    let sum = |index: usize| ["kinetic", "elastic", "gravity"].iter().map(|key| energies[index][key].as_f64().unwrap()).sum::<f64>();
+    let sum =
+        |index: usize| ["kinetic", "elastic", "gravity"].iter().map(|key| energies[index][key].as_f64().unwrap()).sum::<f64>();
     assert!(sum(5) < sum(0), "implicit Euler loses energy, it never gains it");
 
     let only_tips = run(&directory("outputs"), &small_scene());
     assert_eq!(only_tips["strands"][0].as_object().unwrap().keys().collect::<Vec<_>>(), ["tips"]);
     assert!(only_tips.get("energies").is_none());
 
-    let samples = with(with(small_scene(), "/output", json!(["points", {"kind": "velocities", "samples": 2}])), "/samples", json!(5));
+    let samples =
+        with(with(small_scene(), "/output", json!(["points", {"kind": "velocities", "samples": 2}])), "/samples", json!(5));
     let result = run(&directory("outputs"), &samples);
     assert_eq!(result["strands"][0]["points"][0].as_array().unwrap().len(), 5);
     assert_eq!(result["strands"][0]["velocities"][0].as_array().unwrap().len(), 2);
@@ -229,7 +233,8 @@ fn even_motion() -> Value {
 fn a_strand_starts_by_moving_with_its_root() {
     // Without gravity an even motion is no motion: nothing may stir in the strand's own frame.
     let scene = with(with(small_scene(), "/gravity", json!([0, 0, 0])), "/duration", json!(0.2));
-    let scene = with(with(scene, "/strands/0/root_motion", even_motion()), "/output", json!(["curvatures", "points", "velocities"]));
+    let scene =
+        with(with(scene, "/strands/0/root_motion", even_motion()), "/output", json!(["curvatures", "points", "velocities"]));
     let result = run(&directory("even"), &scene);
     let strand = &result["strands"][0];
     for (index, time) in numbers(&result["times"]).iter().enumerate() {
@@ -282,7 +287,8 @@ fn a_result_replaces_the_old_one_and_leaves_nothing_else() {
 
 #[test]
 fn coarse_elements_are_warned_about() {
-    let (output, _) = run_text(&directory("coarse"), &with(small_scene(), "/strands/0/natural_curvatures", json!([[0, 200, 0]])).to_string());
+    let (output, _) =
+        run_text(&directory("coarse"), &with(small_scene(), "/strands/0/natural_curvatures", json!([[0, 200, 0]])).to_string());
     assert_eq!(output.status.code(), Some(0));
     assert!(errors(&output).contains("strands[0]") && errors(&output).contains("13 elements"), "{}", errors(&output));
 }
