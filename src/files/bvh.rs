@@ -7,8 +7,10 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use crate::error::{Error, Result};
+use crate::files::bytes;
 use crate::files::text::{Quote, Text, count, number};
 use crate::math::frame::Frame;
+use crate::math::rotation::from_rotation_vector;
 
 /// What one number of a frame does to its joint.
 #[derive(Clone, Copy, PartialEq)]
@@ -29,8 +31,8 @@ struct Joint<'a> {
 
 /// Reads the world motion of one joint: times (s, from 0) and poses, with positions multiplied by `metres_per_unit`. Without a
 /// name, the first joint with "head" in its name.
-pub(super) fn read(name: &str, bytes: &[u8], joint: Option<&str>, metres_per_unit: f64) -> Result<(Vec<f64>, Vec<Frame>)> {
-    let mut text = Text::new(name, bytes);
+pub(super) fn read(name: &str, content: &[u8], joint: Option<&str>, metres_per_unit: f64) -> Result<(Vec<f64>, Vec<Frame>)> {
+    let mut text = Text::new(name, content);
     let (joints, row_length) = read_tree(&mut text)?;
     let chain = chain_to(name, &joints, joint)?;
 
@@ -58,8 +60,8 @@ pub(super) fn read(name: &str, bytes: &[u8], joint: Option<&str>, metres_per_uni
         return Err(text.error(time_line, format_args!("the time of a frame is {frame_time}; expected a number above zero")));
     }
 
-    let mut times = Vec::with_capacity(frame_count as usize);
-    let mut frames = Vec::with_capacity(frame_count as usize);
+    let mut times = bytes::list(frame_count as usize)?;
+    let mut frames = bytes::list(frame_count as usize)?;
     let mut row = vec![0.0; row_length];
     for frame in 0..frame_count {
         for value in &mut row {
@@ -221,7 +223,7 @@ fn local_pose(joint: &Joint<'_>, row: &[f64]) -> Frame {
                 let mut turn = Vector3::zeros();
                 // Whole turns say nothing, and a huge angle would lose its digits in radians.
                 turn[*axis] = (value % 360.0).to_radians();
-                rotation *= UnitQuaternion::new(turn);
+                rotation *= from_rotation_vector(turn);
             }
         }
     }

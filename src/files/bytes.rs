@@ -149,7 +149,8 @@ impl<'a> Section<'a> {
                     return Err(Error::file(
                         self.name,
                         format_args!(
-                            "number {axis} of {what} {index} at byte {} is {value}; expected a finite number",
+                            "{}{what} {index} at byte {} is {value}; expected a finite number",
+                            if N == 1 { String::new() } else { format!("number {axis} of ") },
                             self.offset + (index * N + axis) * 4
                         ),
                     ));

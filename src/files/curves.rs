@@ -145,6 +145,45 @@ impl Curves {
         Self::from_parts(CurvesFormat::Memory, counts, points, Extras::default())
     }
 
+    /// The same curves with other extras: a thickness for each point of a cache, for example.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when a list has not one entry a point (or a strand), or a number is not finite.
+    pub fn with_extras(self, extras: Extras) -> Result<Curves> {
+        let (points, strands) = (self.point_count(), self.strand_count());
+        fn check<const N: usize>(name: &str, list: Option<&[[f32; N]]>, wanted: usize) -> Result<()> {
+            let Some(list) = list else { return Ok(()) };
+            if list.len() != wanted {
+                return Err(Error::invalid(format!("extras.{name}"), format!("{} entries", list.len()), format!("{wanted}")));
+            }
+            match list.iter().position(|entry| !entry.iter().all(|value| value.is_finite())) {
+                Some(index) => {
+                    Err(Error::invalid(format!("extras.{name}[{index}]"), format!("{:?}", list[index]), "finite numbers"))
+                }
+                None => Ok(()),
+            }
+        }
+        fn singles(list: &Option<Vec<f32>>) -> Option<&[[f32; 1]]> {
+            list.as_ref().map(|list| list.as_chunks().0)
+        }
+        check("thickness", singles(&extras.thickness), points)?;
+        check("transparency", singles(&extras.transparency), points)?;
+        check("colors", extras.colors.as_deref(), points)?;
+        check("strand_thickness", singles(&extras.strand_thickness), strands)?;
+        check("strand_uvs", extras.strand_uvs.as_deref(), strands)?;
+        if let Some(held) = &extras.held
+            && held.len() != points
+        {
+            return Err(Error::invalid("extras.held", format!("{} entries", held.len()), format!("{points}")));
+        }
+        if let Some(header) = &extras.hair_header {
+            let [red, green, blue] = header.color;
+            let numbers = [[header.thickness, header.transparency, red, green, blue]];
+            check("hair_header", Some(&numbers), 1)?;
+        }
+        Ok(Curves { extras, ..self })
+    }
+
     /// Curves of parts that have been checked: at least one strand, counts of at least two that add up to the number of points,
     /// finite numbers, lists of the right length.
     pub(super) fn from_parts(format: CurvesFormat, counts: Vec<u32>, points: Vec<[f32; 3]>, extras: Extras) -> Result<Curves> {

@@ -10,10 +10,10 @@ use super::trigonometry::sine_cosine;
 
 /// Below this z the series is used (its terms fall quickly), above it sine and cosine (their cancellation is gone by then).
 /// At the join both are good to 4 ulp; see the tests.
-const JOIN: f64 = 14.0;
+const JOIN: f64 = 15.0;
 
-/// Coefficients of c6 and c7: (−1)ʲ/(2j+6)! and (−1)ʲ/(2j+7)!. Fourteen terms leave 1e-17 of the first at the join.
-const TERMS: usize = 14;
+/// Coefficients of c6 and c7: (−1)ʲ/(2j+6)! and (−1)ʲ/(2j+7)!. Fifteen terms leave 1e-17 of the first at the join.
+const TERMS: usize = 15;
 const SERIES_6: [f64; TERMS] = reciprocal_factorials(6);
 const SERIES_7: [f64; TERMS] = reciprocal_factorials(7);
 

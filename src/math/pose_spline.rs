@@ -1,9 +1,11 @@
 //! A smooth rigid motion through samples of it.
 
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use crate::error::{Error, Result, check_finite};
+use crate::math::entire::Stumpff;
 use crate::math::frame::Frame;
+use crate::math::rotation::{from_rotation_vector, rotation_vector};
 
 /// A motion through poses at given times: continuous in velocity and angular velocity, exact at the samples, held before the
 /// first and after the last.
@@ -98,7 +100,7 @@ impl PoseSpline {
             return self.frames[span.index];
         }
         let (origin, turn) = (span.cubic(span.position_ends()), span.cubic(span.turn_ends()));
-        Frame { origin: span.from.origin + origin, rotation: span.from.rotation * exponential(&turn) }
+        Frame { origin: span.from.origin + origin, rotation: span.from.rotation * from_rotation_vector(turn) }
     }
 
     /// Velocity of the origin (m/s) and angular velocity (rad/s), both in world axes, at a time (s). Zero before the first sample
@@ -112,7 +114,7 @@ impl PoseSpline {
         let Some(span) = self.span(time) else { return (Vector3::zeros(), Vector3::zeros()) };
         let (turn, rate) = (span.cubic(span.turn_ends()), span.cubic_rate(span.turn_ends()));
         let angular = right_jacobian(&turn) * rate;
-        (span.cubic_rate(span.position_ends()), span.from.rotation * (exponential(&turn) * angular))
+        (span.cubic_rate(span.position_ends()), span.from.rotation * (from_rotation_vector(turn) * angular))
     }
 
     /// The interval that a time lies in: from a sample on, and before the next. `None` outside.
@@ -158,7 +160,7 @@ impl Span<'_> {
 
     /// Where the rotation vector relative to the start ends, and its rates at both ends.
     fn turn_ends(&self) -> [Vector3<f64>; 3] {
-        let turn = logarithm(&(self.from.rotation.inverse() * self.to.rotation));
+        let turn = rotation_vector(&(self.from.rotation.inverse() * self.to.rotation));
         [turn, self.rates[0].1, inverse_right_jacobian(&turn) * self.rates[1].1]
     }
 
@@ -184,7 +186,7 @@ fn rates(times: &[f64], frames: &[Frame]) -> Vec<(Vector3<f64>, Vector3<f64>)> {
         .windows(2)
         .zip(&steps)
         .map(|(pair, step)| {
-            let turn = logarithm(&(pair[0].rotation.inverse() * pair[1].rotation));
+            let turn = rotation_vector(&(pair[0].rotation.inverse() * pair[1].rotation));
             ((pair[1].origin - pair[0].origin) / *step, turn / *step)
         })
         .collect();
@@ -209,52 +211,17 @@ fn rates(times: &[f64], frames: &[Frame]) -> Vec<(Vector3<f64>, Vector3<f64>)> {
     (0..times.len()).map(at).collect()
 }
 
-/// The rotation vector (rad) of the shorter way.
-fn logarithm(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
-    let vector = rotation.imag();
-    let sine = vector.norm();
-    if sine == 0.0 {
-        return Vector3::zeros();
-    }
-    vector * (2.0 * sine.atan2(rotation.w.abs()) / sine).copysign(rotation.w)
-}
-
-/// The rotation by a rotation vector.
-fn exponential(turn: &Vector3<f64>) -> UnitQuaternion<f64> {
-    let half = 0.5 * turn.norm();
-    let (sine, cosine) = half.sin_cos();
-    let factor = if half == 0.0 { 0.5 } else { 0.5 * sine / half };
-    UnitQuaternion::new_normalize(Quaternion::from_parts(cosine, turn * factor))
-}
-
 /// The matrix that takes the rate of a rotation vector to the angular velocity in the turning axes.
 fn right_jacobian(turn: &Vector3<f64>) -> Matrix3<f64> {
-    let square = turn.norm_squared();
-    let angle = square.sqrt();
-    let half_sinc = if angle == 0.0 { 0.5 } else { (0.5 * angle).sin() / angle };
-    let first = 2.0 * half_sinc * half_sinc;
-    let second = if square < 0.25 {
-        // (x - sin x) / x^3, which cancels there: six terms are exact to rounding.
-        let x = square;
-        (1.0 - x / 20.0 * (1.0 - x / 42.0 * (1.0 - x / 72.0 * (1.0 - x / 110.0 * (1.0 - x / 156.0))))) / 6.0
-    } else {
-        (angle - angle.sin()) / (square * angle)
-    };
+    let entire = Stumpff::at(turn.norm_squared());
     let cross = turn.cross_matrix();
-    Matrix3::identity() - cross * first + cross * cross * second
+    Matrix3::identity() - cross * entire.c2 + cross * cross * entire.c3
 }
 
 /// The inverse of [`right_jacobian`], for at most half a turn.
 fn inverse_right_jacobian(turn: &Vector3<f64>) -> Matrix3<f64> {
-    let square = turn.norm_squared();
-    let second = if square < 0.25 {
-        // (1 - (x/2) cot(x/2)) / x^2, which cancels there: Bernoulli numbers over factorials.
-        let terms = [1.0 / 12.0, 1.0 / 720.0, 1.0 / 30240.0, 1.0 / 1209600.0, 1.0 / 47900160.0, 691.0 / 1307674368000.0];
-        terms.iter().rev().fold(0.0, |sum, term| sum * square + term)
-    } else {
-        let half = 0.5 * square.sqrt();
-        (1.0 - half * half.cos() / half.sin()) / square
-    };
+    let entire = Stumpff::at(turn.norm_squared());
     let cross = turn.cross_matrix();
-    Matrix3::identity() + cross * 0.5 + cross * cross * second
+    // (1 - (x/2) cot(x/2)) / x^2 without its cancellation.
+    Matrix3::identity() + cross * 0.5 - cross * cross * (entire.b() / (2.0 * entire.c2))
 }

@@ -107,7 +107,7 @@ mod tests {
             Vector3::new(0.3, -0.2, 0.9),
             Vector3::new(1e-12, 3e-12, 0.0),
             Vector3::zeros(),
-            Vector3::new(0.0, 3.141, 0.0),
+            Vector3::new(0.0, 3.1, 0.0),
             Vector3::new(-1.5, 0.001, 2.2),
         ] {
             let back = rotation_vector(&from_rotation_vector(vector));

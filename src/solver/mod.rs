@@ -423,7 +423,8 @@ impl Solver {
         let strand = self.strand("id", id)?;
         let length = strand.model.length();
         for (k, arclength) in arclengths.iter().enumerate() {
-            if !(*arclength >= 0.0 && *arclength <= length) {
+            // The elements' lengths sum to the strand's with rounding: a host that asks for the length it gave means the tip.
+            if !(*arclength >= 0.0 && *arclength <= length * (1.0 + 1e-9)) {
                 return Err(Error::invalid(format!("arclengths[{k}]"), arclength, format!("0 to the strand's length {length}")));
             }
         }

@@ -1,0 +1,251 @@
+//! Mutilated files: whatever the bytes, a reader answers with a sound result or an error, and asks for no more memory than a few
+//! times the file's size.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use peak_alloc::PeakAlloc;
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use superhelix::files::curves::Curves;
+use superhelix::files::motion::{Motion, MotionOptions};
+use superhelix::files::{hair, obj};
+
+#[global_allocator]
+static MEMORY: PeakAlloc = PeakAlloc;
+
+/// One test, because memory is counted for the whole process: tests beside it would be counted in.
+#[test]
+fn readers_survive_anything_and_ask_for_little() {
+    whole_files_are_read_within_the_allowance();
+    no_number_in_a_head_makes_a_reader_ask_for_much();
+    mutilated_files_are_survived();
+    noise_is_survived();
+}
+
+/// The most memory that was in use during a call beyond what was before, bytes.
+fn peak<T>(call: impl FnOnce() -> T) -> (T, usize) {
+    let before = MEMORY.current_usage();
+    MEMORY.reset_peak_usage();
+    let result = call();
+    (result, MEMORY.peak_usage().saturating_sub(before))
+}
+
+fn data(name: &str) -> Vec<u8> {
+    std::fs::read(format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+/// The first lines of a text file.
+fn lines(name: &str, count: usize) -> Vec<u8> {
+    let bytes = data(name);
+    let end = bytes.iter().enumerate().filter(|(_, byte)| **byte == b'\n').nth(count - 1).unwrap().0 + 1;
+    bytes[..end].to_vec()
+}
+
+/// Small files with the heads of real ones: the name to read each under, and its bytes.
+fn seeds() -> &'static [(&'static str, Vec<u8>)] {
+    static SEEDS: OnceLock<Vec<(&'static str, Vec<u8>)>> = OnceLock::new();
+    SEEDS.get_or_init(make_seeds)
+}
+
+fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
+    let word = |bytes: &mut Vec<u8>, at: usize, number: u32| bytes[at..at + 4].copy_from_slice(&number.to_le_bytes());
+    let mut wavy = data("blender_wavy.hair")[..128 + 4 * 32 * 12].to_vec();
+    word(&mut wavy, 4, 4);
+    word(&mut wavy, 8, 4 * 32);
+    let curly = Curves::read_from_bytes("curly.hair", &data("blender_curly.hair")).unwrap();
+    let few = Curves::from_strands(&curly.strands().take(5).collect::<Vec<_>>()).unwrap();
+    let mut tail = data("amd_ponytail_back.tfx")[..296 + 6 * 16 * 12].to_vec();
+    word(&mut tail, 4, 6);
+    let mut sintel = data("sintel_hair_001.tfx")[..160 + 3 * 32 * 16].to_vec();
+    word(&mut sintel, 4, 3);
+    let text = String::from_utf8(lines("fibermesh_1k.tfx", 10 + 6 * 7)).unwrap().replace("numStrands 1000", "numStrands 6");
+    let capture = String::from_utf8(lines("walk_figure8_first240.bvh", 147 + 6)).unwrap().replace("Frames: 240", "Frames: 6");
+    vec![
+        ("wavy.hair", wavy),
+        ("curly.hair", hair::write_to_bytes("curly.hair", &few).unwrap()),
+        ("tail.tfx", tail),
+        ("sintel.tfx", sintel),
+        ("text.tfx", text.into_bytes()),
+        ("curly.obj", obj::write_to_bytes(&few)),
+        ("table.csv", lines("walk_figure8_head.csv", 40)),
+        ("walk.bvh", capture.into_bytes()),
+    ]
+}
+
+fn is_motion(name: &str) -> bool {
+    name.ends_with(".csv") || name.ends_with(".bvh")
+}
+
+/// Reads and checks what comes out. The number of points or samples, if any did, and the memory that it took.
+fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
+    if is_motion(name) {
+        let (result, memory) = peak(|| Motion::read_from_bytes(name, bytes, &MotionOptions::default()));
+        let motion = result.ok();
+        if let Some(motion) = &motion {
+            assert!(motion.times().windows(2).all(|pair| pair[0] < pair[1]));
+            let middle = motion.at(motion.times()[0] + 0.5 * motion.duration());
+            assert!(middle.origin.iter().all(|value| value.is_finite()) && (middle.rotation.norm() - 1.0).abs() < 1e-9);
+        }
+        return (motion.map(|motion| motion.times().len()), memory);
+    }
+    let (result, memory) = peak(|| Curves::read_from_bytes(name, bytes));
+    let curves = result.ok();
+    if let Some(curves) = &curves {
+        assert!(curves.strands().all(|strand| strand.len() >= 2));
+        assert_eq!(curves.counts().iter().map(|count| *count as usize).sum::<usize>(), curves.point_count());
+        assert!(curves.points().iter().flatten().all(|value| value.is_finite()));
+    }
+    (curves.map(|curves| curves.point_count()), memory)
+}
+
+/// What a file of this many bytes may take, beside some for the text of an error. A point takes 12 bytes, as little as two of an OBJ
+/// file name one, and Vec grows by doubling; a sample of a motion with its velocities takes 168.
+fn allowance(name: &str, bytes: usize) -> usize {
+    let times = if is_motion(name) { 24 } else { 8 };
+    times * bytes + 8192
+}
+
+fn whole_files_are_read_within_the_allowance() {
+    for (name, bytes) in seeds() {
+        let (count, memory) = read(name, bytes);
+        assert!(count.is_some(), "{name}: {:?}", Curves::read_from_bytes(name, bytes));
+        assert!(memory <= allowance(name, bytes.len()), "{name}: {memory} for {}", bytes.len());
+        // The measurement sees at least what is handed out.
+        assert!(memory >= 12 * count.unwrap_or_default(), "{name}: {memory}");
+    }
+    for name in
+        ["blender_curly.hair", "amd_ponytail_tail.tfx", "sintel_hair_001.tfx", "fibermesh_1k.tfx", "cmu_jumping_jacks.bvh"]
+    {
+        let bytes = data(name);
+        let (count, memory) = read(name, &bytes);
+        assert!(count.is_some() && memory <= 4 * bytes.len(), "{name}: {memory} for {}", bytes.len());
+    }
+}
+
+fn no_number_in_a_head_makes_a_reader_ask_for_much() {
+    for (name, bytes) in seeds() {
+        // Every 32-bit word of the head, with the numbers that overflow sums and products.
+        for at in (0..bytes.len().min(296) - 4).step_by(4) {
+            for number in [
+                0,
+                1,
+                2,
+                0xffff,
+                0x10000,
+                0x0555_5556,
+                0x1555_5556,
+                0x2000_0001,
+                0x7fff_ffff,
+                0x8000_0000,
+                u32::MAX - 1,
+                u32::MAX,
+            ] {
+                let mut changed = bytes.clone();
+                changed[at..at + 4].copy_from_slice(&number.to_le_bytes());
+                let (_, memory) = read(name, &changed);
+                assert!(memory <= allowance(name, bytes.len()), "{name}, {number:#x} at {at}: {memory}");
+            }
+        }
+        // Every number of a text's head.
+        if let Ok(text) = std::str::from_utf8(bytes) {
+            for word in text.split_whitespace().take(200).filter(|word| word.parse::<f64>().is_ok()) {
+                for number in ["0", "-1", "65536", "2147483648", "4294967295", "18446744073709551615", "1e308", "nan"] {
+                    let (_, memory) = read(name, text.replacen(word, number, 1).as_bytes());
+                    assert!(memory <= allowance(name, bytes.len() + 20), "{name}, {number} for {word}: {memory}");
+                }
+            }
+        }
+    }
+}
+
+/// One thing that happens to a file.
+#[derive(Debug, Clone)]
+enum Accident {
+    Byte(prop::sample::Index, u8),
+    Word(prop::sample::Index, u32),
+    Cut(prop::sample::Index),
+    Append(Vec<u8>),
+    Delete(prop::sample::Index, usize),
+    Double(prop::sample::Index, usize),
+}
+
+impl Accident {
+    fn happen(&self, bytes: &mut Vec<u8>) {
+        if bytes.is_empty() {
+            return;
+        }
+        let length = bytes.len();
+        match self {
+            Accident::Byte(at, byte) => bytes[at.index(length)] = *byte,
+            Accident::Word(at, word) => {
+                let at = at.index(length) & !3;
+                let end = (at + 4).min(length);
+                bytes[at..end].copy_from_slice(&word.to_le_bytes()[..end - at]);
+            }
+            Accident::Cut(at) => bytes.truncate(at.index(length)),
+            Accident::Append(more) => bytes.extend(more),
+            Accident::Delete(at, count) => {
+                let at = at.index(length);
+                bytes.drain(at..(at + count).min(length));
+            }
+            Accident::Double(at, count) => {
+                let at = at.index(length);
+                let piece = bytes[at..(at + count).min(length)].to_vec();
+                bytes.splice(at..at, piece);
+            }
+        }
+    }
+}
+
+fn accident() -> impl Strategy<Value = Accident> {
+    let place = || any::<prop::sample::Index>();
+    let digits = prop::sample::select(b"0123456789-+.eE \n\r\tnaifl{}/,#".to_vec());
+    prop_oneof![
+        (place(), any::<u8>()).prop_map(|(at, byte)| Accident::Byte(at, byte)),
+        (place(), digits).prop_map(|(at, byte)| Accident::Byte(at, byte)),
+        (place(), any::<u32>()).prop_map(|(at, word)| Accident::Word(at, word)),
+        (place(), prop::sample::select(vec![0, 1, 2, 0x7f80_0000, 0x7fff_ffff, 0xffff_ffff]))
+            .prop_map(|(at, word)| Accident::Word(at, word)),
+        place().prop_map(Accident::Cut),
+        prop::collection::vec(any::<u8>(), 1..40).prop_map(Accident::Append),
+        (place(), 1..200_usize).prop_map(|(at, count)| Accident::Delete(at, count)),
+        (place(), 1..200_usize).prop_map(|(at, count)| Accident::Double(at, count)),
+    ]
+}
+
+fn mutilated_files_are_survived() {
+    let accidents = prop::collection::vec(accident(), 1..6);
+    let mut runner = TestRunner::new(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() });
+    runner
+        .run(&(0..seeds().len(), accidents, any::<bool>()), |(which, accidents, in_head)| {
+            let (name, seed) = &seeds()[which];
+            // Half of the time all happens in the first 300 bytes, where the counts are.
+            let (mut bytes, rest) = if in_head { (seed[..300].to_vec(), &seed[300..]) } else { (seed.clone(), &seed[..0]) };
+            accidents.iter().for_each(|accident| accident.happen(&mut bytes));
+            bytes.extend(rest);
+            let (count, memory) = read(name, &bytes);
+            prop_assert!(memory <= allowance(name, bytes.len()), "{name}: {memory} for {}", bytes.len());
+            WHOLE.fetch_add(usize::from(count.is_some()), Ordering::Relaxed);
+            Ok(())
+        })
+        .unwrap();
+    // Some accidents do no harm to the form (a changed digit): both ways out were taken.
+    let whole = WHOLE.load(Ordering::Relaxed);
+    assert!((1000..19_000).contains(&whole), "{whole} of 20000 were read");
+}
+
+/// Mutilated files that were read all the same.
+static WHOLE: AtomicUsize = AtomicUsize::new(0);
+
+fn noise_is_survived() {
+    let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a", "HAIR"];
+    let mut runner = TestRunner::new(ProptestConfig { cases: 10_000, failure_persistence: None, ..ProptestConfig::default() });
+    runner
+        .run(&(0..names.len(), prop::collection::vec(any::<u8>(), 0..600)), |(which, bytes)| {
+            let (_, memory) = read(names[which], &bytes);
+            prop_assert!(memory <= allowance(names[which], bytes.len()));
+            Ok(())
+        })
+        .unwrap();
+}
