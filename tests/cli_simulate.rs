@@ -186,7 +186,7 @@ fn flags_of_the_material_reach_the_strands() {
         ("friction", vec!["--internal-friction", "1e-9"]),
         ("viscosity", vec!["--viscosity", "0.1"]),
         ("drag", vec!["--air-drag", "1e-4"]),
-        ("wind", vec!["--wind", "5,0,-2"]),
+        ("wind", vec!["--wind", "-5,0,-2"]),
         ("integrator", vec!["--integrator", "linearly_implicit"]),
         ("substeps", vec!["--substeps", "7"]),
     ] {

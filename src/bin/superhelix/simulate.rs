@@ -34,6 +34,7 @@ use crate::{progress, resolution, scene};
 /// The head's motion moves all roots rigidly: a root at time t is M(t) M(0)^-1 applied to the groom's root, about the joint.
 /// Strands that cannot be simulated (without length, shorter than wide) are left out and reported.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 pub struct SimulateArguments {
     /// The groom: .hair, .tfx or .obj with lines, root first.
     #[arg(value_name = "GROOM")]
@@ -54,8 +55,8 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0, requires = "motion", value_parser = not_negative)]
     start: f64,
     /// Where the head's joint sits in the groom, file units. Default: the middle of the roots.
-    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', num_args = 3, allow_negative_numbers = true, value_parser = finite)]
-    pivot: Option<Vec<f64>>,
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
+    pivot: Option<Vector3<f64>>,
     /// Metres a unit of the groom. Default: 1, refused when hair of that size could not be.
     #[arg(long, value_name = "METRES", value_parser = positive)]
     scale: Option<f64>,
@@ -72,8 +73,8 @@ pub struct SimulateArguments {
     #[arg(long, value_enum, value_name = "SHAPE", default_value_t = NaturalShape::SagFree)]
     natural: NaturalShape,
     /// Uniform wind, m/s.
-    #[arg(long, value_name = "X,Y,Z", value_delimiter = ',', num_args = 3, allow_negative_numbers = true, value_parser = finite)]
-    wind: Option<Vec<f64>>,
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
+    wind: Option<Vector3<f64>>,
     #[command(flatten)]
     material: MaterialArguments,
     /// Frames a second.
@@ -144,6 +145,14 @@ pub fn positive(text: &str) -> Result<f64, String> {
     finite(text).ok().filter(|value| *value > 0.0).ok_or_else(|| "expected a finite number above zero".to_string())
 }
 
+fn triple(text: &str) -> Result<Vector3<f64>, String> {
+    let numbers: Result<Vec<f64>, String> = text.split(',').map(|number| finite(number.trim())).collect();
+    match numbers.as_deref() {
+        Ok([x, y, z]) => Ok(Vector3::new(*x, *y, *z)),
+        _ => Err("expected three finite numbers with commas between".to_string()),
+    }
+}
+
 fn not_negative(text: &str) -> Result<f64, String> {
     finite(text).ok().filter(|value| *value >= 0.0).ok_or_else(|| "expected a finite number, zero or above".to_string())
 }
@@ -176,7 +185,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     };
     let mut solver = Solver::new(SolverOptions {
         gravity: recipe.gravity,
-        wind: arguments.wind.as_ref().map_or(Vector3::zeros(), |wind| Vector3::new(wind[0], wind[1], wind[2])),
+        wind: arguments.wind.unwrap_or(Vector3::zeros()),
         step: StepOptions {
             integrator: arguments.integrator,
             linear_solver: arguments.solver,
@@ -204,8 +213,8 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     drop(polylines);
 
     let at_start: Vec<Frame> = strands.iter().map(|strand| strand.definition.root).collect();
-    let joint = match &arguments.pivot {
-        Some(pivot) => Vector3::new(pivot[0], pivot[1], pivot[2]) * scale,
+    let joint = match arguments.pivot {
+        Some(pivot) => pivot * scale,
         None => at_start.iter().map(|root| root.origin).sum::<Vector3<f64>>() / at_start.len() as f64,
     };
     // A motion's clock may begin anywhere: --start counts from its first sample.

@@ -24,6 +24,7 @@ use view::{Face, Up};
 ///
 /// Strands are coloured by where their root is. The cells follow the middle of the roots.
 #[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
 pub struct PictureArguments {
     /// A directory of frames (name.0001.obj, name.0002.obj ... or .hair), or the files themselves in order.
     #[arg(value_name = "CACHE", required = true)]

@@ -66,7 +66,9 @@ fn piece(seen: &[[f32; 3]], colour: Colour, window: &Window) -> Piece {
     // Light from above the viewer's left shoulder: a thread is bright where it lies across the light (Kajiya and Kay 1989).
     let light = nalgebra::Vector3::new(-0.45, 0.62, 0.64).normalize();
     let across = along.try_normalize(0.0).map_or(1.0, |along| (1.0 - along.dot(&light).powi(2)).max(0.0).sqrt());
-    let nearness = ((depth - window.depth[0]) / (window.depth[1] - window.depth[0]).max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
+    // Strands in one plane facing the viewer are all as near as can be.
+    let room = window.depth[1] - window.depth[0];
+    let nearness = if room > 0.0 { ((depth - window.depth[0]) / room).clamp(0.0, 1.0) } else { 1.0 };
     let lit = colour.lit(0.45 + 0.6 * across).mixed(Colour::WHITE, 0.35 * across.powi(24) * nearness);
     Piece {
         depth,
