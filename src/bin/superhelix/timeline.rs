@@ -39,28 +39,28 @@ pub fn steps_between(from: f64, to: f64, time_step: f64) -> impl Iterator<Item =
 mod tests {
     use super::*;
 
-    fn steps(from: f64, to: f64, time_step: f64) -> Vec<(f64, f64)> {
+    fn listed(from: f64, to: f64, time_step: f64) -> Vec<(f64, f64)> {
         steps_between(from, to, time_step).collect()
     }
 
     #[test]
     fn a_step_that_divides_gives_equal_steps() {
         assert_eq!(output_times(0.5, 0.25), [0.0, 0.25, 0.5]);
-        assert_eq!(steps(0.25, 0.5, 0.125), [(0.375, 0.125), (0.5, 0.125)]);
+        assert_eq!(listed(0.25, 0.5, 0.125), [(0.375, 0.125), (0.5, 0.125)]);
         // 0.1 is not a binary fraction: ten of them are still one second, without an eleventh step of 1e-17 s.
-        assert_eq!(steps(0.0, 1.0, 0.1).len(), 10);
+        assert_eq!(listed(0.0, 1.0, 0.1).len(), 10);
         assert_eq!(output_times(1.0, 0.1).len(), 11);
         assert_eq!(*output_times(1.0, 0.1).last().unwrap(), 1.0);
     }
 
     #[test]
     fn a_step_that_does_not_divide_ends_with_a_shorter_one() {
-        let steps = steps(0.0, 0.25, 0.1);
+        let steps = listed(0.0, 0.25, 0.1);
         assert_eq!(steps.len(), 3);
         assert_eq!(steps[2].0, 0.25);
         assert!((steps[2].1 - 0.05).abs() < 1e-15);
         assert_eq!(output_times(1.0, 0.4), [0.0, 0.4, 0.8, 1.0]);
-        assert_eq!(steps(0.0, 0.01, 0.1), [(0.01, 0.01)]);
+        assert_eq!(listed(0.0, 0.01, 0.1), [(0.01, 0.01)]);
     }
 
     #[test]
@@ -71,7 +71,7 @@ mod tests {
             let times = output_times(duration, interval);
             assert_eq!(*times.last().unwrap(), duration);
             for pair in times.windows(2) {
-                let steps = steps(pair[0], pair[1], step);
+                let steps = listed(pair[0], pair[1], step);
                 let sum: f64 = steps.iter().map(|(_, length)| length).sum();
                 assert!((sum - (pair[1] - pair[0])).abs() < 2e-9 * step, "{duration} {interval} {step}");
                 assert_eq!(steps.last().unwrap().0, pair[1]);
