@@ -46,6 +46,9 @@ impl std::fmt::Debug for Solver {
     }
 }
 
+/// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
+pub const SHORTEST_STEP: f64 = 1e-9;
+
 impl Solver {
     /// A solver without strands.
     ///
@@ -304,7 +307,7 @@ impl Solver {
     /// substep's start and counted; the others go on.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a time that is not finite and above zero, or no substeps.
+    /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`].
     pub fn step(&mut self, dt: f64, substeps: u32) -> Result<StepReport> {
         let started = Instant::now();
         check_positive(|| "dt".into(), dt)?;
@@ -312,7 +315,9 @@ impl Solver {
             return Err(Error::invalid("substeps", substeps, "1 or more"));
         }
         let h = dt / f64::from(substeps);
-        check_positive(|| "dt / substeps".into(), h)?;
+        if h < SHORTEST_STEP {
+            return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP} s or more")));
+        }
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let (options, rules) = (self.options.step, &*self.rules);
         let gravity = self.options.gravity;
