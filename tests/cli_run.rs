@@ -318,7 +318,7 @@ fn numbers_come_back_to_the_last_bit() {
     let (output, result) = run_text(&directory("bits"), &scene);
     assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
     let row = numbers(&result.unwrap()["strands"][0]["curvatures"][0][0]);
-    assert_eq!(row, [1e-30, 2.225_073_858_507_201_4e-308, 7.120_236_347_223_044_4e-307]);
+    assert_eq!(row, [1e-30, 2.225_073_858_507_201_4e-308, 7.120_236_347_223_045e-307]);
 }
 
 #[test]
