@@ -52,6 +52,29 @@ fn real_grooms_are_fitted_within_a_percent_or_two_of_their_length() {
 }
 
 #[test]
+fn nearly_straight_strands_are_not_wound_up() {
+    // Sintel's strands hardly bend; twist there moves the centreline by nothing and must not be invented.
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/grooms/sintel_hair_001.tfx");
+    let mut largest: Vec<f64> = Curves::read(&path)
+        .unwrap()
+        .strands()
+        .map(|strand| {
+            let points: Vec<Vector3<f64>> =
+                strand.iter().map(|p| Vector3::new(p[0].into(), p[1].into(), p[2].into()) * 0.01).collect();
+            let fit = fit(&points, 10);
+            fit.curvatures.iter().zip(&fit.element_lengths).map(|(row, length)| (row[0] * length).abs()).fold(0.0, f64::max)
+        })
+        .collect();
+    largest.sort_by(f64::total_cmp);
+    let wound = largest.iter().filter(|angle| **angle > std::f64::consts::FRAC_PI_2).count();
+    println!(
+        "largest twist of an element: median {:.2} rad, most {:.2} rad; {wound} strands above π/2",
+        largest[114], largest[227]
+    );
+    assert!(wound == 0);
+}
+
+#[test]
 fn a_sampled_super_helix_is_found_again() {
     // Points on a strand of four elements, dense enough that the chords hide little: 801 points leave (Ω ds)² / 24 of the length.
     let mut def = StrandDef::straight(0.2, 4);
@@ -62,7 +85,8 @@ fn a_sampled_super_helix_is_found_again() {
     let mut points = Vec::new();
     solver.sample_strands(&[id], 801, |_, _, sample| points.push(sample.position)).unwrap();
     let found = fit(&points, 4);
-    assert!(found.max_error < 1e-6, "{:e}", found.max_error);
+    // The price of the twist that the fit charges for (here up to 12 rad/m) is 5.5e-6 m, 3e-5 of the length.
+    assert!(found.max_error < 1e-5, "{:e}", found.max_error);
     assert_eq!(found.root.origin, points[0]);
     let tangent = def.root.rotation * Vector3::x();
     assert!((found.root.rotation * Vector3::x() - tangent).norm() < 1e-3);
