@@ -180,16 +180,17 @@ pub fn solve(
     change.clear();
     change.resize(kinematics.elements.len(), [0.0; 3]);
     let mut rotation = Vec3::<f64>::zero();
-    let mut rotation_squared = 0.0_f64;
+    let (mut rotation_squared, mut rotation_sum) = (0.0_f64, 0.0);
     for (index, row) in change.iter_mut().enumerate() {
         for (slot, axis) in axes.iter().enumerate() {
             row[*axis] = solution[index * free + slot];
             rotation += dense.turns[index][slot].scale(row[*axis]);
         }
         rotation_squared = rotation_squared.max(rotation.norm_squared());
+        rotation_sum += rotation.norm_squared();
     }
     let descent = solution.iter().zip(&dense.force).map(|(d, f)| d * f).sum();
-    Direction { descent, rotation_squared, repaired, condition }
+    Direction { descent, rotation_squared, rotation_sum, repaired, condition }
 }
 
 fn is_finite(matrix: &Mat<f64>) -> bool {

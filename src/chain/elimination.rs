@@ -193,6 +193,7 @@ fn solve_for<const D: usize>(
     let root_turn = root_stiffness.map_or(Vec3::zero(), |stiffness| turn_of_root(&down, stiffness));
     let (mut psi, mut rho) = (root_turn, Vec3::<f64>::zero());
     let (mut descent, mut rotation_squared) = (root_turn.dot(down.whole_moment), root_turn.norm_squared());
+    let mut rotation_sum = 0.0;
     for (index, element) in kinematics.elements.iter().enumerate() {
         let done = &scratch[count - 1 - index];
         let mut delta = [0.0; D];
@@ -213,11 +214,13 @@ fn solve_for<const D: usize>(
             next_psi += done.psi[i].scale(delta[i]);
             next_rho += done.jacobian[i].scale(delta[i]);
         }
-        rotation_squared = rotation_squared.max(next_psi.norm_squared());
+        let turned = next_psi.norm_squared();
+        rotation_squared = rotation_squared.max(turned);
+        rotation_sum += turned;
         psi = element.turn.apply_transposed(next_psi);
         rho = element.turn.apply_transposed(next_rho);
     }
-    (Direction { descent, rotation_squared, repaired, condition: 0.0 }, root_turn)
+    (Direction { descent, rotation_squared, rotation_sum, repaired, condition: 0.0 }, root_turn)
 }
 
 /// Solves (A + k I) ψ = moment at the root.
@@ -252,6 +255,10 @@ fn eliminate<const D: usize>(
     axes: [usize; D],
     index: usize,
 ) -> (Eliminated<f64, D>, Downstream<f64>, bool) {
+    let mut right = *right;
+    right.a[0] += system.rotation_stiffness;
+    right.a[3] += system.rotation_stiffness;
+    right.a[5] += system.rotation_stiffness;
     let element = &kinematics.elements[index];
     let (kappa, length, end) = (element.kappa, element.length, element.end);
     let theta = kappa.scale(length);

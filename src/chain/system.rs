@@ -15,17 +15,20 @@ pub struct ChainSystem<T> {
     pub curvature_stiffness: Vec<[T; 3]>,
     /// Generalised force on each curvature of each element, length included, N·m².
     pub curvature_force: Vec<[T; 3]>,
+    /// Stiffness of springs that hold back the rotation of every element's right end, N·m/rad: Levenberg's damping, by rotation.
+    pub rotation_stiffness: T,
     /// Whether tension counts: the exact Hessian's geometric terms of `point_force` are added.
     pub exact: bool,
 }
 
-impl<T> Default for ChainSystem<T> {
+impl<T: Lane> Default for ChainSystem<T> {
     fn default() -> Self {
         Self {
             point_stiffness: Vec::new(),
             point_force: Vec::new(),
             curvature_stiffness: Vec::new(),
             curvature_force: Vec::new(),
+            rotation_stiffness: T::zero(),
             exact: true,
         }
     }
@@ -38,6 +41,8 @@ pub struct Direction<T> {
     pub descent: T,
     /// Largest rotation of an element's right end for the whole direction, rad, squared.
     pub rotation_squared: T,
+    /// Sum of the squared rotations of all elements' right ends, rad².
+    pub rotation_sum: T,
     /// How many pivots were not positive definite and were repaired (dense solves: eigenvalues).
     pub repaired: usize,
     /// Condition number of the matrix (dense singular values only; otherwise 0).

@@ -1,9 +1,11 @@
 //! Newton's iteration on a strand's incremental potential: a spring at every quadrature point and at every curvature (see `energy`),
 //! nonlinear because the points are where the curvatures put them.
 //!
-//! Each iteration solves with the exact Hessian, its pivots reflected where they are not positive definite, so that the direction
-//! descends; turns no element by more than a radian; and halves the way until the potential falls enough (Armijo's condition). The
-//! minimum is the step.
+//! Each iteration solves with the exact Hessian. Where a pivot is not positive, or an element would turn by more than the limit, the
+//! rotations of all elements are damped (Levenberg and Marquardt's method, measured by rotation) and the system solved again: a mode of
+//! negative curvature is then held back where it is, while reflecting its pivot, as drafts did, lets it turn by hundreds of radians and
+//! shrinks the whole direction with it (measured in `docs/newton.md`). The way is halved until the potential falls enough (Armijo's
+//! condition). The minimum is the step.
 
 use super::StrandOutcome;
 use super::options::{LinearSolver, StepOptions};
@@ -15,7 +17,12 @@ use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
 
 /// No element turns by more than this in an iteration, rad: beyond it the quadratic model says nothing.
-const ROTATION_LIMIT: f64 = 1.0;
+const ROTATION_LIMIT: f64 = 2.0;
+/// What the damping grows by where it must, and shrinks by where the model kept its promise.
+const DAMPING_UP: f64 = 4.0;
+const DAMPING_DOWN: f64 = 0.125;
+/// Dampings tried in an iteration: 4⁴⁰ spans all of f64 that matters.
+const MAX_DAMPINGS: u32 = 40;
 /// Armijo's fraction of the promised descent.
 const ARMIJO: f64 = 1e-4;
 /// Halvings of the way before an iteration is given up.
@@ -64,43 +71,40 @@ pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Worksp
         outcome.quarantined = true;
         return outcome;
     }
+    let least_damping = least_damping(workspace);
+    let mut damping = 0.0;
     for iteration in 1..=options.max_iterations {
         outcome.iterations = iteration;
         forces(workspace);
-        let found = direction(workspace, problem.axes, options.linear_solver);
+        let found = damped_direction(workspace, problem.axes, options.linear_solver, &mut damping, least_damping);
         outcome.condition = found.condition;
         let rotation = found.rotation_squared.sqrt();
         if !(rotation.is_finite() && found.descent.is_finite()) {
             outcome.quarantined = true;
             return outcome;
         }
-        let mut part = if rotation > ROTATION_LIMIT { ROTATION_LIMIT / rotation } else { 1.0 };
-        let mut accepted = None;
-        for _ in 0..MAX_HALVINGS {
-            workspace.trial_curvatures.clone_from(&workspace.curvatures);
-            for (row, change) in workspace.trial_curvatures.iter_mut().zip(&workspace.change) {
-                for axis in 0..3 {
-                    row[axis] += part * change[axis];
-                }
-            }
-            place(problem, &mut workspace.trial, &workspace.trial_curvatures);
-            let trial = evaluate(workspace, true);
-            if trial.value <= potential.value - ARMIJO * part * found.descent + potential.noise {
-                accepted = Some(trial);
-                break;
-            }
-            part *= 0.5;
-        }
-        let Some(next) = accepted else {
+        outcome.residual = rotation;
+        let part = if rotation > ROTATION_LIMIT { ROTATION_LIMIT / rotation } else { 1.0 };
+        let Some(next) = walk(problem, workspace, potential, found.descent, part) else {
             // No way down that rounding lets us see: the state is as good as this potential can tell.
-            outcome.residual = rotation;
             return outcome;
         };
+        // The model promised f·d − ½ d·H d with H d = f − damping·(rotations): compare, and trust it more or less.
+        let promised = 0.5 * (found.descent + damping * found.rotation_sum);
+        let undamped = damping == 0.0;
+        let kept = (potential.value - next.value) / promised;
+        if kept > 0.7 || promised < 8.0 * potential.noise {
+            damping *= DAMPING_DOWN;
+        } else if kept < 0.25 {
+            damping = (damping * DAMPING_UP).max(least_damping);
+        }
+        if damping < least_damping {
+            damping = 0.0;
+        }
         potential = next;
         std::mem::swap(&mut workspace.kinematics, &mut workspace.trial);
         std::mem::swap(&mut workspace.curvatures, &mut workspace.trial_curvatures);
-        outcome.residual = rotation;
-        if rotation <= options.tolerance {
+        if rotation <= options.tolerance && undamped {
             outcome.converged = true;
             break;
         }
@@ -117,6 +121,53 @@ pub fn choose_start(problem: &Problem, workspace: &mut Workspace) {
     if second.value < first.value {
         std::mem::swap(&mut workspace.curvatures, &mut workspace.trial_curvatures);
     }
+}
+
+/// Newton's direction; the linear-time solve damps it until every pivot is positive and no element turns by more than the limit.
+fn damped_direction(
+    workspace: &mut Workspace,
+    axes: &[usize],
+    solver: LinearSolver,
+    damping: &mut f64,
+    least_damping: f64,
+) -> Direction<f64> {
+    for _ in 0..MAX_DAMPINGS {
+        workspace.system.rotation_stiffness = *damping;
+        let found = direction(workspace, axes, solver);
+        let good = found.repaired == 0 && found.rotation_squared <= ROTATION_LIMIT * ROTATION_LIMIT;
+        // The dense solves repair by eigenvalues and know no damping; a direction that is not finite stays so.
+        if good || solver != LinearSolver::LinearTime || !found.rotation_squared.is_finite() {
+            return found;
+        }
+        *damping = (*damping * DAMPING_UP).max(least_damping);
+    }
+    direction(workspace, axes, solver)
+}
+
+/// Goes along the direction, `part` of it at first, halving until the potential falls enough; the trial state is then where it is.
+fn walk(problem: &Problem, workspace: &mut Workspace, from: Potential, descent: f64, mut part: f64) -> Option<Potential> {
+    for _ in 0..MAX_HALVINGS {
+        workspace.trial_curvatures.clone_from(&workspace.curvatures);
+        for (row, change) in workspace.trial_curvatures.iter_mut().zip(&workspace.change) {
+            for axis in 0..3 {
+                row[axis] += part * change[axis];
+            }
+        }
+        place(problem, &mut workspace.trial, &workspace.trial_curvatures);
+        let trial = evaluate(workspace, true);
+        if trial.value <= from.value - ARMIJO * part * descent + from.noise {
+            return Some(trial);
+        }
+        part *= 0.5;
+    }
+    None
+}
+
+/// The smallest damping worth trying: a hundredth of what the points' springs hold the rotation of one element's share with.
+fn least_damping(workspace: &Workspace) -> f64 {
+    let stiffness: f64 = workspace.system.point_stiffness.iter().sum();
+    let length: f64 = workspace.kinematics.elements.iter().map(|element| element.length).sum();
+    0.01 * stiffness * length * length / workspace.kinematics.elements.len() as f64
 }
 
 fn place(problem: &Problem, kinematics: &mut Kinematics<f64>, curvatures: &[[f64; 3]]) {
