@@ -115,7 +115,8 @@ fn implicit_euler_converges_to_every_reference_trajectory() {
     for (name, case) in cases() {
         let length = case.def.length();
         let finest = if name == "head_yaw_n2" { 512 } else { 128 };
-        let tips: Vec<_> = [finest / 4, finest / 2, finest].map(|per_output| simulate(&case, Integrator::ImplicitEuler, per_output)).into();
+        let tips: Vec<_> =
+            [finest / 4, finest / 2, finest].map(|per_output| simulate(&case, Integrator::ImplicitEuler, per_output)).into();
         let errors: Vec<f64> = tips.iter().map(|tips| worst(tips, &case.tips, length)).collect();
         let extrapolated: Vec<Vector3<f64>> = tips[1].iter().zip(&tips[2]).map(|(a, b)| b * 2.0 - a).collect();
         let error = worst(&extrapolated, &case.tips, length);

@@ -18,7 +18,7 @@ use crate::rod::material::Material;
 use crate::rod::strand::StrandModel;
 use crate::step::StrandOutcome;
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
-use crate::step::state::StrandState;
+use crate::step::state::{Past, StrandState};
 
 /// Changes whenever an image of an older version could not be read.
 pub const SNAPSHOT_VERSION: u32 = 1;
@@ -259,6 +259,7 @@ impl Reader<'_> {
             root_angular_velocity: self.vector()?,
             wrench_force: self.vector()?.into(),
             wrench_torque: self.vector()?.into(),
+            past: Past::default(),
         };
         let lengths_are_right = lengths.iter().all(|length| length.is_finite() && *length > 0.0);
         if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {

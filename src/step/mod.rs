@@ -54,6 +54,9 @@ pub fn take(
     workspace: &mut Workspace,
 ) -> StrandOutcome {
     workspace.rolled_back.clone_from(state);
+    if options.integrator != Integrator::SecondOrder {
+        state.past.step = 0.0;
+    }
     state.adapt_rule(model, rules, &mut workspace.rule_scratch);
     let mut outcome = match options.integrator {
         Integrator::LinearlyImplicit => {
@@ -62,9 +65,7 @@ pub fn take(
         Integrator::ImplicitEuler => {
             stages::take(&tableau::IMPLICIT_EULER, model, state, root_at, h, surroundings, options, rules, workspace)
         }
-        Integrator::SecondOrder => {
-            stages::take(&tableau::SECOND_ORDER, model, state, root_at, h, surroundings, options, rules, workspace)
-        }
+        Integrator::SecondOrder => stages::two_step(model, state, root_at, h, surroundings, options, rules, workspace),
         Integrator::Reference => {
             stages::take(&tableau::THIRD_ORDER, model, state, root_at, h, surroundings, options, rules, workspace)
         }

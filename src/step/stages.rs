@@ -8,8 +8,8 @@ use nalgebra::Vector3;
 
 use super::newton::{self, Problem};
 use super::options::StepOptions;
-use super::state::{StrandState, rotation_matrix};
-use super::tableau::Tableau;
+use super::state::{Past, StrandState, rotation_matrix};
+use super::tableau::{self, Tableau};
 use super::workspace::{Stage, Workspace};
 use super::{StrandOutcome, Surroundings};
 use crate::energy::{CurvatureQuadratic, PointQuadratic, drag, elastic, friction, gravity, inertia};
@@ -39,7 +39,7 @@ pub fn take(
     workspace.base.extend(workspace.kinematics.points.iter().map(|point| point.position));
     workspace.curvatures.clone_from(&state.curvatures);
 
-    let k = tableau.gamma * h;
+    let start = state.root;
     let mut total = StrandOutcome { converged: true, ..StrandOutcome::default() };
     let mut root = state.root;
     for index in 0..tableau.stages {
@@ -47,30 +47,135 @@ pub fn take(
         let end_rotation = rotation_matrix(&root);
         let problem = Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule };
         displace(index, tableau, state, h, workspace);
-        let offset = Vec3::from(root.origin - state.root.origin);
-        assemble_terms(index, model, k, surroundings, offset, rule.weights.as_slice(), workspace);
-        choose_start(index, tableau, model, state, h, &problem, workspace);
-
-        let outcome = newton::minimise(&problem, options, workspace);
-        total.iterations += outcome.iterations;
-        total.converged &= outcome.converged;
-        total.residual = outcome.residual;
-        total.condition = total.condition.max(outcome.condition);
-        if outcome.quarantined {
-            total.quarantined = true;
+        let offset = Vec3::from(root.origin - start.origin);
+        let way = if index == 0 { tableau.times[0] * h } else { (tableau.times[index] - tableau.times[index - 1]) * h };
+        let k = tableau.gamma * h;
+        solve_stage(index, model, state, k, way, offset, surroundings, options, &problem, workspace, &mut total);
+        if total.quarantined {
             return total;
         }
-        finish_stage(index, k, offset, workspace);
+    }
+    end_step(tableau.stages - 1, state, &root, h, workspace);
+    total
+}
+
+/// One step of the two-step backward differentiation formula: one stage over k = h/a₀ from where the past two positions, velocities and
+/// curvatures point, r̃ = ((1+ω)² r_t − ω² r_{t−1})/(1+2ω) and likewise ṽ and q̃, ω the ratio of this step to the last,
+/// a₀ = (1+2ω)/(1+ω). Needs a past; see [`two_step`].
+#[allow(clippy::too_many_arguments)]
+fn backward_difference(
+    model: &StrandModel,
+    state: &mut StrandState,
+    root_at: &dyn Fn(f64) -> Frame,
+    h: f64,
+    surroundings: &Surroundings,
+    options: &StepOptions,
+    rules: &Rules,
+    workspace: &mut Workspace,
+) -> StrandOutcome {
+    let rule = rules.rule(state.rule);
+    let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
+    let past_offset = Vec3::from(state.past.root.origin - state.root.origin);
+    workspace.kinematics.update(&rotation_matrix(&state.past.root), &model.lengths, &state.past.curvatures, rule);
+    workspace.past_base.clear();
+    workspace.past_base.extend(workspace.kinematics.points.iter().map(|point| point.position + past_offset));
+    workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
+    workspace.curvatures.clone_from(&state.curvatures);
+
+    let ratio = h / state.past.step;
+    let divisor = 1.0 / (1.0 + 2.0 * ratio);
+    let (now, then) = ((1.0 + ratio) * (1.0 + ratio) * divisor, ratio * ratio * divisor);
+    let stage = &mut workspace.stages[0];
+    stage.start_positions.clear();
+    stage.start_velocities.clear();
+    stage.start_curvatures.clear();
+    for (point, past) in workspace.kinematics.points.iter().zip(&workspace.past_base) {
+        stage.start_positions.push(point.position.scale(now) - past.scale(then));
+    }
+    for (velocity, past) in state.velocities.iter().zip(&state.past.velocities) {
+        stage.start_velocities.push(velocity.scale(now) - past.scale(then));
+    }
+    for (row, past) in state.curvatures.iter().zip(&state.past.curvatures) {
+        stage.start_curvatures.push(std::array::from_fn(|axis| now * row[axis] - then * past[axis]));
     }
 
-    let last = &workspace.stages[tableau.stages - 1];
+    let root = root_at(h);
+    let end_rotation = rotation_matrix(&root);
+    let problem = Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule };
+    let offset = Vec3::from(root.origin - state.root.origin);
+    let k = h * (1.0 + ratio) * divisor;
+    let mut total = StrandOutcome { converged: true, ..StrandOutcome::default() };
+    solve_stage(0, model, state, k, h, offset, surroundings, options, &problem, workspace, &mut total);
+    if !total.quarantined {
+        end_step(0, state, &root, h, workspace);
+    }
+    total
+}
+
+/// The second-order integrator: backward differences over the last two steps. The first step, and one after a jump of the step's size,
+/// has no past to lean on and goes by two stages of implicit Runge and Kutta's kind.
+#[allow(clippy::too_many_arguments)]
+pub fn two_step(
+    model: &StrandModel,
+    state: &mut StrandState,
+    root_at: &dyn Fn(f64) -> Frame,
+    h: f64,
+    surroundings: &Surroundings,
+    options: &StepOptions,
+    rules: &Rules,
+    workspace: &mut Workspace,
+) -> StrandOutcome {
+    let has_past = state.past.step > 0.0 && h < LARGEST_RATIO * state.past.step;
+    let past = Past { curvatures: state.curvatures.clone(), velocities: state.velocities.clone(), root: state.root, step: h };
+    let outcome = if has_past {
+        backward_difference(model, state, root_at, h, surroundings, options, rules, workspace)
+    } else {
+        take(&tableau::SECOND_ORDER, model, state, root_at, h, surroundings, options, rules, workspace)
+    };
+    state.past = past;
+    outcome
+}
+
+/// The formula is stable for steps that grow by less than 1 + √2; well below that it is accurate too.
+const LARGEST_RATIO: f64 = 2.0;
+
+/// Assembles, starts and minimises one stage over k seconds.
+#[allow(clippy::too_many_arguments)]
+fn solve_stage(
+    index: usize,
+    model: &StrandModel,
+    state: &StrandState,
+    k: f64,
+    way: f64,
+    offset: Vec3<f64>,
+    surroundings: &Surroundings,
+    options: &StepOptions,
+    problem: &Problem,
+    workspace: &mut Workspace,
+    total: &mut StrandOutcome,
+) {
+    assemble_terms(index, model, k, surroundings, offset, problem.rule.weights.as_slice(), workspace);
+    choose_start(index, way, model, state, problem, workspace);
+    let outcome = newton::minimise(problem, options, workspace);
+    total.iterations += outcome.iterations;
+    total.converged &= outcome.converged;
+    total.residual = outcome.residual;
+    total.condition = total.condition.max(outcome.condition);
+    total.quarantined = outcome.quarantined;
+    if !outcome.quarantined {
+        finish_stage(index, k, offset, workspace);
+    }
+}
+
+/// Makes a stage's end the strand's state.
+fn end_step(index: usize, state: &mut StrandState, root: &Frame, h: f64, workspace: &Workspace) {
+    let last = &workspace.stages[index];
     state.curvatures.copy_from_slice(&workspace.curvatures);
     state.rates.copy_from_slice(&last.rates);
     state.velocities.copy_from_slice(&last.velocities);
     (state.wrench_force, state.wrench_torque) = newton::wrench(&workspace.kinematics, &workspace.system.point_force);
-    (state.root_velocity, state.root_angular_velocity) = root_velocity(&state.root, &root, h);
-    state.root = root;
-    total
+    (state.root_velocity, state.root_angular_velocity) = root_velocity(&state.root, root, h);
+    state.root = *root;
 }
 
 /// The displaced start of stage `index`: where it would be after the stages before it.
@@ -113,15 +218,7 @@ fn finish_stage(index: usize, k: f64, offset: Vec3<f64>, workspace: &mut Workspa
 }
 
 /// Starts Newton from where the rates lead, or from where it is, whichever is nearer to the minimum. Frozen curvatures are natural.
-fn choose_start(
-    index: usize,
-    tableau: &Tableau,
-    model: &StrandModel,
-    state: &StrandState,
-    h: f64,
-    problem: &Problem,
-    workspace: &mut Workspace,
-) {
+fn choose_start(index: usize, way: f64, model: &StrandModel, state: &StrandState, problem: &Problem, workspace: &mut Workspace) {
     for (row, natural) in workspace.curvatures.iter_mut().zip(&model.natural) {
         for axis in 0..3 {
             if !model.freedoms.contains(axis) {
@@ -130,10 +227,7 @@ fn choose_start(
         }
     }
     workspace.trial_curvatures.clone_from(&workspace.curvatures);
-    let (way, rates) = match index {
-        0 => (tableau.times[0] * h, &state.rates),
-        _ => ((tableau.times[index] - tableau.times[index - 1]) * h, &workspace.stages[index - 1].rates),
-    };
+    let rates = if index == 0 { &state.rates } else { &workspace.stages[index - 1].rates };
     for (row, rate) in workspace.trial_curvatures.iter_mut().zip(rates) {
         for axis in problem.axes {
             row[*axis] += way * rate[*axis];
@@ -152,7 +246,7 @@ fn assemble_terms(
     weights: &[f64],
     workspace: &mut Workspace,
 ) {
-    let points = workspace.base.len();
+    let points = workspace.stages[index].start_positions.len();
     workspace.system.resize(model.element_count(), points);
     workspace.point_target.resize(points, Vec3::zero());
     workspace.curvature_target.resize(model.element_count(), [0.0; 3]);

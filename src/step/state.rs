@@ -31,6 +31,27 @@ pub struct StrandState {
     pub wrench_force: Vec3<f64>,
     /// Torque on the follicle about its origin, N·m.
     pub wrench_torque: Vec3<f64>,
+    /// The step before, for integrators that look back.
+    pub past: Past,
+}
+
+/// What the two-step method remembers of the step before: the strand at its start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Past {
+    /// κ then.
+    pub curvatures: Vec<[f64; 3]>,
+    /// Velocities of the points then, at the nodes of the present rule.
+    pub velocities: Vec<Vec3<f64>>,
+    /// Pose of the root then.
+    pub root: Frame,
+    /// Seconds from then to now; 0: there is no past.
+    pub step: f64,
+}
+
+impl Default for Past {
+    fn default() -> Self {
+        Self { curvatures: Vec::new(), velocities: Vec::new(), root: Frame::default(), step: 0.0 }
+    }
 }
 
 /// The rotation matrix of a frame, for the kernels.
@@ -59,6 +80,7 @@ impl StrandState {
             root_angular_velocity,
             wrench_force: Vec3::zero(),
             wrench_torque: Vec3::zero(),
+            past: Past::default(),
         };
         state.velocities_from_rates(model, rules);
         state
@@ -76,6 +98,7 @@ impl StrandState {
             angular_velocity: self.root_angular_velocity.into(),
             ..RootMotion::still()
         };
+        self.past.step = 0.0;
         let velocities = &mut self.velocities;
         velocity::for_each_point(&kinematics, &self.rates, &root, |p, v, _| velocities[p] = v);
     }
@@ -87,28 +110,35 @@ impl StrandState {
             return;
         }
         let (from, to) = (rules.rule(self.rule), rules.rule(wanted));
-        scratch.velocities.clear();
-        scratch.velocities.resize(model.element_count() * to.len(), Vec3::zero());
-        for (node, x) in to.nodes.iter().enumerate() {
-            from.interpolation(*x, &mut scratch.coefficients);
-            for element in 0..model.element_count() {
-                let mut sum = Vec3::zero();
-                for (k, coefficient) in scratch.coefficients.iter().enumerate() {
-                    sum += self.velocities[element * from.len() + k].scale(*coefficient);
+        let past = if self.past.step > 0.0 { Some(&mut self.past.velocities) } else { None };
+        for velocities in [Some(&mut self.velocities), past].into_iter().flatten() {
+            scratch.velocities.clear();
+            scratch.velocities.resize(model.element_count() * to.len(), Vec3::zero());
+            for (node, x) in to.nodes.iter().enumerate() {
+                from.interpolation(*x, &mut scratch.coefficients);
+                for element in 0..model.element_count() {
+                    let mut sum = Vec3::zero();
+                    for (k, coefficient) in scratch.coefficients.iter().enumerate() {
+                        sum += velocities[element * from.len() + k].scale(*coefficient);
+                    }
+                    scratch.velocities[element * to.len() + node] = sum;
                 }
-                scratch.velocities[element * to.len() + node] = sum;
             }
+            std::mem::swap(velocities, &mut scratch.velocities);
         }
-        std::mem::swap(&mut self.velocities, &mut scratch.velocities);
         self.rule = wanted;
     }
 
     /// Puts the root elsewhere at once: the shape and the velocities in the root's axes stay as they are.
     pub fn teleport(&mut self, root: Frame) {
         let turn = root.rotation * self.root.rotation.inverse();
-        for velocity in &mut self.velocities {
+        for velocity in self.velocities.iter_mut().chain(&mut self.past.velocities) {
             *velocity = Vec3::from(turn * Vector3::from(*velocity));
         }
+        self.past.root = Frame {
+            origin: root.origin + turn * (self.past.root.origin - self.root.origin),
+            rotation: turn * self.past.root.rotation,
+        };
         self.root_velocity = turn * self.root_velocity;
         self.root_angular_velocity = turn * self.root_angular_velocity;
         self.root = root;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::state::{RuleScratch, StrandState};
+use super::state::{Past, RuleScratch, StrandState};
 use super::tableau::MAX_STAGES;
 use crate::chain::elimination::Elimination;
 use crate::chain::system::ChainSystem;
@@ -45,6 +45,8 @@ pub struct Workspace {
     pub curvature_target: Vec<[f64; 3]>,
     /// Where each point was at the step's start, relative to the root's origin then.
     pub base: Vec<Vec3<f64>>,
+    /// Where each point was at the start of the step before, relative to the root's origin now.
+    pub past_base: Vec<Vec3<f64>>,
     /// The stages of the step.
     pub stages: [Stage; MAX_STAGES],
     /// The accepted curvatures.
@@ -69,6 +71,7 @@ impl Default for Workspace {
             point_target: Vec::new(),
             curvature_target: Vec::new(),
             base: Vec::new(),
+            past_base: Vec::new(),
             stages: std::array::from_fn(|_| Stage::default()),
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
@@ -84,6 +87,7 @@ impl Default for Workspace {
                 root_angular_velocity: Vector3::zeros(),
                 wrench_force: Vec3::zero(),
                 wrench_torque: Vec3::zero(),
+                past: Past::default(),
             },
         }
     }
