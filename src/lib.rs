@@ -1,5 +1,6 @@
 //! superhelix: a hair engine that others build into their programs.
 
+pub mod capi;
 pub mod chain;
 pub mod energy;
 pub mod error;

@@ -28,6 +28,8 @@ enum Runner {
 struct Pool {
     pool: Option<rayon::ThreadPool>,
     threads: Vec<JoinHandle<()>>,
+    /// The process that has the threads. In a child made by `fork` they are not there, and waiting for them would never end.
+    process: u32,
 }
 
 impl Pool {
@@ -46,12 +48,21 @@ impl Pool {
                 value: count.to_string(),
                 hint: format!("the threads could not be started ({error})"),
             })?;
-        Ok(Self { pool: Some(pool), threads })
+        Ok(Self { pool: Some(pool), threads, process: std::process::id() })
+    }
+
+    fn is_here(&self) -> bool {
+        self.process == std::process::id()
     }
 }
 
 impl Drop for Pool {
     fn drop(&mut self) {
+        if !self.is_here() {
+            std::mem::forget(self.pool.take());
+            std::mem::take(&mut self.threads).into_iter().for_each(std::mem::forget);
+            return;
+        }
         drop(self.pool.take());
         for thread in self.threads.drain(..) {
             // A worker that panicked has already reported it through the step that it was running.
@@ -81,7 +92,7 @@ impl Crew {
         };
         match &self.runner {
             Runner::Serial => run(items),
-            Runner::Pool(Pool { pool: Some(pool), .. }) if items.len() > CHUNK => pool.install(|| {
+            Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if items.len() > CHUNK && crew.is_here() => pool.install(|| {
                 use rayon::prelude::*;
                 items.par_chunks_mut(CHUNK).for_each(run);
             }),

@@ -1,0 +1,691 @@
+// superhelix: a hair engine to build into other programs. Strands are Super-Helices: inextensible rods made of helical elements,
+// with bending, twist and every inertial term, simulated robustly at large time steps.
+//
+// Generated from src/capi by `SHX_BLESS=1 cargo test --test header`: do not edit. C99 and C++17.
+//
+// The order of calls: shx_solver_def_init, shx_solver_create; shx_strand_def_init, shx_solver_add_strands; then each frame
+// shx_solver_set_root_frames, shx_solver_step, shx_solver_sample_strands; at the end shx_solver_destroy.
+//
+// Units: SI (m, kg, s, N, Pa); curvature and twist in rad/m. Right-handed axes; gravity is (0, 0, -9.81) unless you say otherwise.
+// A program in centimetres multiplies lengths by 0.01 on the way in and by 100 on the way out.
+//
+// Errors: functions return shx_result. One that fails has changed nothing and written nothing; shx_last_error tells which argument
+// had which value, and what would have been right. Arguments that are null where they must not be, not finite, out of range, of
+// a stale id or of a wrong size are all found.
+//
+// Memory: what you pass in is read during the call and not kept, what you get out is written into your memory; only handles
+// (shx_solver*, shx_curves*) are made here, and each has its destroy function.
+//
+// Threads: "any thread" functions need no care. Functions of a const handle may run at the same time; a function of a handle that
+// is not const must be alone with it.
+//
+// Structures that begin with struct_size may grow in later versions: fill them with their _init function, and programs built
+// against this header keep working.
+
+
+#ifndef SUPERHELIX_H
+#define SUPERHELIX_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifndef SHX_API
+#  if defined(_WIN32) && defined(SHX_DLL)
+#    define SHX_API __declspec(dllimport)
+#  else
+#    define SHX_API
+#  endif
+#endif
+
+// ---- Version -------------------------------------------------------------------------------------------------------
+
+// Major version: incompatible changes once it is 1 or more.
+#define SHX_VERSION_MAJOR 0
+
+// Minor version: additions.
+#define SHX_VERSION_MINOR 1
+
+// Patch version: corrections.
+#define SHX_VERSION_PATCH 0
+
+// The version of this header as one number that grows: major << 24 | minor << 16 | patch << 8.
+#define SHX_VERSION (((SHX_VERSION_MAJOR << 24) | (SHX_VERSION_MINOR << 16)) | (SHX_VERSION_PATCH << 8))
+
+// The binary interface that this header describes. It changes only when a program built against an older one could break.
+#define SHX_ABI_VERSION 1
+
+// ---- Results -------------------------------------------------------------------------------------------------------
+
+// Success.
+#define SHX_OK 0
+
+// A strand's status only, never returned by a function: Newton's iteration stopped at its cap, or could not descend further,
+// before it reached the tolerance. The state is usable.
+#define SHX_UNCONVERGED 1
+
+// A required pointer is null. The text names it.
+#define SHX_ERROR_NULL_ARGUMENT (-1)
+
+// A value is out of range: not a number, infinite, negative, an unknown enumerated value, a wrong count. The text names the
+// argument and the value.
+#define SHX_ERROR_INVALID_ARGUMENT (-2)
+
+// An id that names nothing in this solver: null, of a removed strand, or of another solver.
+#define SHX_ERROR_INVALID_ID (-3)
+
+// A structure's struct_size is not one that this library can read: it was not filled by its _init function.
+#define SHX_ERROR_STRUCT_SIZE (-4)
+
+// The caller's buffer is too short. The text says how many items are needed.
+#define SHX_ERROR_BUFFER_TOO_SMALL (-5)
+
+// The solver is in use: the call came from one of its own callbacks, or from a second thread at the same time.
+#define SHX_ERROR_BUSY (-6)
+
+// A snapshot image is not one, is truncated or damaged, or is of another version.
+#define SHX_ERROR_SNAPSHOT (-7)
+
+// Memory could not be had.
+#define SHX_ERROR_OUT_OF_MEMORY (-8)
+
+// A request that this version does not serve. The text says what to use instead.
+#define SHX_ERROR_UNSUPPORTED (-9)
+
+// A strand's status only, never returned by a function: the state turned non-finite in the last step and was rolled back.
+#define SHX_ERROR_QUARANTINED (-10)
+
+// A file could not be read, written or understood. The text names the file, the place and what was expected there.
+#define SHX_ERROR_FILE (-11)
+
+// A bug of the library was caught at its border. The solver of that call is poisoned: destroy it.
+#define SHX_ERROR_PANIC (-100)
+
+// An earlier SHX_ERROR_PANIC left this solver in an unknown state. Only shx_solver_destroy takes it.
+#define SHX_ERROR_POISONED (-101)
+
+// ---- Formats of inputs and outputs ---------------------------------------------------------------------------------
+
+// Three floats: x, y, z.
+#define SHX_FORMAT_F32X3 1
+
+// Four floats: x, y, z and the strand's radius (points; the curve vertex of Embree and Cycles), or a quaternion x, y, z, w (frames).
+#define SHX_FORMAT_F32X4 2
+
+// Three doubles: x, y, z.
+#define SHX_FORMAT_F64X3 3
+
+// Four doubles, as SHX_FORMAT_F32X4.
+#define SHX_FORMAT_F64X4 4
+
+// A shx_frame.
+#define SHX_FORMAT_FRAME 5
+
+// ---- Levels of messages --------------------------------------------------------------------------------------------
+
+// A call failed: the text that shx_last_error gives.
+#define SHX_LOG_ERROR 1
+
+// Something that the host should look at: strands rolled back or unconverged in a step, a parallel_for that missed items.
+#define SHX_LOG_WARN 2
+
+// Once in a while: a solver was made.
+#define SHX_LOG_INFO 3
+
+// A line a step.
+#define SHX_LOG_DEBUG 4
+
+// ---- Options of a solver -------------------------------------------------------------------------------------------
+
+// The papers' linearly implicit step: one linear solve a step, gravity, drag and velocity products explicit. Fast, for calm
+// scenes only.
+#define SHX_INTEGRATOR_LINEARLY_IMPLICIT 1
+
+// Implicit Euler by Newton's method on the incremental potential: robust, first order. The default.
+#define SHX_INTEGRATOR_IMPLICIT_EULER 2
+
+// Second order in the step. Not in this version: SHX_ERROR_UNSUPPORTED.
+#define SHX_INTEGRATOR_SECOND_ORDER 3
+
+// High order with error control. Not in this version: SHX_ERROR_UNSUPPORTED.
+#define SHX_INTEGRATOR_REFERENCE 4
+
+// Elimination from tip to root: cost proportional to the number of elements. The default.
+#define SHX_LINEAR_SOLVER_LINEAR_TIME 1
+
+// The dense matrix by Cholesky's factorisation. Dense solvers are references to test against, and slow for many elements.
+#define SHX_LINEAR_SOLVER_DENSE_CHOLESKY 2
+
+// The dense matrix by conjugate gradients.
+#define SHX_LINEAR_SOLVER_DENSE_CG 3
+
+// The dense matrix by singular values; the step report carries the largest condition number.
+#define SHX_LINEAR_SOLVER_DENSE_SVD 4
+
+// Double precision. The default.
+#define SHX_PRECISION_F64 1
+
+// Single precision. Not in this version: SHX_ERROR_UNSUPPORTED.
+#define SHX_PRECISION_F32 2
+
+// ---- Freedoms of a strand ------------------------------------------------------------------------------------------
+
+// The strand may twist.
+#define SHX_FREE_TWIST 1
+
+// The strand may bend about n1.
+#define SHX_FREE_BEND1 2
+
+// The strand may bend about n2.
+#define SHX_FREE_BEND2 4
+
+// ---- Handles -------------------------------------------------------------------------------------------------------
+
+// The strands of a groom file: polylines, root first, in the file's units. Made by shx_curves_read, owned by the caller, freed by
+// shx_curves_destroy. It never changes, so any threads may read it at the same time.
+typedef struct shx_curves shx_curves;
+
+// A solver: strands, gravity, wind and everything that a step needs. Made by shx_solver_create, owned by the caller, freed by
+// shx_solver_destroy. Functions that take a const shx_solver* may run at the same time on any threads; one that takes a
+// shx_solver* must be alone. A call that breaks this rule gives SHX_ERROR_BUSY.
+typedef struct shx_solver shx_solver;
+
+// ---- Plain data, host hooks, definitions ---------------------------------------------------------------------------
+
+// What a fallible function returns: SHX_OK or one of the negative SHX_ERROR_ codes. Codes are never renumbered and never
+// reused. A function that fails has changed nothing and written nothing; shx_last_error gives the text.
+typedef int32_t shx_result;
+
+// One piece of a shx_parallel_for_fn's work: items begin to end - 1 on worker (any number that no other thread has at the same
+// time). May be called from any thread of the host, in any floating-point mode.
+typedef void (*shx_range_fn)(void *task, uint32_t begin, uint32_t end, uint32_t worker);
+
+// The host's parallel loop. Must call function(task, begin, end, worker) over disjoint ranges that cover 0 to count - 1, each item
+// once, and return when all calls have returned. Ranges should hold min_range items or more. user is
+// shx_solver_def.parallel_for_user. Called on the thread that called the library, in its floating-point mode. Calling the same
+// solver from it gives SHX_ERROR_BUSY. It must return: no exception, no longjmp. Items that it leaves out are done by the
+// calling thread, and items that it gives twice are done once.
+typedef void (*shx_parallel_for_fn)(void *user, uint32_t count, uint32_t min_range, shx_range_fn function, void *task);
+
+// Receives messages of a solver: user is shx_solver_def.log_user, level one of SHX_LOG_, message UTF-8 that is valid during
+// the call only. Called on the thread that called the library, in its floating-point mode. Calling the same solver from it
+// gives SHX_ERROR_BUSY. It must return: no exception, no longjmp.
+typedef void (*shx_log_fn)(void *user, uint32_t level, const char *message);
+
+// What a solver is made from. Fill with shx_solver_def_init, then change what you need.
+typedef struct shx_solver_def {
+  // Set by shx_solver_def_init.
+  uint32_t struct_size;
+  // Threads, at most 256. 0 or 1: the calling thread (default). More: a private pool, made with the solver and joined by
+  // shx_solver_destroy. With parallel_for: how many threads the host's tasks run on, for information. The result's bits do not
+  // depend on it.
+  uint32_t worker_count;
+  // Gravity, m/s^2. Default (0, 0, -9.81): z is up. Where y is up: (0, -9.81, 0).
+  double gravity[3];
+  // Uniform wind, m/s; felt by strands with an air_drag. Default 0.
+  double wind[3];
+  // The host's task system; null (default): none.
+  shx_parallel_for_fn parallel_for;
+  // Handed to parallel_for.
+  void *parallel_for_user;
+  // Receives messages; null (default): silent.
+  shx_log_fn log;
+  // Handed to log.
+  void *log_user;
+  // Messages up to this level go to log: SHX_LOG_ERROR to SHX_LOG_DEBUG. Default SHX_LOG_WARN.
+  uint32_t log_level;
+  // SHX_INTEGRATOR_. Default SHX_INTEGRATOR_IMPLICIT_EULER.
+  uint32_t integrator;
+  // SHX_LINEAR_SOLVER_. Default SHX_LINEAR_SOLVER_LINEAR_TIME.
+  uint32_t linear_solver;
+  // SHX_PRECISION_. Default SHX_PRECISION_F64.
+  uint32_t precision;
+  // Newton's iterations a substep at most, 1 to 10000. Default 50. A strand that needs more is reported as unconverged.
+  uint32_t max_iterations;
+  // 1 (default): Newton's matrix is the exact Hessian, tension included. 0: Gauss-Newton, for comparison.
+  uint32_t exact_hessian;
+  // Converged when no element turns by more than this in an iteration, rad; above zero. Default 1e-6.
+  double tolerance;
+  // 0.
+  uint64_t reserved[4];
+} shx_solver_def;
+
+// A right-handed pose in the world: where a root or a cross-section sits and how it is turned.
+typedef struct shx_frame {
+  // Position, m.
+  double origin[3];
+  // Unit quaternion x, y, z, w (length 1 within 1e-5). It turns the axes into n0, n1, n2: n0 is the strand's tangent, n1 and
+  // n2 are the axes of its section.
+  double rotation[4];
+} shx_frame;
+
+// What a strand is made from. Fill with shx_strand_def_init, then set at least element_count and length (or element_lengths).
+// Arrays that it points to are read during the call and not kept. Rows of curvatures are (twist, curvature about n1, curvature
+// about n2) in rad/m, one row an element, from root to tip.
+typedef struct shx_strand_def {
+  // Set by shx_strand_def_init.
+  uint32_t struct_size;
+  // Helical elements, 1 to 100000. Default 0: set it. Five is a good start for straight hair; a coil needs four a turn.
+  uint32_t element_count;
+  // Length, m; above zero. With element_lengths: their sum, or 0 to have it summed.
+  double length;
+  // element_count lengths from root to tip, m, each above zero; null (default): equal.
+  const double *element_lengths;
+  // Semi-axes of the section along n1 and n2, m; above zero. Default 50e-6, 50e-6.
+  double radius[2];
+  // Density, kg/m^3; above zero. Default 1300.
+  double density;
+  // Young's modulus, Pa; above zero. Default 2e9.
+  double youngs_modulus;
+  // Poisson's ratio; above -1, at most 0.5. Default 0.48.
+  double poisson_ratio;
+  // Internal friction gamma, kg m^3/s; zero or above. Default 0; hair 5e-11 to 5e-10.
+  double internal_friction;
+  // Kelvin-Voigt time mu, s; zero or above. Default 0.
+  double viscosity;
+  // Air drag nu, kg/(m s); zero or above. Default 0; hair 5e-6 (disciplined) to 5e-5 (fuzzy).
+  double air_drag;
+  // Which curvatures may change: SHX_FREE_ bits. One that is left out is held at its natural value and costs nothing.
+  // Default all three.
+  uint32_t freedoms;
+  // 0.
+  uint32_t reserved0;
+  // Pose of the follicle in the world; n0 is where the strand leaves. Default: at the origin, leaving along x.
+  shx_frame root;
+  // Natural curvatures, element_count rows; null (default): straight.
+  const double *natural;
+  // A number of the host's, kept and never looked at. Default 0.
+  uint64_t user_data;
+  // Curvatures at the start, element_count rows; null (default): the natural ones. Frozen ones must hold their natural value.
+  const double *initial;
+  // Rates of the curvatures at the start, rad/(m s), element_count rows; null (default): 0. Frozen ones must be 0.
+  const double *initial_rates;
+  // Velocity of the root at the start, m/s; the strand starts by moving rigidly with its root. Default 0.
+  double root_velocity[3];
+  // Angular velocity of the root at the start, world axes, rad/s. Default 0.
+  double root_angular_velocity[3];
+  // 0.
+  uint64_t reserved[4];
+} shx_strand_def;
+
+// What a step tells, all its substeps together. Fill with shx_step_report_init once; each step overwrites it.
+typedef struct shx_step_report {
+  // Set by shx_step_report_init.
+  uint32_t struct_size;
+  // Strand-substeps rolled back because a state turned non-finite; shx_solver_strand_status tells which strands.
+  uint32_t quarantined;
+  // Strand-substeps whose iteration ended before it reached the tolerance.
+  uint32_t unconverged;
+  // Most Newton iterations that a strand took in a substep.
+  uint32_t max_iterations;
+  // Largest rotation of an element in the last iteration of a strand's substep, rad.
+  double max_residual;
+  // Kinetic energy of all strands after the step, J.
+  double kinetic_energy;
+  // Elastic energy, J.
+  double elastic_energy;
+  // Energy of gravity, measured from the world's origin, J.
+  double gravity_energy;
+  // Wall-clock time of the call, s.
+  double seconds;
+  // Substeps taken.
+  uint32_t substeps;
+  // 0.
+  uint32_t reserved;
+  // Mean Newton iterations a strand and substep.
+  double mean_iterations;
+  // Largest condition number met; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
+  double max_condition;
+} shx_step_report;
+
+// Names a strand of one solver: a slot and a generation. Zero bits is the null id. The id of a removed strand never names
+// another one.
+typedef struct shx_strand_id {
+  // For comparing, hashing and storing; the value means nothing else.
+  uint64_t bits;
+} shx_strand_id;
+
+// Items that the library reads from the caller's memory during a call.
+typedef struct shx_input {
+  // The first item. Any alignment. May be null when count is 0.
+  const void *data;
+  // Bytes from one item to the next; 0: packed. At least the size of an item.
+  size_t stride;
+  // How many items there are.
+  size_t count;
+  // What an item is: SHX_FORMAT_.
+  uint32_t format;
+  // 0.
+  uint32_t reserved;
+} shx_input;
+
+// Room for items that the library writes into the caller's memory during a call. Bytes between items are left alone.
+typedef struct shx_output {
+  // The first item. Any alignment.
+  void *data;
+  // Bytes from one item to the next; 0: packed. At least the size of an item.
+  size_t stride;
+  // How many items there is room for; fewer than needed is SHX_ERROR_BUFFER_TOO_SMALL.
+  size_t count;
+  // What an item is: SHX_FORMAT_.
+  uint32_t format;
+  // 0.
+  uint32_t reserved;
+} shx_output;
+
+// How strands are sampled. Fill with shx_sample_def_init.
+typedef struct shx_sample_def {
+  // Set by shx_sample_def_init.
+  uint32_t struct_size;
+  // Points a strand, uniform in arclength, root and tip included; at least 2. Default 33.
+  uint32_t points_per_strand;
+  // Subtracted from positions before they are narrowed to floats, m. Default 0.
+  double origin[3];
+} shx_sample_def;
+
+// A strand fitted to a polyline, beside its element lengths and curvatures. Prepare with shx_fit_init.
+typedef struct shx_fit {
+  // Set by shx_fit_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved;
+  // Root frame: the first point, n0 along the first segment.
+  shx_frame root;
+  // Length of the polyline, m.
+  double length;
+  // Root mean square distance between the polyline and the strand at equal arclength, m.
+  double rms_error;
+  // The largest such distance, m.
+  double max_error;
+} shx_fit;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// ---- Version -------------------------------------------------------------------------------------------------------
+
+// The version of the library that runs, in the form of SHX_VERSION. Any thread.
+SHX_API uint32_t shx_version(void);
+
+// The binary interface of the library that runs. A program checks at its start that it equals SHX_ABI_VERSION. Any thread.
+SHX_API uint32_t shx_abi_version(void);
+
+// One line for bug reports: name, version, machine, system, checks. Static: do not free it. Any thread.
+SHX_API const char *shx_build_info(void);
+
+// ---- Errors --------------------------------------------------------------------------------------------------------
+
+// The name of a result code, "SHX_ERROR_BUSY"; "unknown result" for a number that is none. The text is static: do not free it.
+// Any thread.
+SHX_API const char *shx_result_name(shx_result result);
+
+// Copies the text of the last error on this thread into buffer, cut to capacity bytes with the closing zero (UTF-8), and
+// returns the length of the whole text without the zero. The text names the function, the argument and the value. It stays
+// until the next error on this thread; a call that succeeds does not clear it. Empty when there was none.
+// buffer may be null or capacity 0: only the length is returned. Any thread; each has its own text.
+SHX_API size_t shx_last_error(char *buffer, size_t capacity);
+
+// ---- Definitions ---------------------------------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_solver_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_solver_def_init(shx_solver_def *def, size_t size);
+
+// Fills a definition with the defaults. size is sizeof(shx_strand_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_strand_def_init(shx_strand_def *def, size_t size);
+
+// ---- Solver --------------------------------------------------------------------------------------------------------
+
+// Prepares a report. size is sizeof(shx_step_report).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_step_report_init(shx_step_report *report, size_t size);
+
+// Makes a solver. def may be null: all defaults. *out_solver is yours; free it with shx_solver_destroy. The callbacks and user
+// pointers of the definition must stay valid until then.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range),
+// SHX_ERROR_UNSUPPORTED (an integrator or a precision that is not in this version), SHX_ERROR_OUT_OF_MEMORY (no threads).
+// Any thread; a solver belongs to no thread.
+SHX_API shx_result shx_solver_create(const shx_solver_def *def, shx_solver **out_solver);
+
+// Frees a solver and joins its threads. Null is nothing to free. Called from one of the solver's own callbacks, or while another
+// thread uses it, it frees nothing and leaves SHX_ERROR_BUSY's text in shx_last_error.
+// Any thread; the handle must not be used any more.
+SHX_API void shx_solver_destroy(shx_solver *solver);
+
+// Sets gravity, m/s^2, from the next step on.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite). Alone with the solver.
+SHX_API shx_result shx_solver_set_gravity(shx_solver *solver, const double gravity[3]);
+
+// Sets the uniform wind, m/s, from the next step on. Only strands with an air_drag feel it.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite). Alone with the solver.
+SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3]);
+
+// Moves time on by dt seconds (above zero) in substeps equal parts (at least 1; each a full solve). report may be null.
+// A strand whose state turns non-finite is rolled back and marked; the step goes on, and the report and the strand's status say
+// so. Same input, same bits, whatever the number of threads.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps).
+// Alone with the solver.
+SHX_API shx_result shx_solver_step(shx_solver *solver, double dt, uint32_t substeps, shx_step_report *report);
+
+// Bytes of memory that the solver holds.
+// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_memory_usage(const shx_solver *solver, uint64_t *out_bytes);
+
+// ---- Strands -------------------------------------------------------------------------------------------------------
+
+// Adds count strands, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_strand_def)).
+// out_ids receives count ids, in the order of the definitions.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].length"),
+// SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+SHX_API shx_result shx_solver_add_strands(shx_solver *solver, const shx_strand_def *defs, size_t def_stride,
+    size_t count, shx_strand_id *out_ids);
+
+// Removes count strands, all or none. Their ids are stale from then on.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_remove_strands(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// Whether an id names a strand of this solver. False for the null id, a removed strand, another solver's strand, a null or
+// poisoned solver (shx_last_error then has the text). May run beside other reading calls.
+SHX_API bool shx_solver_has_strand(const shx_solver *solver, shx_strand_id id);
+
+// How many strands there are.
+// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_count(const shx_solver *solver, size_t *out_count);
+
+// The ids of all strands, in the order they were added, into out_ids, which holds capacity ids.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_strand_count). May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_ids(const shx_solver *solver, shx_strand_id *out_ids, size_t capacity);
+
+// How many elements a strand has.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+SHX_API shx_result shx_solver_element_count(const shx_solver *solver, shx_strand_id id, size_t *out_count);
+
+// The lengths of a strand's elements from root to tip, m, into out_lengths, which holds capacity numbers.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+SHX_API shx_result shx_solver_get_element_lengths(const shx_solver *solver, shx_strand_id id, double *out_lengths,
+    size_t capacity);
+
+// The number that shx_strand_def.user_data gave to a strand.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+SHX_API shx_result shx_solver_get_user_data(const shx_solver *solver, shx_strand_id id, uint64_t *out_user_data);
+
+// How each of count strands fared in the last step: SHX_OK, SHX_UNCONVERGED or SHX_ERROR_QUARANTINED (rolled back to the step's
+// start; shx_solver_reset_strands mends it), into out_status.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_status(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    shx_result *out_status);
+
+// Newton's iterations of each of count strands in the last substep, into out_iterations.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_iterations(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    uint32_t *out_iterations);
+
+// Energies of each of count strands, J: kinetic, elastic, and of gravity measured from the world's origin. Each output holds
+// count numbers or is null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_energies(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    double *out_kinetic, double *out_elastic, double *out_gravity);
+
+// Puts count strands back to their natural curvatures, at rest relative to their roots, and clears a quarantine. All or none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_reset_strands(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// ---- Roots ---------------------------------------------------------------------------------------------------------
+
+// Moves the roots of count strands smoothly, in position and rotation, to the given frames (SHX_FORMAT_FRAME, one for each id)
+// over the next over_seconds of simulated time (0 or above; 0: within the next substep). One call a frame for all roots. All or
+// none. Strands that are not named stay on their way or still.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a number that is not finite, a quaternion
+// whose length is not 1, over_seconds below 0). Alone with the solver.
+SHX_API shx_result shx_solver_set_root_frames(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_input *frames, double over_seconds);
+
+// Puts the roots of count strands at the given frames at once: the strands keep their shape and their velocity in the root's
+// frame, and get no kick. For cuts and new takes. All or none.
+// Errors: as shx_solver_set_root_frames. Alone with the solver.
+SHX_API shx_result shx_solver_teleport_roots(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_input *frames);
+
+// The root frames of count strands as they are now, into frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions
+// alone).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+// May run beside other reading calls.
+SHX_API shx_result shx_solver_get_root_frames(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_output *frames);
+
+// ---- Curvatures ----------------------------------------------------------------------------------------------------
+
+// Sets the natural curvatures of a strand: count rows (twist, k1, k2), rad/m, one an element. The strand moves towards them from
+// the next step on; frozen freedoms follow at once.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not the strand's number of
+// elements, a number that is not finite). Alone with the solver.
+SHX_API shx_result shx_solver_set_natural_curvatures(shx_solver *solver, shx_strand_id id, const double *curvatures,
+    size_t count);
+
+// The natural curvatures of a strand into curvatures, which holds count rows (at least the strand's number of elements).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+SHX_API shx_result shx_solver_get_natural_curvatures(const shx_solver *solver, shx_strand_id id, double *curvatures,
+    size_t count);
+
+// The present curvatures of a strand (rad/m) and their rates (rad/(m s)) into memory for count rows each (at least the strand's
+// number of elements). One of the two may be null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+SHX_API shx_result shx_solver_get_curvatures(const shx_solver *solver, shx_strand_id id, double *curvatures,
+    double *rates, size_t count);
+
+// Sets the present curvatures of a strand (count rows, rad/m) and their rates (count rows, rad/(m s); null: 0). Frozen freedoms
+// must hold their natural value, and rate 0.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not the strand's number of
+// elements, a number that is not finite, a frozen freedom). Alone with the solver.
+SHX_API shx_result shx_solver_set_curvatures(shx_solver *solver, shx_strand_id id, const double *curvatures,
+    const double *rates, size_t count);
+
+// ---- Sampling ------------------------------------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_sample_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_sample_def_init(shx_sample_def *def, size_t size);
+
+// Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 root, last one tip) of strand
+// ids[i]. points: SHX_FORMAT_F32X3, _F32X4 (with the strand's radius), _F64X3, _F64X4. frames: SHX_FORMAT_FRAME, or _F32X4 and
+// _F64X4 for the quaternions alone. velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3. One or two of the three may
+// be null. One call a frame for everything that is drawn.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
+// SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+SHX_API shx_result shx_solver_sample_strands(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_sample_def *def, const shx_output *points, const shx_output *frames, const shx_output *velocities);
+
+// Samples one strand at count arclengths from the root (m, 0 to the strand's length, any order): item i of each output belongs to
+// arclengths[i]. origin (three doubles, m) is subtracted from positions; null: 0. Outputs as in shx_solver_sample_strands.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (an arclength outside the strand),
+// SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+SHX_API shx_result shx_solver_sample_at(const shx_solver *solver, shx_strand_id id, const double *arclengths,
+    size_t count, const double origin[3], const shx_output *points, const shx_output *frames,
+    const shx_output *velocities);
+
+// What each of count strands does to its follicle as of the last step: force (N) and torque about the root's origin (N m), world
+// axes. At rest the force is the strand's weight. SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+// May run beside other reading calls.
+SHX_API shx_result shx_solver_root_wrenches(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_output *forces, const shx_output *torques);
+
+// ---- State ---------------------------------------------------------------------------------------------------------
+
+// Writes an image of everything that a step depends on (strands, roots, states, gravity, wind, options; not callbacks and
+// threads) into image, which holds capacity bytes, and its size into *out_size. image null: only the size, with capacity 0.
+// The image is for this version of the library on machines of the same byte order.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+SHX_API shx_result shx_solver_snapshot(const shx_solver *solver, void *image, size_t capacity, size_t *out_size);
+
+// Puts a solver into the state of an image of size bytes. Ids are those that were valid when it was taken. Stepping on gives the
+// same bits as it did then.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_SNAPSHOT (not an image, damaged, of another version). Alone with the solver.
+SHX_API shx_result shx_solver_restore(shx_solver *solver, const void *image, size_t size);
+
+// A hash of everything that a step depends on: equal states give equal hashes.
+// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_state_hash(const shx_solver *solver, uint64_t *out_hash);
+
+// ---- Fitting strands to polylines ----------------------------------------------------------------------------------
+
+// Prepares a shx_fit. size is sizeof(shx_fit).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_fit_init(shx_fit *fit, size_t size);
+
+// Fits a strand of element_count helical elements (1 to 100000) to a polyline of at least two distinct points in metres, root
+// first (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is not looked at). Doubled points are skipped. The root frame,
+// the length and the errors go to out_fit, element_count lengths (m) to out_element_lengths, element_count rows of curvatures
+// (rad/m) to out_curvatures; capacity says how many elements both hold. Put them into shx_strand_def.root, .element_lengths and
+// .natural (or .initial).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_fit_polyline(const shx_input *polyline, uint32_t element_count, shx_fit *out_fit,
+    double *out_element_lengths, double *out_curvatures, size_t capacity);
+
+// Natural curvatures for which a strand of this definition hangs still under gravity (three doubles, m/s^2) in the shape of
+// curvatures (count rows, rad/m; count is def.element_count): the sag-free natural shape. They go to out_natural, which holds
+// count rows. Only the material, the lengths and the root of the definition matter.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+SHX_API shx_result shx_fit_natural_curvatures(const shx_strand_def *def, const double *curvatures, size_t count,
+    const double gravity[3], double *out_natural);
+
+// ---- Groom files and caches ----------------------------------------------------------------------------------------
+
+// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4) or Wavefront .obj with lines. path is UTF-8 (on Unix any
+// bytes). *out_curves is yours; free it with shx_curves_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (cannot be read, unknown, truncated, oversized,
+// nonsense), SHX_ERROR_OUT_OF_MEMORY. Any thread.
+SHX_API shx_result shx_curves_read(const char *path, shx_curves **out_curves);
+
+// Frees curves. Null is nothing to free. Any thread; nobody may use them any more.
+SHX_API void shx_curves_destroy(shx_curves *curves);
+
+// How many strands and how many points in all. Either output may be null.
+// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+SHX_API shx_result shx_curves_count(const shx_curves *curves, size_t *out_strands, size_t *out_points);
+
+// The number of points of each strand into out_counts, which holds capacity numbers.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_curves_point_counts(const shx_curves *curves, uint32_t *out_counts, size_t capacity);
+
+// Copies the points of strand_count strands from first_strand on, one strand after the other, each number times scale (metres a
+// file unit; above zero). points: SHX_FORMAT_F32X3 or _F64X3.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that are not there, scale), SHX_ERROR_BUFFER_TOO_SMALL.
+// Any thread.
+SHX_API shx_result shx_curves_points(const shx_curves *curves, size_t first_strand, size_t strand_count, double scale,
+    const shx_output *points);
+
+// Writes polylines to a file, whose name ends in .obj (Wavefront lines) or .hair (Cem Yuksel's): a frame of a cache. points holds
+// the points of all strands, one strand after the other (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; narrowed to floats, a fourth
+// number is not looked at); point_counts holds strand_count numbers, each at least 2, whose sum is points.count.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+SHX_API shx_result shx_curves_write(const char *path, const shx_input *points, const uint32_t *point_counts,
+    size_t strand_count);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* SUPERHELIX_H */

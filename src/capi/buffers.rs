@@ -1,0 +1,330 @@
+//! The caller's memory: arrays, strided inputs and outputs. All are checked as a whole before anything is read or written.
+
+use std::ffi::c_void;
+
+use super::types::{
+    MAX_COUNT, SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, SHX_FORMAT_FRAME, shx_frame, shx_input,
+    shx_output, shx_strand_id,
+};
+use crate::error::{Error, Result};
+use crate::math::frame::Frame;
+use crate::solver::Sample;
+use crate::solver::id::StrandId;
+
+/// Checks a count and a pointer to packed items.
+pub(crate) fn check_array<T>(argument: &str, count_argument: &str, data: *const T, count: usize) -> Result<()> {
+    if count > MAX_COUNT || count.checked_mul(size_of::<T>()).is_none_or(|bytes| bytes > isize::MAX as usize) {
+        return Err(Error::invalid(count_argument, count, format!("a count up to {MAX_COUNT}")));
+    }
+    if count > 0 && data.is_null() {
+        return Err(Error::NullArgument { argument: argument.into() });
+    }
+    if !data.is_aligned() {
+        return Err(Error::invalid(
+            argument,
+            format!("the address {data:p}"),
+            format!("one that is aligned to {} bytes", align_of::<T>()),
+        ));
+    }
+    Ok(())
+}
+
+/// The caller's packed array.
+///
+/// # Safety
+/// `data` is null or points to `count` items that stay unchanged during the call.
+pub(crate) unsafe fn array<'a, T>(argument: &str, count_argument: &str, data: *const T, count: usize) -> Result<&'a [T]> {
+    check_array(argument, count_argument, data, count)?;
+    if count == 0 {
+        return Ok(&[]);
+    }
+    // SAFETY: not null, aligned, of a possible size, and the caller says that the items are there.
+    Ok(unsafe { std::slice::from_raw_parts(data, count) })
+}
+
+/// The caller's ids.
+///
+/// # Safety
+/// As [`array`].
+pub(crate) unsafe fn strand_ids(ids: *const shx_strand_id, count: usize) -> Result<Vec<StrandId>> {
+    // SAFETY: the same.
+    let ids = unsafe { array("ids", "count", ids, count)? };
+    Ok(ids.iter().map(|id| StrandId::from_bits(id.bits)).collect())
+}
+
+/// Something of each of the caller's strands; an error says which of the ids it is about.
+pub(crate) fn each<T>(ids: &[StrandId], item: impl Fn(StrandId) -> Result<T>) -> Result<Vec<T>> {
+    let named = |(index, id): (usize, &StrandId)| {
+        item(*id).map_err(|error| match error {
+            Error::InvalidId { bits, .. } => Error::InvalidId { argument: format!("ids[{index}]"), bits },
+            other => other,
+        })
+    };
+    ids.iter().enumerate().map(named).collect()
+}
+
+/// Where a function leaves one value; checked at once, written when all went well.
+pub(crate) struct Place<T>(*mut T);
+
+impl<T> Place<T> {
+    /// # Safety
+    /// `pointer` is null or points to room for a T until `write`.
+    pub(crate) unsafe fn new(argument: &str, pointer: *mut T) -> Result<Self> {
+        if pointer.is_null() {
+            return Err(Error::NullArgument { argument: argument.into() });
+        }
+        check_array(argument, argument, pointer.cast_const(), 1)?;
+        Ok(Self(pointer))
+    }
+
+    pub(crate) fn write(self, value: T) {
+        // SAFETY: `new` was promised room; it is not null and aligned. What was there is plain data or nothing.
+        unsafe { self.0.write(value) };
+    }
+}
+
+/// Room for a list of values.
+pub(crate) struct Places<T> {
+    argument: &'static str,
+    pointer: *mut T,
+    capacity: usize,
+}
+
+impl<T: Copy> Places<T> {
+    /// # Safety
+    /// `pointer` is null or points to room for `capacity` items until `write`.
+    pub(crate) unsafe fn new(argument: &'static str, count_argument: &str, pointer: *mut T, capacity: usize) -> Result<Self> {
+        check_array(argument, count_argument, pointer.cast_const(), capacity)?;
+        Ok(Self { argument, pointer, capacity })
+    }
+
+    /// [`Places::new`], or nothing when the pointer is null: the host does not want these.
+    ///
+    /// # Safety
+    /// As [`Places::new`].
+    pub(crate) unsafe fn optional(
+        argument: &'static str,
+        count_argument: &str,
+        pointer: *mut T,
+        capacity: usize,
+    ) -> Result<Option<Self>> {
+        if pointer.is_null() {
+            return Ok(None);
+        }
+        // SAFETY: the same.
+        unsafe { Self::new(argument, count_argument, pointer, capacity).map(Some) }
+    }
+
+    pub(crate) fn check_room(&self, needed: usize) -> Result<()> {
+        if needed > self.capacity {
+            return Err(Error::BufferTooSmall { argument: self.argument.into(), capacity: self.capacity, needed });
+        }
+        Ok(())
+    }
+
+    pub(crate) fn write(self, values: &[T]) -> Result<()> {
+        self.check_room(values.len())?;
+        if !values.is_empty() {
+            // SAFETY: `new` was promised room for `capacity` items, and there are no more than that.
+            unsafe { std::ptr::copy_nonoverlapping(values.as_ptr(), self.pointer, values.len()) };
+        }
+        Ok(())
+    }
+}
+
+fn format_size(format: u32) -> Option<usize> {
+    Some(match format {
+        SHX_FORMAT_F32X3 => 12,
+        SHX_FORMAT_F32X4 => 16,
+        SHX_FORMAT_F64X3 => 24,
+        SHX_FORMAT_F64X4 => 32,
+        SHX_FORMAT_FRAME => size_of::<shx_frame>(),
+        _ => return None,
+    })
+}
+
+fn format_name(format: u32) -> &'static str {
+    match format {
+        SHX_FORMAT_F32X3 => "SHX_FORMAT_F32X3",
+        SHX_FORMAT_F32X4 => "SHX_FORMAT_F32X4",
+        SHX_FORMAT_F64X3 => "SHX_FORMAT_F64X3",
+        SHX_FORMAT_F64X4 => "SHX_FORMAT_F64X4",
+        SHX_FORMAT_FRAME => "SHX_FORMAT_FRAME",
+        _ => "unknown",
+    }
+}
+
+/// The checks that inputs and outputs share; gives the stride in bytes.
+fn check_view(
+    argument: &str,
+    data: *const c_void,
+    stride: usize,
+    count: usize,
+    format: u32,
+    reserved: u32,
+    allowed: &[u32],
+) -> Result<usize> {
+    let Some(size) = format_size(format).filter(|_| allowed.contains(&format)) else {
+        let names: Vec<_> = allowed.iter().map(|format| format_name(*format)).collect();
+        return Err(Error::invalid(format!("{argument}.format"), format, names.join(", ")));
+    };
+    if reserved != 0 {
+        return Err(Error::invalid(format!("{argument}.reserved"), reserved, "0"));
+    }
+    if stride != 0 && stride < size {
+        return Err(Error::invalid(format!("{argument}.stride"), stride, format!("0 (packed) or at least {size} bytes")));
+    }
+    let stride = if stride == 0 { size } else { stride };
+    if count > MAX_COUNT {
+        return Err(Error::invalid(format!("{argument}.count"), count, format!("a count up to {MAX_COUNT}")));
+    }
+    if count.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
+        return Err(Error::invalid(format!("{argument}.stride"), stride, "a stride whose items fit into memory"));
+    }
+    if count > 0 && data.is_null() {
+        return Err(Error::NullArgument { argument: format!("{argument}.data") });
+    }
+    Ok(stride)
+}
+
+/// A checked strided input.
+pub(crate) struct Reader {
+    data: *const u8,
+    stride: usize,
+    count: usize,
+    format: u32,
+}
+
+impl Reader {
+    /// # Safety
+    /// `input` is null or points to a shx_input whose memory is there while this lives.
+    pub(crate) unsafe fn new(argument: &str, input: *const shx_input, allowed: &[u32]) -> Result<Self> {
+        // SAFETY: null or a shx_input.
+        let input = unsafe { array(argument, argument, input, 1)? }[0];
+        let stride = check_view(argument, input.data, input.stride, input.count, input.format, input.reserved, allowed)?;
+        Ok(Self { data: input.data.cast(), stride, count: input.count, format: input.format })
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The number at `position` of the item at `index`.
+    fn number(&self, index: usize, position: usize) -> f64 {
+        assert!(index < self.count);
+        // SAFETY: inside the memory that `new` was promised; the callers below stay inside the format's size.
+        unsafe {
+            let item = self.data.add(index * self.stride);
+            match self.format {
+                SHX_FORMAT_F32X3 | SHX_FORMAT_F32X4 => f64::from(item.cast::<f32>().add(position).read_unaligned()),
+                _ => item.cast::<f64>().add(position).read_unaligned(),
+            }
+        }
+    }
+
+    /// The first three numbers of an item.
+    pub(crate) fn point(&self, index: usize) -> [f64; 3] {
+        [0, 1, 2].map(|axis| self.number(index, axis))
+    }
+
+    /// An item of SHX_FORMAT_FRAME.
+    pub(crate) fn frame(&self, argument: &str, index: usize) -> Result<Frame> {
+        assert_eq!(self.format, SHX_FORMAT_FRAME);
+        let rotation = [3, 4, 5, 6].map(|position| self.number(index, position));
+        Frame::from_arrays(&format!("{argument}[{index}]"), self.point(index), rotation)
+    }
+}
+
+/// Formats of points with or without the radius.
+pub(crate) const POINT_FORMATS: &[u32] = &[SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4];
+/// Formats of vectors.
+pub(crate) const VECTOR_FORMATS: &[u32] = &[SHX_FORMAT_F32X3, SHX_FORMAT_F64X3];
+/// Formats of frames: whole, or the quaternion alone.
+pub(crate) const FRAME_FORMATS: &[u32] = &[SHX_FORMAT_FRAME, SHX_FORMAT_F32X4, SHX_FORMAT_F64X4];
+
+/// A checked strided output with room for all that will be written.
+pub(crate) struct Writer {
+    data: *mut u8,
+    stride: usize,
+    needed: usize,
+    format: u32,
+}
+
+impl Writer {
+    /// Nothing when `output` is null: the host does not want these.
+    ///
+    /// # Safety
+    /// `output` is null or points to a shx_output whose memory is there, and is the caller's, while this lives.
+    pub(crate) unsafe fn optional(
+        argument: &str,
+        output: *const shx_output,
+        allowed: &[u32],
+        needed: usize,
+    ) -> Result<Option<Self>> {
+        if output.is_null() {
+            return Ok(None);
+        }
+        // SAFETY: not null, so a shx_output.
+        let output = unsafe { array(argument, argument, output, 1)? }[0];
+        let stride = check_view(argument, output.data, output.stride, output.count, output.format, output.reserved, allowed)?;
+        if needed > output.count {
+            return Err(Error::BufferTooSmall { argument: argument.into(), capacity: output.count, needed });
+        }
+        Ok(Some(Self { data: output.data.cast(), stride, needed, format: output.format }))
+    }
+
+    /// [`Writer::optional`] for an output that must be there.
+    ///
+    /// # Safety
+    /// The same.
+    pub(crate) unsafe fn required(argument: &str, output: *const shx_output, allowed: &[u32], needed: usize) -> Result<Self> {
+        // SAFETY: the same.
+        unsafe { Self::optional(argument, output, allowed, needed)? }
+            .ok_or_else(|| Error::NullArgument { argument: argument.into() })
+    }
+
+    /// Writes the leading numbers of a list; a format of three numbers leaves the fourth out.
+    fn numbers(&self, index: usize, numbers: &[f64]) {
+        assert!(index < self.needed);
+        let count = match self.format {
+            SHX_FORMAT_F32X3 | SHX_FORMAT_F64X3 => 3,
+            SHX_FORMAT_F32X4 | SHX_FORMAT_F64X4 => 4,
+            _ => 7,
+        };
+        for (position, number) in numbers[..count].iter().enumerate() {
+            // SAFETY: index < needed <= count of the memory that `optional` was promised, position inside the format's size.
+            unsafe {
+                let item = self.data.add(index * self.stride);
+                match self.format {
+                    SHX_FORMAT_F32X3 | SHX_FORMAT_F32X4 => item.cast::<f32>().add(position).write_unaligned(*number as f32),
+                    _ => item.cast::<f64>().add(position).write_unaligned(*number),
+                }
+            }
+        }
+    }
+
+    /// A vector (three numbers).
+    pub(crate) fn vector(&self, index: usize, vector: [f64; 3]) {
+        self.numbers(index, &vector);
+    }
+
+    /// A point, with its radius where the format has a place for it.
+    pub(crate) fn point(&self, index: usize, point: [f64; 3], radius: f64) {
+        self.numbers(index, &[point[0], point[1], point[2], radius]);
+    }
+
+    /// A frame, or its quaternion alone where the format has four numbers.
+    pub(crate) fn frame(&self, index: usize, frame: &Frame) {
+        let [x, y, z, w] = frame.rotation_xyzw();
+        if self.format == SHX_FORMAT_FRAME {
+            self.numbers(index, &[frame.origin.x, frame.origin.y, frame.origin.z, x, y, z, w]);
+        } else {
+            self.numbers(index, &[x, y, z, w]);
+        }
+    }
+
+    /// The frame of a sample, relative to `origin`.
+    pub(crate) fn sample_frame(&self, index: usize, sample: &Sample, origin: nalgebra::Vector3<f64>) {
+        self.frame(index, &Frame { origin: sample.position - origin, rotation: sample.rotation });
+    }
+}

@@ -1,0 +1,184 @@
+//! Groom files in, cache frames out.
+
+use std::ffi::{CStr, OsStr, c_char};
+use std::path::Path;
+
+use super::buffers::{POINT_FORMATS, Place, Places, Reader, Writer, array};
+use super::errors::shx_result;
+use super::guard::call;
+use super::types::{MAX_COUNT, shx_input, shx_output};
+use crate::error::{Error, Result, check_finite};
+use crate::files::curves::Curves;
+use crate::files::{hair, obj};
+
+/// The strands of a groom file: polylines, root first, in the file's units. Made by shx_curves_read, owned by the caller, freed by
+/// shx_curves_destroy. It never changes, so any threads may read it at the same time.
+pub struct shx_curves(Curves);
+
+/// # Safety
+/// `path` is null or a closed text.
+unsafe fn path_from<'a>(path: *const c_char) -> Result<&'a Path> {
+    if path.is_null() {
+        return Err(Error::NullArgument { argument: "path".into() });
+    }
+    // SAFETY: not null, so a text that is closed by a zero.
+    let text = unsafe { CStr::from_ptr(path) };
+    if text.is_empty() {
+        return Err(Error::invalid("path", "empty", "the path of a file"));
+    }
+    #[cfg(unix)]
+    return Ok(Path::new(<OsStr as std::os::unix::ffi::OsStrExt>::from_bytes(text.to_bytes())));
+    #[cfg(not(unix))]
+    match text.to_str() {
+        Ok(text) => Ok(Path::new(OsStr::new(text))),
+        Err(_) => Err(Error::invalid("path", format!("{text:?}"), "UTF-8")),
+    }
+}
+
+/// # Safety
+/// `curves` is null or alive.
+unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Curves> {
+    // SAFETY: the same.
+    match unsafe { curves.as_ref() } {
+        Some(curves) => Ok(&curves.0),
+        None => Err(Error::NullArgument { argument: "curves".into() }),
+    }
+}
+
+/// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4) or Wavefront .obj with lines. path is UTF-8 (on Unix any
+/// bytes). *out_curves is yours; free it with shx_curves_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (cannot be read, unknown, truncated, oversized,
+/// nonsense), SHX_ERROR_OUT_OF_MEMORY. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_read(path: *const c_char, out_curves: *mut *mut shx_curves) -> shx_result {
+    call("shx_curves_read", || {
+        // SAFETY: the caller's text and place for one pointer.
+        let (path, place) = unsafe { (path_from(path)?, Place::new("out_curves", out_curves)?) };
+        place.write(Box::into_raw(Box::new(shx_curves(Curves::read(path)?))));
+        Ok(())
+    })
+}
+
+/// Frees curves. Null is nothing to free. Any thread; nobody may use them any more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_destroy(curves: *mut shx_curves) {
+    call("shx_curves_destroy", || {
+        if !curves.is_null() {
+            // SAFETY: made by Box::into_raw in shx_curves_read.
+            drop(unsafe { Box::from_raw(curves) });
+        }
+        Ok(())
+    });
+}
+
+/// How many strands and how many points in all. Either output may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_count(
+    curves: *const shx_curves,
+    out_strands: *mut usize,
+    out_points: *mut usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and places for one number each.
+    call("shx_curves_count", || unsafe {
+        let curves = curves_from(curves)?;
+        if out_strands.is_null() && out_points.is_null() {
+            return Err(Error::NullArgument { argument: "out_strands (and out_points)".into() });
+        }
+        let strands = Places::optional("out_strands", "out_strands", out_strands, 1)?;
+        let points = Places::optional("out_points", "out_points", out_points, 1)?;
+        if let Some(strands) = strands {
+            strands.write(&[curves.strand_count()])?;
+        }
+        if let Some(points) = points {
+            points.write(&[curves.point_count()])?;
+        }
+        Ok(())
+    })
+}
+
+/// The number of points of each strand into out_counts, which holds capacity numbers.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_point_counts(curves: *const shx_curves, out_counts: *mut u32, capacity: usize) -> shx_result {
+    // SAFETY: the caller's handle and place for capacity numbers.
+    call("shx_curves_point_counts", || unsafe {
+        let curves = curves_from(curves)?;
+        Places::new("out_counts", "capacity", out_counts, capacity)?.write(curves.counts())
+    })
+}
+
+/// Copies the points of strand_count strands from first_strand on, one strand after the other, each number times scale (metres a
+/// file unit; above zero). points: SHX_FORMAT_F32X3 or _F64X3.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that are not there, scale), SHX_ERROR_BUFFER_TOO_SMALL.
+/// Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_points(
+    curves: *const shx_curves,
+    first_strand: usize,
+    strand_count: usize,
+    scale: f64,
+    points: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle and memory for the points.
+    call("shx_curves_points", || unsafe {
+        let curves = curves_from(curves)?;
+        if first_strand > curves.strand_count() {
+            let expected = format!("at most {}, the number of strands", curves.strand_count());
+            return Err(Error::invalid("first_strand", first_strand, expected));
+        }
+        let left = curves.strand_count() - first_strand;
+        if strand_count > left {
+            return Err(Error::invalid("strand_count", strand_count, format!("at most {left} from strand {first_strand} on")));
+        }
+        crate::error::check_positive(|| "scale".into(), scale)?;
+        let strands = first_strand..first_strand + strand_count;
+        let needed = strands.clone().map(|strand| curves.strand(strand).len()).sum();
+        let writer = Writer::required("points", points, super::buffers::VECTOR_FORMATS, needed)?;
+        let copied = strands.flat_map(|strand| curves.strand(strand));
+        for (index, point) in copied.enumerate() {
+            writer.vector(index, point.map(|number| f64::from(number) * scale));
+        }
+        Ok(())
+    })
+}
+
+/// Writes polylines to a file, whose name ends in .obj (Wavefront lines) or .hair (Cem Yuksel's): a frame of a cache. points holds
+/// the points of all strands, one strand after the other (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; narrowed to floats, a fourth
+/// number is not looked at); point_counts holds strand_count numbers, each at least 2, whose sum is points.count.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_write(
+    path: *const c_char,
+    points: *const shx_input,
+    point_counts: *const u32,
+    strand_count: usize,
+) -> shx_result {
+    // SAFETY: the caller's text, points and counts.
+    call("shx_curves_write", || unsafe {
+        let path = path_from(path)?;
+        let reader = Reader::new("points", points, POINT_FORMATS)?;
+        let counts = array("point_counts", "strand_count", point_counts, strand_count)?;
+        let total = counts.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count as usize));
+        if let Some(strand) = counts.iter().position(|count| *count < 2) {
+            return Err(Error::invalid(format!("point_counts[{strand}]"), counts[strand], "at least 2 points a strand"));
+        }
+        if total.is_none_or(|total| total > MAX_COUNT || total != reader.count()) {
+            return Err(Error::invalid("points.count", reader.count(), "the sum of point_counts"));
+        }
+        let mut narrowed = Vec::with_capacity(reader.count());
+        for index in 0..reader.count() {
+            let point = reader.point(index).map(|number| number as f32);
+            for number in point {
+                check_finite(|| format!("points[{index}]"), f64::from(number))?;
+            }
+            narrowed.push(point);
+        }
+        let curves = Curves::from_counts(counts.to_vec(), narrowed)?;
+        match path.extension().and_then(OsStr::to_str) {
+            Some("obj") => obj::write(path, &curves),
+            Some("hair") => hair::write(path, &curves),
+            _ => Err(Error::invalid("path", path.display(), "a name that ends in .obj or .hair")),
+        }
+    })
+}

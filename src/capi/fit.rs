@@ -1,0 +1,137 @@
+//! Strands from polylines, and natural shapes that hold them up.
+
+use std::mem::{offset_of, size_of};
+
+use nalgebra::Vector3;
+
+use super::buffers::{POINT_FORMATS, Places, Reader, array};
+use super::errors::shx_result;
+use super::guard::call;
+use super::strand_def::shx_strand_def;
+use super::thread::on_own_thread;
+use super::types::{shx_frame, shx_input};
+use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
+use crate::error::{Error, Result};
+use crate::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
+use crate::rod::definition::{MAX_ELEMENTS, check_rows};
+
+/// A strand fitted to a polyline, beside its element lengths and curvatures. Prepare with shx_fit_init.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_fit {
+    /// Set by shx_fit_init.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// Root frame: the first point, n0 along the first segment.
+    pub root: shx_frame,
+    /// Length of the polyline, m.
+    pub length: f64,
+    /// Root mean square distance between the polyline and the strand at equal arclength, m.
+    pub rms_error: f64,
+    /// The largest such distance, m.
+    pub max_error: f64,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
+unsafe impl Versioned for shx_fit {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved: 0,
+            root: shx_frame { origin: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0] },
+            length: 0.0,
+            rms_error: 0.0,
+            max_error: 0.0,
+        }
+    }
+}
+
+const _: () = assert!(size_of::<shx_fit>() == 88 && offset_of!(shx_fit, length) == 64);
+
+/// Prepares a shx_fit. size is sizeof(shx_fit).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_fit_init(fit: *mut shx_fit, size: usize) -> shx_result {
+    // SAFETY: the caller says that fit holds size bytes.
+    unsafe { initialise("shx_fit_init", "fit", fit, size) }
+}
+
+/// Fits a strand of element_count helical elements (1 to 100000) to a polyline of at least two distinct points in metres, root
+/// first (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is not looked at). Doubled points are skipped. The root frame,
+/// the length and the errors go to out_fit, element_count lengths (m) to out_element_lengths, element_count rows of curvatures
+/// (rad/m) to out_curvatures; capacity says how many elements both hold. Put them into shx_strand_def.root, .element_lengths and
+/// .natural (or .initial).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_fit_polyline(
+    polyline: *const shx_input,
+    element_count: u32,
+    out_fit: *mut shx_fit,
+    out_element_lengths: *mut f64,
+    out_curvatures: *mut f64,
+    capacity: usize,
+) -> shx_result {
+    let body = || {
+        let element_count = element_count as usize;
+        if element_count == 0 || element_count > MAX_ELEMENTS {
+            return Err(Error::invalid("element_count", element_count, format!("1 to {MAX_ELEMENTS}")));
+        }
+        // SAFETY: the caller's points, structure and memory for capacity elements.
+        let (reader, fit_output, lengths, rows) = unsafe {
+            (
+                Reader::new("polyline", polyline, POINT_FORMATS)?,
+                VersionedOutput::new("out_fit", out_fit)?,
+                Places::new("out_element_lengths", "capacity", out_element_lengths, capacity)?,
+                Places::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
+            )
+        };
+        lengths.check_room(element_count)?;
+        let points: Vec<Vector3<f64>> = (0..reader.count()).map(|index| reader.point(index).into()).collect();
+        let fit = fit_polyline(&points, &FitOptions { element_count })?;
+        lengths.write(&fit.element_lengths)?;
+        rows.write(&fit.curvatures)?;
+        fit_output.write(&shx_fit {
+            root: shx_frame { origin: fit.root.origin.into(), rotation: fit.root.rotation_xyzw() },
+            length: fit.element_lengths.iter().sum(),
+            rms_error: fit.rms_error,
+            max_error: fit.max_error,
+            ..shx_fit::defaults()
+        });
+        Ok(())
+    };
+    call("shx_fit_polyline", body)
+}
+
+/// Natural curvatures for which a strand of this definition hangs still under gravity (three doubles, m/s^2) in the shape of
+/// curvatures (count rows, rad/m; count is def.element_count): the sag-free natural shape. They go to out_natural, which holds
+/// count rows. Only the material, the lengths and the root of the definition matter.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+/// cbindgen:ptrs-as-arrays=[[gravity; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_fit_natural_curvatures(
+    def: *const shx_strand_def,
+    curvatures: *const f64,
+    count: usize,
+    gravity: *const f64,
+    out_natural: *mut f64,
+) -> shx_result {
+    let body = || -> Result<()> {
+        // SAFETY: the caller's structure, count rows, three doubles and memory for count rows.
+        unsafe {
+            let definition = read_versioned("def", def)?.definition("def")?;
+            let rows: &[[f64; 3]] = array("curvatures", "count", curvatures.cast::<[f64; 3]>(), count)?;
+            check_rows("curvatures", rows, definition.element_lengths.len())?;
+            let gravity = array("gravity", "gravity", gravity, 3)?;
+            for axis in 0..3 {
+                crate::error::check_finite(|| format!("gravity[{axis}]"), gravity[axis])?;
+            }
+            let places = Places::new("out_natural", "count", out_natural.cast::<[f64; 3]>(), count)?;
+            let gravity = Vector3::new(gravity[0], gravity[1], gravity[2]);
+            places.write(&on_own_thread(|| natural_under_gravity(&definition, rows, gravity))?)
+        }
+    };
+    call("shx_fit_natural_curvatures", body)
+}

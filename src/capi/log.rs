@@ -1,0 +1,48 @@
+//! Messages to the host. There is no process-wide logger: each solver has the callback of its definition.
+
+use std::ffi::{CString, c_char, c_void};
+use std::fmt;
+
+use super::floating_point::with_host_mode;
+
+/// A call failed: the text that shx_last_error gives.
+pub const SHX_LOG_ERROR: u32 = 1;
+/// Something that the host should look at: strands rolled back or unconverged in a step, a parallel_for that missed items.
+pub const SHX_LOG_WARN: u32 = 2;
+/// Once in a while: a solver was made.
+pub const SHX_LOG_INFO: u32 = 3;
+/// A line a step.
+pub const SHX_LOG_DEBUG: u32 = 4;
+
+/// Receives messages of a solver: user is shx_solver_def.log_user, level one of SHX_LOG_, message UTF-8 that is valid during
+/// the call only. Called on the thread that called the library, in its floating-point mode. Calling the same solver from it
+/// gives SHX_ERROR_BUSY. It must return: no exception, no longjmp.
+pub type shx_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, level: u32, message: *const c_char)>;
+
+/// A solver's callback and its limit.
+pub(crate) struct LogSink {
+    pub function: shx_log_fn,
+    pub user: *mut c_void,
+    pub level: u32,
+}
+
+// SAFETY: user is the host's pointer, handed back and never looked at; the host promised (shx_solver_def.log) that its callback
+// may be called from any thread that calls the solver.
+unsafe impl Send for LogSink {}
+// SAFETY: as above.
+unsafe impl Sync for LogSink {}
+
+impl LogSink {
+    /// Formats and hands over a message when the host wants this level; costs nothing otherwise.
+    pub(crate) fn message(&self, level: u32, text: fmt::Arguments<'_>) {
+        let Some(function) = self.function else { return };
+        if level > self.level {
+            return;
+        }
+        let mut bytes = text.to_string().into_bytes();
+        bytes.retain(|byte| *byte != 0);
+        let Ok(message) = CString::new(bytes) else { return };
+        // SAFETY: the function is the host's, called as its type says; message lives until it returns.
+        with_host_mode(|| unsafe { function(self.user, level, message.as_ptr()) });
+    }
+}

@@ -1,0 +1,34 @@
+//! The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
+//!
+//! `include/superhelix.h` is generated from this floor (`tests/header.rs`), so the comments here are written for the C
+//! programmer who reads it there. Nothing here is process-wide: no table of solvers, no logger, no pool, no panic hook, and the
+//! only thread-local variables (the last error's text, the host's floating-point mode) have no destructor, since one would keep
+//! the library mapped after `dlclose`.
+//!
+//! # Safety
+//! Every function trusts its caller in what a C function must: a pointer that is not null points to as many items as the
+//! function's comment says, handles come from their create function and were not destroyed, and callbacks return normally.
+//! Everything else is checked.
+#![allow(unsafe_code, non_camel_case_types)]
+#![allow(clippy::missing_safety_doc)] // said once, above
+
+mod buffers;
+pub mod curves;
+pub mod errors;
+pub mod fit;
+mod floating_point;
+pub mod guard;
+pub mod log;
+pub mod parallel;
+pub mod roots;
+pub mod sampling;
+pub mod shape;
+pub mod solver;
+pub mod solver_def;
+pub mod state;
+pub mod strand_def;
+pub mod strands;
+mod thread;
+pub mod types;
+pub mod version;
+mod versioned;

@@ -1,0 +1,92 @@
+//! The host's task system behind the engine's [`ParallelFor`].
+
+use std::any::Any;
+use std::ffi::c_void;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::{Mutex, PoisonError};
+
+use super::floating_point::{DefaultMode, with_host_mode};
+use crate::solver::definition::ParallelFor;
+
+/// One piece of a shx_parallel_for_fn's work: items begin to end - 1 on worker (any number that no other thread has at the same
+/// time). May be called from any thread of the host, in any floating-point mode.
+pub type shx_range_fn = Option<unsafe extern "C" fn(task: *mut c_void, begin: u32, end: u32, worker: u32)>;
+
+/// The host's parallel loop. Must call function(task, begin, end, worker) over disjoint ranges that cover 0 to count - 1, each item
+/// once, and return when all calls have returned. Ranges should hold min_range items or more. user is
+/// shx_solver_def.parallel_for_user. Called on the thread that called the library, in its floating-point mode. Calling the same
+/// solver from it gives SHX_ERROR_BUSY. It must return: no exception, no longjmp. Items that it leaves out are done by the
+/// calling thread, and items that it gives twice are done once.
+pub type shx_parallel_for_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, count: u32, min_range: u32, function: shx_range_fn, task: *mut c_void)>;
+
+type HostFunction = unsafe extern "C" fn(*mut c_void, u32, u32, shx_range_fn, *mut c_void);
+
+/// The host's function and its pointer.
+pub(crate) struct HostParallelFor {
+    function: HostFunction,
+    user: *mut c_void,
+}
+
+// SAFETY: user is the host's pointer, handed back and never looked at; the host may be called from any thread that steps the solver.
+unsafe impl Send for HostParallelFor {}
+// SAFETY: as above.
+unsafe impl Sync for HostParallelFor {}
+
+/// One loop while it runs.
+struct Loop<'a> {
+    task: &'a (dyn Fn(u32, u32, u32) + Sync),
+    panic: Mutex<Option<Box<dyn Any + Send>>>,
+}
+
+/// What the host calls for a range. A panic must not unwind into the host's frames: it is kept for the calling thread.
+unsafe extern "C" fn range(task: *mut c_void, begin: u32, end: u32, worker: u32) {
+    let _mode = DefaultMode::enter();
+    // SAFETY: the pointer that `run` gave to the host, which calls this only until its own function returns.
+    let running = unsafe { &*task.cast::<Loop<'_>>() };
+    if let Err(payload) = catch_unwind(AssertUnwindSafe(|| (running.task)(begin, end, worker))) {
+        running.panic.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(payload);
+    }
+}
+
+impl HostParallelFor {
+    pub(crate) fn new(function: HostFunction, user: *mut c_void) -> Self {
+        Self { function, user }
+    }
+}
+
+impl ParallelFor for HostParallelFor {
+    /// Ranges are handed on as they come: the solver itself sees to it that an item is done once, whatever the host does.
+    fn run(&self, count: u32, min_range: u32, task: &(dyn Fn(u32, u32, u32) + Sync)) {
+        let running = Loop { task, panic: Mutex::new(None) };
+        let pointer = (&raw const running).cast_mut().cast::<c_void>();
+        // SAFETY: the host's function, called as its type says; the loop lives until it has returned.
+        with_host_mode(|| unsafe { (self.function)(self.user, count, min_range, Some(range), pointer) });
+        if let Some(payload) = running.panic.into_inner().unwrap_or_else(PoisonError::into_inner) {
+            resume_unwind(payload);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_in_a_task_reaches_the_caller_and_not_the_host() {
+        unsafe extern "C" fn all(user: *mut c_void, count: u32, _: u32, function: shx_range_fn, task: *mut c_void) {
+            let function = function.expect("the engine's function");
+            // SAFETY: called as the contract says; user is the test's number.
+            unsafe {
+                function(task, 0, 1, 0);
+                function(task, 1, count, 0);
+                *user.cast::<u32>() += 1;
+            }
+        }
+        let mut returned = 0_u32;
+        let host = HostParallelFor::new(all, (&raw mut returned).cast());
+        let caught = catch_unwind(AssertUnwindSafe(|| host.run(4, 1, &|_, _, _| panic!("inside"))));
+        assert_eq!(caught.expect_err("the panic").downcast_ref::<&str>(), Some(&"inside"));
+        assert_eq!(returned, 1);
+    }
+}

@@ -1,0 +1,85 @@
+//! Roots: the host moves them, the strands follow.
+
+use super::buffers::{FRAME_FORMATS, Reader, Writer, each, strand_ids};
+use super::errors::shx_result;
+use super::guard::{read, shx_solver, write};
+use super::types::{SHX_FORMAT_FRAME, shx_input, shx_output, shx_strand_id};
+use crate::error::{Error, Result};
+use crate::math::frame::Frame;
+
+/// One frame for each of `count` strands.
+///
+/// # Safety
+/// `frames` is null or a shx_input whose memory is there.
+unsafe fn root_frames(frames: *const shx_input, count: usize) -> Result<Vec<Frame>> {
+    // SAFETY: the same.
+    let reader = unsafe { Reader::new("frames", frames, &[SHX_FORMAT_FRAME])? };
+    if reader.count() != count {
+        return Err(Error::invalid("frames.count", reader.count(), format!("{count}, one for each id")));
+    }
+    (0..count).map(|index| reader.frame("frames", index)).collect()
+}
+
+/// Moves the roots of count strands smoothly, in position and rotation, to the given frames (SHX_FORMAT_FRAME, one for each id)
+/// over the next over_seconds of simulated time (0 or above; 0: within the next substep). One call a frame for all roots. All or
+/// none. Strands that are not named stay on their way or still.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a number that is not finite, a quaternion
+/// whose length is not 1, over_seconds below 0). Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_root_frames(
+    solver: *mut shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    frames: *const shx_input,
+    over_seconds: f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and frames.
+    unsafe {
+        write("shx_solver_set_root_frames", solver, |core, _| {
+            core.set_root_frames(&strand_ids(ids, count)?, &root_frames(frames, count)?, over_seconds)
+        })
+    }
+}
+
+/// Puts the roots of count strands at the given frames at once: the strands keep their shape and their velocity in the root's
+/// frame, and get no kick. For cuts and new takes. All or none.
+/// Errors: as shx_solver_set_root_frames. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_teleport_roots(
+    solver: *mut shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    frames: *const shx_input,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and frames.
+    unsafe {
+        write("shx_solver_teleport_roots", solver, |core, _| {
+            core.teleport_roots(&strand_ids(ids, count)?, &root_frames(frames, count)?)
+        })
+    }
+}
+
+/// The root frames of count strands as they are now, into frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions
+/// alone).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_root_frames(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    frames: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and memory for frames.
+    unsafe {
+        read("shx_solver_get_root_frames", solver, |core| {
+            let ids = strand_ids(ids, count)?;
+            let writer = Writer::required("frames", frames, FRAME_FORMATS, count)?;
+            let found = each(&ids, |id| core.root_frame(id))?;
+            for (index, frame) in found.iter().enumerate() {
+                writer.frame(index, frame);
+            }
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,212 @@
+//! Where strands are: points, frames, velocities, and what they do to their follicles.
+
+use std::mem::{offset_of, size_of};
+
+use nalgebra::Vector3;
+
+use super::buffers::{FRAME_FORMATS, POINT_FORMATS, VECTOR_FORMATS, Writer, array, each, strand_ids};
+use super::errors::shx_result;
+use super::guard::{read, shx_solver};
+use super::types::{MAX_COUNT, shx_output, shx_strand_id};
+use super::versioned::{Versioned, initialise, read_versioned};
+use crate::error::{Error, Result, check_finite};
+use crate::solver::Sample;
+use crate::solver::id::StrandId;
+
+/// How strands are sampled. Fill with shx_sample_def_init.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_sample_def {
+    /// Set by shx_sample_def_init.
+    pub struct_size: u32,
+    /// Points a strand, uniform in arclength, root and tip included; at least 2. Default 33.
+    pub points_per_strand: u32,
+    /// Subtracted from positions before they are narrowed to floats, m. Default 0.
+    pub origin: [f64; 3],
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
+unsafe impl Versioned for shx_sample_def {
+    const FIRST_SIZE: usize = offset_of!(shx_sample_def, origin);
+
+    fn defaults() -> Self {
+        Self { struct_size: size_of::<Self>() as u32, points_per_strand: 33, origin: [0.0; 3] }
+    }
+}
+
+const _: () = assert!(size_of::<shx_sample_def>() == 32 && offset_of!(shx_sample_def, origin) == 8);
+
+/// Fills a definition with the defaults. size is sizeof(shx_sample_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_sample_def_init(def: *mut shx_sample_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_sample_def_init", "def", def, size) }
+}
+
+/// The three places that samples go to.
+struct Outputs {
+    points: Option<Writer>,
+    frames: Option<Writer>,
+    velocities: Option<Writer>,
+    origin: Vector3<f64>,
+}
+
+impl Outputs {
+    /// # Safety
+    /// Each output is null or a shx_output whose memory is there.
+    unsafe fn new(
+        points: *const shx_output,
+        frames: *const shx_output,
+        velocities: *const shx_output,
+        needed: usize,
+        origin: Vector3<f64>,
+    ) -> Result<Self> {
+        if points.is_null() && frames.is_null() && velocities.is_null() {
+            return Err(Error::NullArgument { argument: "points (and frames, and velocities)".into() });
+        }
+        // SAFETY: the same.
+        unsafe {
+            Ok(Self {
+                points: Writer::optional("points", points, POINT_FORMATS, needed)?,
+                frames: Writer::optional("frames", frames, FRAME_FORMATS, needed)?,
+                velocities: Writer::optional("velocities", velocities, VECTOR_FORMATS, needed)?,
+                origin,
+            })
+        }
+    }
+
+    fn write(&self, index: usize, sample: &Sample, radius: f64) {
+        if let Some(points) = &self.points {
+            points.point(index, (sample.position - self.origin).into(), radius);
+        }
+        if let Some(frames) = &self.frames {
+            frames.sample_frame(index, sample, self.origin);
+        }
+        if let Some(velocities) = &self.velocities {
+            velocities.vector(index, sample.velocity.into());
+        }
+    }
+}
+
+/// Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 root, last one tip) of strand
+/// ids[i]. points: SHX_FORMAT_F32X3, _F32X4 (with the strand's radius), _F64X3, _F64X4. frames: SHX_FORMAT_FRAME, or _F32X4 and
+/// _F64X4 for the quaternions alone. velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3. One or two of the three may
+/// be null. One call a frame for everything that is drawn.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
+/// SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_sample_strands(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    def: *const shx_sample_def,
+    points: *const shx_output,
+    frames: *const shx_output,
+    velocities: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle, ids, structure and memory for the outputs.
+    unsafe {
+        read("shx_solver_sample_strands", solver, |core| {
+            let def = read_versioned("def", def)?;
+            let per_strand = def.points_per_strand as usize;
+            if per_strand < 2 {
+                return Err(Error::invalid("def.points_per_strand", per_strand, "at least 2: root and tip"));
+            }
+            let ids = strand_ids(ids, count)?;
+            let needed = per_strand
+                .checked_mul(count)
+                .filter(|needed| *needed <= MAX_COUNT)
+                .ok_or_else(|| Error::invalid("def.points_per_strand", per_strand, "fewer points a call"))?;
+            let origin = origin("def.origin", def.origin)?;
+            let outputs = Outputs::new(points, frames, velocities, needed, origin)?;
+            // All ids are looked up before the first point is written.
+            let radii = each(&ids, |id| core.radius(id))?;
+            core.sample_strands(&ids, per_strand, |strand, point, sample| {
+                outputs.write(strand * per_strand + point, sample, radii[strand]);
+            })
+        })
+    }
+}
+
+fn origin(argument: &str, origin: [f64; 3]) -> Result<Vector3<f64>> {
+    for axis in 0..3 {
+        check_finite(|| format!("{argument}[{axis}]"), origin[axis])?;
+    }
+    Ok(Vector3::from(origin))
+}
+
+/// Samples one strand at count arclengths from the root (m, 0 to the strand's length, any order): item i of each output belongs to
+/// arclengths[i]. origin (three doubles, m) is subtracted from positions; null: 0. Outputs as in shx_solver_sample_strands.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (an arclength outside the strand),
+/// SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+/// cbindgen:ptrs-as-arrays=[[origin; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_sample_at(
+    solver: *const shx_solver,
+    id: shx_strand_id,
+    arclengths: *const f64,
+    count: usize,
+    origin: *const f64,
+    points: *const shx_output,
+    frames: *const shx_output,
+    velocities: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle, arclengths, origin and memory for the outputs.
+    unsafe {
+        read("shx_solver_sample_at", solver, |core| {
+            let id = StrandId::from_bits(id.bits);
+            let arclengths = array("arclengths", "count", arclengths, count)?;
+            let origin = if origin.is_null() {
+                Vector3::zeros()
+            } else {
+                let numbers = array("origin", "origin", origin, 3)?;
+                self::origin("origin", [numbers[0], numbers[1], numbers[2]])?
+            };
+            let outputs = Outputs::new(points, frames, velocities, count, origin)?;
+            let radius = core.radius(id)?;
+            // Collected first: an arclength that is out of range must leave the outputs as they were.
+            let mut samples = Vec::with_capacity(count);
+            core.sample_at(id, arclengths, |index, sample| samples.push((index, *sample)))?;
+            for (index, sample) in &samples {
+                outputs.write(*index, sample, radius);
+            }
+            Ok(())
+        })
+    }
+}
+
+/// What each of count strands does to its follicle as of the last step: force (N) and torque about the root's origin (N m), world
+/// axes. At rest the force is the strand's weight. SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_root_wrenches(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    forces: *const shx_output,
+    torques: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle, ids and memory for the outputs.
+    unsafe {
+        read("shx_solver_root_wrenches", solver, |core| {
+            if forces.is_null() && torques.is_null() {
+                return Err(Error::NullArgument { argument: "forces (and torques)".into() });
+            }
+            let ids = strand_ids(ids, count)?;
+            let forces = Writer::optional("forces", forces, VECTOR_FORMATS, count)?;
+            let torques = Writer::optional("torques", torques, VECTOR_FORMATS, count)?;
+            let wrenches = each(&ids, |id| core.root_wrench(id))?;
+            for (index, wrench) in wrenches.iter().enumerate() {
+                if let Some(forces) = &forces {
+                    forces.vector(index, wrench.force.into());
+                }
+                if let Some(torques) = &torques {
+                    torques.vector(index, wrench.torque.into());
+                }
+            }
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,108 @@
+//! A strand's curvatures: natural ones, present ones, and their rates. Rows of three doubles, one an element.
+
+use super::buffers::{Places, array};
+use super::errors::shx_result;
+use super::guard::{read, shx_solver, write};
+use super::types::shx_strand_id;
+use crate::error::{Error, Result};
+use crate::solver::id::StrandId;
+
+/// # Safety
+/// `rows` is null or points to `count` rows.
+unsafe fn curvature_rows<'a>(argument: &str, rows: *const f64, count: usize) -> Result<&'a [[f64; 3]]> {
+    // SAFETY: the same. A row is three doubles.
+    unsafe { array(argument, "count", rows.cast::<[f64; 3]>(), count) }
+}
+
+/// Sets the natural curvatures of a strand: count rows (twist, k1, k2), rad/m, one an element. The strand moves towards them from
+/// the next step on; frozen freedoms follow at once.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not the strand's number of
+/// elements, a number that is not finite). Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_natural_curvatures(
+    solver: *mut shx_solver,
+    id: shx_strand_id,
+    curvatures: *const f64,
+    count: usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and count rows.
+    unsafe {
+        write("shx_solver_set_natural_curvatures", solver, |core, _| {
+            core.set_natural_curvatures(StrandId::from_bits(id.bits), curvature_rows("curvatures", curvatures, count)?)
+        })
+    }
+}
+
+/// The natural curvatures of a strand into curvatures, which holds count rows (at least the strand's number of elements).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_natural_curvatures(
+    solver: *const shx_solver,
+    id: shx_strand_id,
+    curvatures: *mut f64,
+    count: usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for count rows.
+    unsafe {
+        read("shx_solver_get_natural_curvatures", solver, |core| {
+            let places = Places::new("curvatures", "count", curvatures.cast::<[f64; 3]>(), count)?;
+            places.write(core.natural_curvatures(StrandId::from_bits(id.bits))?)
+        })
+    }
+}
+
+/// The present curvatures of a strand (rad/m) and their rates (rad/(m s)) into memory for count rows each (at least the strand's
+/// number of elements). One of the two may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_curvatures(
+    solver: *const shx_solver,
+    id: shx_strand_id,
+    curvatures: *mut f64,
+    rates: *mut f64,
+    count: usize,
+) -> shx_result {
+    let body = |core: &crate::solver::Solver| {
+        if curvatures.is_null() && rates.is_null() {
+            return Err(Error::NullArgument { argument: "curvatures (and rates)".into() });
+        }
+        let id = StrandId::from_bits(id.bits);
+        // SAFETY: the caller's memory for count rows.
+        let curvatures = unsafe { Places::optional("curvatures", "count", curvatures.cast::<[f64; 3]>(), count)? };
+        // SAFETY: the same.
+        let rates = unsafe { Places::optional("rates", "count", rates.cast::<[f64; 3]>(), count)? };
+        let (present, moving) = (core.curvatures(id)?, core.rates(id)?);
+        if let Some(curvatures) = curvatures {
+            curvatures.write(present)?;
+        }
+        if let Some(rates) = rates {
+            rates.write(moving)?;
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's handle, null or alive.
+    unsafe { read("shx_solver_get_curvatures", solver, body) }
+}
+
+/// Sets the present curvatures of a strand (count rows, rad/m) and their rates (count rows, rad/(m s); null: 0). Frozen freedoms
+/// must hold their natural value, and rate 0.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not the strand's number of
+/// elements, a number that is not finite, a frozen freedom). Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_curvatures(
+    solver: *mut shx_solver,
+    id: shx_strand_id,
+    curvatures: *const f64,
+    rates: *const f64,
+    count: usize,
+) -> shx_result {
+    let body = |core: &mut crate::solver::Solver| {
+        // SAFETY: the caller's count rows.
+        let present = unsafe { curvature_rows("curvatures", curvatures, count)? };
+        // SAFETY: the same, or null.
+        let moving = if rates.is_null() { None } else { Some(unsafe { curvature_rows("rates", rates, count)? }) };
+        core.set_curvatures(StrandId::from_bits(id.bits), present, moving)
+    };
+    // SAFETY: the caller's handle, null or alive.
+    unsafe { write("shx_solver_set_curvatures", solver, |core, _| body(core)) }
+}

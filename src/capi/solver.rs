@@ -1,0 +1,233 @@
+//! Making, stepping and freeing a solver.
+
+use std::mem::{offset_of, size_of};
+
+use nalgebra::Vector3;
+
+use super::buffers::{Place, array};
+use super::errors::shx_result;
+use super::guard::{call, destroy, read, shx_solver, write};
+use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_INFO, SHX_LOG_WARN};
+use super::solver_def::shx_solver_def;
+use super::thread::on_own_thread;
+use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
+use crate::error::Result;
+use crate::solver::Solver;
+use crate::solver::definition::Workers;
+use crate::solver::report::StepReport;
+use crate::step::options::LinearSolver;
+
+/// What a step tells, all its substeps together. Fill with shx_step_report_init once; each step overwrites it.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_step_report {
+    /// Set by shx_step_report_init.
+    pub struct_size: u32,
+    /// Strand-substeps rolled back because a state turned non-finite; shx_solver_strand_status tells which strands.
+    pub quarantined: u32,
+    /// Strand-substeps whose iteration ended before it reached the tolerance.
+    pub unconverged: u32,
+    /// Most Newton iterations that a strand took in a substep.
+    pub max_iterations: u32,
+    /// Largest rotation of an element in the last iteration of a strand's substep, rad.
+    pub max_residual: f64,
+    /// Kinetic energy of all strands after the step, J.
+    pub kinetic_energy: f64,
+    /// Elastic energy, J.
+    pub elastic_energy: f64,
+    /// Energy of gravity, measured from the world's origin, J.
+    pub gravity_energy: f64,
+    /// Wall-clock time of the call, s.
+    pub seconds: f64,
+    /// Substeps taken.
+    pub substeps: u32,
+    /// 0.
+    pub reserved: u32,
+    /// Mean Newton iterations a strand and substep.
+    pub mean_iterations: f64,
+    /// Largest condition number met; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
+    pub max_condition: f64,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
+unsafe impl Versioned for shx_step_report {
+    const FIRST_SIZE: usize = offset_of!(shx_step_report, substeps);
+
+    fn defaults() -> Self {
+        Self::from_report(&StepReport::default())
+    }
+}
+
+const _: () = {
+    assert!(size_of::<shx_step_report>() == 80 && offset_of!(shx_step_report, max_residual) == 16);
+    assert!(offset_of!(shx_step_report, substeps) == 56);
+};
+
+impl shx_step_report {
+    fn from_report(report: &StepReport) -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            quarantined: report.quarantined,
+            unconverged: report.unconverged,
+            max_iterations: report.max_iterations,
+            max_residual: report.max_residual,
+            kinetic_energy: report.energies.kinetic,
+            elastic_energy: report.energies.elastic,
+            gravity_energy: report.energies.gravity,
+            seconds: report.seconds,
+            substeps: report.substeps,
+            reserved: 0,
+            mean_iterations: report.mean_iterations,
+            max_condition: report.max_condition,
+        }
+    }
+}
+
+/// Prepares a report. size is sizeof(shx_step_report).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_step_report_init(report: *mut shx_step_report, size: usize) -> shx_result {
+    // SAFETY: the caller says that report holds size bytes.
+    unsafe { initialise("shx_step_report_init", "report", report, size) }
+}
+
+/// Makes a solver. def may be null: all defaults. *out_solver is yours; free it with shx_solver_destroy. The callbacks and user
+/// pointers of the definition must stay valid until then.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range),
+/// SHX_ERROR_UNSUPPORTED (an integrator or a precision that is not in this version, threads that could not be started).
+/// Any thread; a solver belongs to no thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_create(def: *const shx_solver_def, out_solver: *mut *mut shx_solver) -> shx_result {
+    call("shx_solver_create", || {
+        // SAFETY: the caller's pointer to one pointer.
+        let place = unsafe { Place::new("out_solver", out_solver)? };
+        let def = if def.is_null() {
+            shx_solver_def::defaults()
+        } else {
+            // SAFETY: the caller's structure, of the size that it states.
+            unsafe { read_versioned("def", def)? }
+        };
+        let log = def.log_sink()?;
+        let options = def.options()?;
+        let core = match options.workers {
+            // Spawning threads leaves thread-local destructors behind on the thread that does it.
+            Workers::Pool(_) => on_own_thread(|| Solver::new(options))?,
+            _ => Solver::new(options)?,
+        };
+        log.message(SHX_LOG_INFO, format_args!("shx_solver_create: {:?}", core.options()));
+        place.write(Box::into_raw(Box::new(shx_solver::new(core, log))));
+        Ok(())
+    })
+}
+
+/// Frees a solver and joins its threads. Null is nothing to free. Called from one of the solver's own callbacks, or while another
+/// thread uses it, it frees nothing and leaves SHX_ERROR_BUSY's text in shx_last_error.
+/// Any thread; the handle must not be used any more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_destroy(solver: *mut shx_solver) {
+    // SAFETY: the caller's handle, null or alive.
+    unsafe { destroy("shx_solver_destroy", solver) };
+}
+
+fn vector(argument: &str, numbers: *const f64) -> Result<Vector3<f64>> {
+    // SAFETY: the caller's three doubles, or null.
+    let numbers: &[f64] = unsafe { array(argument, argument, numbers, 3)? };
+    Ok(Vector3::new(numbers[0], numbers[1], numbers[2]))
+}
+
+/// Sets gravity, m/s^2, from the next step on.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite). Alone with the solver.
+/// cbindgen:ptrs-as-arrays=[[gravity; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_gravity(solver: *mut shx_solver, gravity: *const f64) -> shx_result {
+    // SAFETY: the caller's handle, null or alive.
+    unsafe { write("shx_solver_set_gravity", solver, |core, _| core.set_gravity(vector("gravity", gravity)?)) }
+}
+
+/// Sets the uniform wind, m/s, from the next step on. Only strands with an air_drag feel it.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite). Alone with the solver.
+/// cbindgen:ptrs-as-arrays=[[wind; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_wind(solver: *mut shx_solver, wind: *const f64) -> shx_result {
+    // SAFETY: the caller's handle, null or alive.
+    unsafe { write("shx_solver_set_wind", solver, |core, _| core.set_wind(vector("wind", wind)?)) }
+}
+
+/// Steps where the kernels leave nothing behind on the host's thread.
+fn step(core: &mut Solver, dt: f64, substeps: u32) -> Result<StepReport> {
+    let options = core.options();
+    let dense = options.step.linear_solver != LinearSolver::LinearTime;
+    if dense && matches!(options.workers, Workers::Serial) {
+        on_own_thread(|| core.step(dt, substeps))
+    } else {
+        core.step(dt, substeps)
+    }
+}
+
+fn tell(log: &LogSink, report: &StepReport) {
+    if report.quarantined > 0 {
+        log.message(
+            SHX_LOG_WARN,
+            format_args!("shx_solver_step: {} strand-substeps rolled back (non-finite state)", report.quarantined),
+        );
+    }
+    if report.unconverged > 0 {
+        log.message(
+            SHX_LOG_WARN,
+            format_args!(
+                "shx_solver_step: {} strand-substeps unconverged, residual up to {:e} rad",
+                report.unconverged, report.max_residual
+            ),
+        );
+    }
+    log.message(
+        SHX_LOG_DEBUG,
+        format_args!(
+            "shx_solver_step: {} substeps, {:.2} iterations (most {}), {:.6} s",
+            report.substeps, report.mean_iterations, report.max_iterations, report.seconds
+        ),
+    );
+}
+
+/// Moves time on by dt seconds (above zero) in substeps equal parts (at least 1; each a full solve). report may be null.
+/// A strand whose state turns non-finite is rolled back and marked; the step goes on, and the report and the strand's status say
+/// so. Same input, same bits, whatever the number of threads.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps).
+/// Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_step(
+    solver: *mut shx_solver,
+    dt: f64,
+    substeps: u32,
+    report: *mut shx_step_report,
+) -> shx_result {
+    let body = |core: &mut Solver, log: &LogSink| {
+        let output = if report.is_null() {
+            None
+        } else {
+            // SAFETY: the caller's structure, of the size that it states.
+            Some(unsafe { VersionedOutput::new("report", report)? })
+        };
+        let told = step(core, dt, substeps)?;
+        tell(log, &told);
+        if let Some(output) = output {
+            output.write(&shx_step_report::from_report(&told));
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's handle, null or alive.
+    unsafe { write("shx_solver_step", solver, body) }
+}
+
+/// Bytes of memory that the solver holds.
+/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_memory_usage(solver: *const shx_solver, out_bytes: *mut u64) -> shx_result {
+    // SAFETY: the caller's handle, null or alive, and place for one number.
+    unsafe {
+        read("shx_solver_memory_usage", solver, |core| {
+            Place::new("out_bytes", out_bytes)?.write(core.memory_usage());
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,192 @@
+//! What a solver is made from.
+
+use std::ffi::c_void;
+use std::mem::{offset_of, size_of};
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::errors::shx_result;
+use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_ERROR, SHX_LOG_WARN, shx_log_fn};
+use super::parallel::{HostParallelFor, shx_parallel_for_fn};
+use super::versioned::{Versioned, initialise};
+use crate::error::{Error, Result};
+use crate::solver::definition::{SolverOptions, Workers};
+use crate::step::options::{Integrator, LinearSolver, StepOptions};
+
+/// The papers' linearly implicit step: one linear solve a step, gravity, drag and velocity products explicit. Fast, for calm
+/// scenes only.
+pub const SHX_INTEGRATOR_LINEARLY_IMPLICIT: u32 = 1;
+/// Implicit Euler by Newton's method on the incremental potential: robust, first order. The default.
+pub const SHX_INTEGRATOR_IMPLICIT_EULER: u32 = 2;
+/// Second order in the step. Not in this version: SHX_ERROR_UNSUPPORTED.
+pub const SHX_INTEGRATOR_SECOND_ORDER: u32 = 3;
+/// High order with error control. Not in this version: SHX_ERROR_UNSUPPORTED.
+pub const SHX_INTEGRATOR_REFERENCE: u32 = 4;
+
+/// Elimination from tip to root: cost proportional to the number of elements. The default.
+pub const SHX_LINEAR_SOLVER_LINEAR_TIME: u32 = 1;
+/// The dense matrix by Cholesky's factorisation. Dense solvers are references to test against, and slow for many elements.
+pub const SHX_LINEAR_SOLVER_DENSE_CHOLESKY: u32 = 2;
+/// The dense matrix by conjugate gradients.
+pub const SHX_LINEAR_SOLVER_DENSE_CG: u32 = 3;
+/// The dense matrix by singular values; the step report carries the largest condition number.
+pub const SHX_LINEAR_SOLVER_DENSE_SVD: u32 = 4;
+
+/// Double precision. The default.
+pub const SHX_PRECISION_F64: u32 = 1;
+/// Single precision. Not in this version: SHX_ERROR_UNSUPPORTED.
+pub const SHX_PRECISION_F32: u32 = 2;
+
+/// What a solver is made from. Fill with shx_solver_def_init, then change what you need.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_solver_def {
+    /// Set by shx_solver_def_init.
+    pub struct_size: u32,
+    /// Threads, at most 256. 0 or 1: the calling thread (default). More: a private pool, made with the solver and joined by
+    /// shx_solver_destroy. With parallel_for: how many threads the host's tasks run on, for information. The result's bits do not
+    /// depend on it.
+    pub worker_count: u32,
+    /// Gravity, m/s^2. Default (0, 0, -9.81): z is up. Where y is up: (0, -9.81, 0).
+    pub gravity: [f64; 3],
+    /// Uniform wind, m/s; felt by strands with an air_drag. Default 0.
+    pub wind: [f64; 3],
+    /// The host's task system; null (default): none.
+    pub parallel_for: shx_parallel_for_fn,
+    /// Handed to parallel_for.
+    pub parallel_for_user: *mut c_void,
+    /// Receives messages; null (default): silent.
+    pub log: shx_log_fn,
+    /// Handed to log.
+    pub log_user: *mut c_void,
+    /// Messages up to this level go to log: SHX_LOG_ERROR to SHX_LOG_DEBUG. Default SHX_LOG_WARN.
+    pub log_level: u32,
+    /// SHX_INTEGRATOR_. Default SHX_INTEGRATOR_IMPLICIT_EULER.
+    pub integrator: u32,
+    /// SHX_LINEAR_SOLVER_. Default SHX_LINEAR_SOLVER_LINEAR_TIME.
+    pub linear_solver: u32,
+    /// SHX_PRECISION_. Default SHX_PRECISION_F64.
+    pub precision: u32,
+    /// Newton's iterations a substep at most, 1 to 10000. Default 50. A strand that needs more is reported as unconverged.
+    pub max_iterations: u32,
+    /// 1 (default): Newton's matrix is the exact Hessian, tension included. 0: Gauss-Newton, for comparison.
+    pub exact_hessian: u32,
+    /// Converged when no element turns by more than this in an iteration, rad; above zero. Default 1e-6.
+    pub tolerance: f64,
+    /// 0.
+    pub reserved: [u64; 4],
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, pointers and nullable functions only.
+unsafe impl Versioned for shx_solver_def {
+    const FIRST_SIZE: usize = offset_of!(shx_solver_def, linear_solver);
+
+    fn defaults() -> Self {
+        let options = SolverOptions::default();
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            worker_count: 0,
+            gravity: options.gravity.into(),
+            wind: options.wind.into(),
+            parallel_for: None,
+            parallel_for_user: std::ptr::null_mut(),
+            log: None,
+            log_user: std::ptr::null_mut(),
+            log_level: SHX_LOG_WARN,
+            integrator: options.step.integrator as u32,
+            linear_solver: options.step.linear_solver as u32,
+            precision: SHX_PRECISION_F64,
+            max_iterations: options.step.max_iterations,
+            exact_hessian: u32::from(options.step.exact_hessian),
+            tolerance: options.step.tolerance,
+            reserved: [0; 4],
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_solver_def>() == 152);
+    assert!(offset_of!(shx_solver_def, parallel_for) == 56 && offset_of!(shx_solver_def, log_level) == 88);
+    assert!(offset_of!(shx_solver_def, linear_solver) == 96 && offset_of!(shx_solver_def, tolerance) == 112);
+};
+
+/// An integer of C that stands for a truth value.
+fn check_flag(argument: &str, value: u32) -> Result<bool> {
+    match value {
+        0 => Ok(false),
+        1 => Ok(true),
+        _ => Err(Error::invalid(argument, value, "0 or 1")),
+    }
+}
+
+/// Reserved room must be zero, so that a later version can give it a meaning.
+pub(super) fn check_reserved(argument: &str, reserved: &[u64]) -> Result<()> {
+    match reserved.iter().position(|word| *word != 0) {
+        Some(index) => Err(Error::invalid(format!("{argument}.reserved[{index}]"), reserved[index], "0")),
+        None => Ok(()),
+    }
+}
+
+impl shx_solver_def {
+    /// The engine's own options.
+    pub(super) fn options(&self) -> Result<SolverOptions> {
+        if self.worker_count > 256 {
+            return Err(Error::invalid("def.worker_count", self.worker_count, "0 to 256 threads"));
+        }
+        let integrator = Integrator::from_u32(self.integrator)
+            .ok_or_else(|| Error::invalid("def.integrator", self.integrator, "one of SHX_INTEGRATOR_"))?;
+        let linear_solver = LinearSolver::from_u32(self.linear_solver)
+            .ok_or_else(|| Error::invalid("def.linear_solver", self.linear_solver, "one of SHX_LINEAR_SOLVER_"))?;
+        match self.precision {
+            SHX_PRECISION_F64 => {}
+            SHX_PRECISION_F32 => {
+                return Err(Error::Unsupported {
+                    argument: "def.precision".into(),
+                    value: "SHX_PRECISION_F32".into(),
+                    hint: "this version computes in SHX_PRECISION_F64".into(),
+                });
+            }
+            other => return Err(Error::invalid("def.precision", other, "one of SHX_PRECISION_")),
+        }
+        check_reserved("def", &self.reserved)?;
+        let workers = if let Some(function) = self.parallel_for {
+            Workers::Host(Arc::new(HostParallelFor::new(function, self.parallel_for_user)))
+        } else if self.worker_count > 1 {
+            Workers::Pool(self.worker_count as usize)
+        } else {
+            Workers::Serial
+        };
+        let options = SolverOptions {
+            gravity: Vector3::from(self.gravity),
+            wind: Vector3::from(self.wind),
+            step: StepOptions {
+                integrator,
+                linear_solver,
+                max_iterations: self.max_iterations,
+                tolerance: self.tolerance,
+                exact_hessian: check_flag("def.exact_hessian", self.exact_hessian)?,
+            },
+            workers,
+        };
+        options.check("def")?;
+        Ok(options)
+    }
+
+    /// Where messages go.
+    pub(super) fn log_sink(&self) -> Result<LogSink> {
+        if !(SHX_LOG_ERROR..=SHX_LOG_DEBUG).contains(&self.log_level) {
+            return Err(Error::invalid("def.log_level", self.log_level, "SHX_LOG_ERROR (1) to SHX_LOG_DEBUG (4)"));
+        }
+        Ok(LogSink { function: self.log, user: self.log_user, level: self.log_level })
+    }
+}
+
+/// Fills a definition with the defaults. size is sizeof(shx_solver_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_def_init(def: *mut shx_solver_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_solver_def_init", "def", def, size) }
+}

@@ -1,0 +1,214 @@
+//! What a strand is made from.
+
+use std::mem::{offset_of, size_of};
+
+use nalgebra::Vector3;
+
+use super::buffers::array;
+use super::errors::shx_result;
+use super::solver_def::check_reserved;
+use super::types::shx_frame;
+use super::versioned::{Versioned, initialise};
+use crate::error::{Error, Result};
+use crate::math::frame::Frame;
+use crate::rod::freedoms::Freedoms;
+use crate::rod::material::Material;
+use crate::solver::definition::{MAX_ELEMENTS, StrandDef};
+
+/// The strand may twist.
+pub const SHX_FREE_TWIST: u32 = 1;
+/// The strand may bend about n1.
+pub const SHX_FREE_BEND1: u32 = 2;
+/// The strand may bend about n2.
+pub const SHX_FREE_BEND2: u32 = 4;
+
+/// How far given element lengths may differ from the given length, relative.
+const LENGTH_TOLERANCE: f64 = 1e-9;
+
+/// What a strand is made from. Fill with shx_strand_def_init, then set at least element_count and length (or element_lengths).
+/// Arrays that it points to are read during the call and not kept. Rows of curvatures are (twist, curvature about n1, curvature
+/// about n2) in rad/m, one row an element, from root to tip.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_strand_def {
+    /// Set by shx_strand_def_init.
+    pub struct_size: u32,
+    /// Helical elements, 1 to 100000. Default 0: set it. Five is a good start for straight hair; a coil needs four a turn.
+    pub element_count: u32,
+    /// Length, m; above zero. With element_lengths: their sum, or 0 to have it summed.
+    pub length: f64,
+    /// element_count lengths from root to tip, m, each above zero; null (default): equal.
+    pub element_lengths: *const f64,
+    /// Semi-axes of the section along n1 and n2, m; above zero. Default 50e-6, 50e-6.
+    pub radius: [f64; 2],
+    /// Density, kg/m^3; above zero. Default 1300.
+    pub density: f64,
+    /// Young's modulus, Pa; above zero. Default 2e9.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio; above -1, at most 0.5. Default 0.48.
+    pub poisson_ratio: f64,
+    /// Internal friction gamma, kg m^3/s; zero or above. Default 0; hair 5e-11 to 5e-10.
+    pub internal_friction: f64,
+    /// Kelvin-Voigt time mu, s; zero or above. Default 0.
+    pub viscosity: f64,
+    /// Air drag nu, kg/(m s); zero or above. Default 0; hair 5e-6 (disciplined) to 5e-5 (fuzzy).
+    pub air_drag: f64,
+    /// Which curvatures may change: SHX_FREE_ bits. One that is left out is held at its natural value and costs nothing.
+    /// Default all three.
+    pub freedoms: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// Pose of the follicle in the world; n0 is where the strand leaves. Default: at the origin, leaving along x.
+    pub root: shx_frame,
+    /// Natural curvatures, element_count rows; null (default): straight.
+    pub natural: *const f64,
+    /// A number of the host's, kept and never looked at. Default 0.
+    pub user_data: u64,
+    /// Curvatures at the start, element_count rows; null (default): the natural ones. Frozen ones must hold their natural value.
+    pub initial: *const f64,
+    /// Rates of the curvatures at the start, rad/(m s), element_count rows; null (default): 0. Frozen ones must be 0.
+    pub initial_rates: *const f64,
+    /// Velocity of the root at the start, m/s; the strand starts by moving rigidly with its root. Default 0.
+    pub root_velocity: [f64; 3],
+    /// Angular velocity of the root at the start, world axes, rad/s. Default 0.
+    pub root_angular_velocity: [f64; 3],
+    /// 0.
+    pub reserved: [u64; 4],
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
+unsafe impl Versioned for shx_strand_def {
+    const FIRST_SIZE: usize = offset_of!(shx_strand_def, initial);
+
+    fn defaults() -> Self {
+        let material = Material::default();
+        let root = Frame::default();
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            element_count: 0,
+            length: 0.0,
+            element_lengths: std::ptr::null(),
+            radius: material.radius,
+            density: material.density,
+            youngs_modulus: material.youngs_modulus,
+            poisson_ratio: material.poisson_ratio,
+            internal_friction: material.internal_friction,
+            viscosity: material.viscosity,
+            air_drag: material.air_drag,
+            freedoms: Freedoms::ALL.bits(),
+            reserved0: 0,
+            root: shx_frame { origin: root.origin.into(), rotation: root.rotation_xyzw() },
+            natural: std::ptr::null(),
+            user_data: 0,
+            initial: std::ptr::null(),
+            initial_rates: std::ptr::null(),
+            root_velocity: [0.0; 3],
+            root_angular_velocity: [0.0; 3],
+            reserved: [0; 4],
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_strand_def>() == 264);
+    assert!(offset_of!(shx_strand_def, radius) == 24 && offset_of!(shx_strand_def, freedoms) == 88);
+    assert!(offset_of!(shx_strand_def, root) == 96 && offset_of!(shx_strand_def, natural) == 152);
+    assert!(offset_of!(shx_strand_def, initial) == 168 && offset_of!(shx_strand_def, root_velocity) == 184);
+};
+
+/// Rows of curvatures in the caller's memory; nothing for null.
+///
+/// # Safety
+/// `rows` is null or points to `count` rows.
+unsafe fn optional_rows(argument: &str, rows: *const f64, count: usize) -> Result<Option<Vec<[f64; 3]>>> {
+    if rows.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: the same. A row is three doubles.
+    unsafe { array(argument, argument, rows.cast::<[f64; 3]>(), count) }.map(|rows| Some(rows.to_vec()))
+}
+
+impl shx_strand_def {
+    /// The engine's own definition, checked.
+    ///
+    /// # Safety
+    /// The arrays that it points to hold what `element_count` says.
+    pub(super) unsafe fn definition(&self, argument: &str) -> Result<StrandDef> {
+        let count = self.element_count as usize;
+        if count == 0 || count > MAX_ELEMENTS {
+            return Err(Error::invalid(format!("{argument}.element_count"), count, format!("1 to {MAX_ELEMENTS}")));
+        }
+        if self.reserved0 != 0 {
+            return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
+        }
+        check_reserved(argument, &self.reserved)?;
+        let natural_argument = format!("{argument}.natural");
+        // SAFETY: the caller's rows.
+        let natural = unsafe { optional_rows(&natural_argument, self.natural, count)? }.unwrap_or(vec![[0.0; 3]; count]);
+        let definition = StrandDef {
+            // SAFETY: the caller's lengths.
+            element_lengths: unsafe { self.element_lengths(argument, count)? },
+            material: Material {
+                radius: self.radius,
+                density: self.density,
+                youngs_modulus: self.youngs_modulus,
+                poisson_ratio: self.poisson_ratio,
+                internal_friction: self.internal_friction,
+                viscosity: self.viscosity,
+                air_drag: self.air_drag,
+            },
+            freedoms: Freedoms::from_bits(&format!("{argument}.freedoms"), self.freedoms)?,
+            root: Frame::from_arrays(&format!("{argument}.root"), self.root.origin, self.root.rotation)?,
+            natural,
+            // SAFETY: the caller's rows.
+            initial: unsafe { optional_rows(&format!("{argument}.initial"), self.initial, count)? },
+            // SAFETY: the caller's rows.
+            initial_rates: unsafe { optional_rows(&format!("{argument}.initial_rates"), self.initial_rates, count)? },
+            root_velocity: Vector3::from(self.root_velocity),
+            root_angular_velocity: Vector3::from(self.root_angular_velocity),
+            user_data: self.user_data,
+        };
+        definition.check(argument)?;
+        Ok(definition)
+    }
+
+    /// # Safety
+    /// `element_lengths` is null or points to `count` lengths.
+    unsafe fn element_lengths(&self, argument: &str, count: usize) -> Result<Vec<f64>> {
+        let length_argument = format!("{argument}.length");
+        if self.element_lengths.is_null() {
+            if !(self.length.is_finite() && self.length > 0.0) {
+                return Err(Error::invalid(length_argument, self.length, "a finite number above zero (m)"));
+            }
+            return Ok(vec![self.length / count as f64; count]);
+        }
+        let lengths_argument = format!("{argument}.element_lengths");
+        // SAFETY: the same.
+        let lengths = unsafe { array(&lengths_argument, &lengths_argument, self.element_lengths, count)? }.to_vec();
+        for (element, length) in lengths.iter().enumerate() {
+            if !(length.is_finite() && *length > 0.0) {
+                let expected = "a finite number above zero (m)";
+                return Err(Error::invalid(format!("{lengths_argument}[{element}]"), length, expected));
+            }
+        }
+        let sum: f64 = lengths.iter().sum();
+        let agrees = (self.length - sum).abs() <= LENGTH_TOLERANCE * sum;
+        if self.length != 0.0 && !agrees {
+            return Err(Error::invalid(
+                length_argument,
+                self.length,
+                format!("{sum}, the sum of the element lengths, or 0 to have it summed"),
+            ));
+        }
+        Ok(lengths)
+    }
+}
+
+/// Fills a definition with the defaults. size is sizeof(shx_strand_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_strand_def_init(def: *mut shx_strand_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_strand_def_init", "def", def, size) }
+}

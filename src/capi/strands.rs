@@ -1,0 +1,266 @@
+//! Adding, removing and listing strands, and what can be asked of each.
+
+use super::buffers::{Place, Places, each, strand_ids};
+use super::errors::{SHX_ERROR_QUARANTINED, SHX_OK, SHX_UNCONVERGED, shx_result};
+use super::guard::{read, shx_solver, write};
+use super::strand_def::shx_strand_def;
+use super::types::{MAX_COUNT, shx_strand_id};
+use super::versioned::read_versioned;
+use crate::error::{Error, Result};
+use crate::solver::definition::StrandDef;
+use crate::solver::id::StrandId;
+use crate::solver::report::StrandStatus;
+
+/// Definitions in the caller's memory, a stride apart.
+///
+/// # Safety
+/// `defs` is null or points to `count` structures, `stride` bytes apart, each of the size that it states.
+unsafe fn definitions(defs: *const shx_strand_def, stride: usize, count: usize) -> Result<Vec<StrandDef>> {
+    if count > MAX_COUNT {
+        return Err(Error::invalid("count", count, format!("a count up to {MAX_COUNT}")));
+    }
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    if defs.is_null() {
+        return Err(Error::NullArgument { argument: "defs".into() });
+    }
+    if stride == 0 || count.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
+        return Err(Error::invalid("def_stride", stride, "sizeof(shx_strand_def), or the stride of a structure that holds one"));
+    }
+    let mut definitions = Vec::new();
+    for index in 0..count {
+        let argument = format!("defs[{index}]");
+        let def = defs.wrapping_byte_add(index * stride);
+        // SAFETY: one of the caller's structures, of the size that it states.
+        let def = unsafe { read_versioned(&argument, def)? };
+        if def.struct_size as usize > stride {
+            return Err(Error::invalid("def_stride", stride, format!("at least {argument}.struct_size, {}", def.struct_size)));
+        }
+        // SAFETY: its arrays are the caller's.
+        definitions.push(unsafe { def.definition(&argument)? });
+    }
+    Ok(definitions)
+}
+
+/// Adds count strands, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_strand_def)).
+/// out_ids receives count ids, in the order of the definitions.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].length"),
+/// SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_add_strands(
+    solver: *mut shx_solver,
+    defs: *const shx_strand_def,
+    def_stride: usize,
+    count: usize,
+    out_ids: *mut shx_strand_id,
+) -> shx_result {
+    // SAFETY: the caller's handle, structures and place for count ids.
+    unsafe {
+        write("shx_solver_add_strands", solver, |core, _| {
+            let places = Places::new("out_ids", "count", out_ids, count)?;
+            let ids = core.add_strands(&definitions(defs, def_stride, count)?)?;
+            places.write(&ids.iter().map(|id| shx_strand_id { bits: id.bits() }).collect::<Vec<_>>())
+        })
+    }
+}
+
+/// Removes count strands, all or none. Their ids are stale from then on.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_remove_strands(
+    solver: *mut shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and count ids.
+    unsafe { write("shx_solver_remove_strands", solver, |core, _| core.remove_strands(&strand_ids(ids, count)?)) }
+}
+
+/// Whether an id names a strand of this solver. False for the null id, a removed strand, another solver's strand, a null or
+/// poisoned solver (shx_last_error then has the text). May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_has_strand(solver: *const shx_solver, id: shx_strand_id) -> bool {
+    let mut found = false;
+    // SAFETY: the caller's handle, null or alive.
+    let result = unsafe {
+        read("shx_solver_has_strand", solver, |core| {
+            found = core.has_strand(StrandId::from_bits(id.bits));
+            Ok(())
+        })
+    };
+    result == SHX_OK && found
+}
+
+/// How many strands there are.
+/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_count(solver: *const shx_solver, out_count: *mut usize) -> shx_result {
+    // SAFETY: the caller's handle and place for one number.
+    unsafe {
+        read("shx_solver_strand_count", solver, |core| {
+            Place::new("out_count", out_count)?.write(core.strand_count());
+            Ok(())
+        })
+    }
+}
+
+/// The ids of all strands, in the order they were added, into out_ids, which holds capacity ids.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_strand_count). May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_ids(
+    solver: *const shx_solver,
+    out_ids: *mut shx_strand_id,
+    capacity: usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for capacity ids.
+    unsafe {
+        read("shx_solver_strand_ids", solver, |core| {
+            let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
+            places.check_room(core.strand_count())?;
+            places.write(&core.strand_ids().iter().map(|id| shx_strand_id { bits: id.bits() }).collect::<Vec<_>>())
+        })
+    }
+}
+
+/// How many elements a strand has.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_element_count(
+    solver: *const shx_solver,
+    id: shx_strand_id,
+    out_count: *mut usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for one number.
+    unsafe {
+        read("shx_solver_element_count", solver, |core| {
+            let place = Place::new("out_count", out_count)?;
+            place.write(core.element_lengths(StrandId::from_bits(id.bits))?.len());
+            Ok(())
+        })
+    }
+}
+
+/// The lengths of a strand's elements from root to tip, m, into out_lengths, which holds capacity numbers.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_element_lengths(
+    solver: *const shx_solver,
+    id: shx_strand_id,
+    out_lengths: *mut f64,
+    capacity: usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for capacity numbers.
+    unsafe {
+        read("shx_solver_get_element_lengths", solver, |core| {
+            let places = Places::new("out_lengths", "capacity", out_lengths, capacity)?;
+            places.write(core.element_lengths(StrandId::from_bits(id.bits))?)
+        })
+    }
+}
+
+/// The number that shx_strand_def.user_data gave to a strand.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_user_data(
+    solver: *const shx_solver,
+    id: shx_strand_id,
+    out_user_data: *mut u64,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for one number.
+    unsafe {
+        read("shx_solver_get_user_data", solver, |core| {
+            let place = Place::new("out_user_data", out_user_data)?;
+            place.write(core.user_data(StrandId::from_bits(id.bits))?);
+            Ok(())
+        })
+    }
+}
+
+/// How each of count strands fared in the last step: SHX_OK, SHX_UNCONVERGED or SHX_ERROR_QUARANTINED (rolled back to the step's
+/// start; shx_solver_reset_strands mends it), into out_status.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_status(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    out_status: *mut shx_result,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and place for count results.
+    unsafe {
+        read("shx_solver_strand_status", solver, |core| {
+            let places = Places::new("out_status", "count", out_status, count)?;
+            places.write(&each(&strand_ids(ids, count)?, |id| {
+                Ok(match core.status(id)? {
+                    StrandStatus::Ok => SHX_OK,
+                    StrandStatus::Unconverged => SHX_UNCONVERGED,
+                    StrandStatus::Quarantined => SHX_ERROR_QUARANTINED,
+                })
+            })?)
+        })
+    }
+}
+
+/// Newton's iterations of each of count strands in the last substep, into out_iterations.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_iterations(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    out_iterations: *mut u32,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and place for count numbers.
+    unsafe {
+        read("shx_solver_strand_iterations", solver, |core| {
+            let places = Places::new("out_iterations", "count", out_iterations, count)?;
+            places.write(&each(&strand_ids(ids, count)?, |id| core.iterations(id))?)
+        })
+    }
+}
+
+/// Energies of each of count strands, J: kinetic, elastic, and of gravity measured from the world's origin. Each output holds
+/// count numbers or is null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_energies(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    out_kinetic: *mut f64,
+    out_elastic: *mut f64,
+    out_gravity: *mut f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and places for count numbers.
+    unsafe {
+        read("shx_solver_strand_energies", solver, |core| {
+            let kinetic = Places::optional("out_kinetic", "count", out_kinetic, count)?;
+            let elastic = Places::optional("out_elastic", "count", out_elastic, count)?;
+            let gravity = Places::optional("out_gravity", "count", out_gravity, count)?;
+            let energies = each(&strand_ids(ids, count)?, |id| core.energies(id))?;
+            for (places, field) in [
+                (kinetic, energies.iter().map(|energy| energy.kinetic).collect::<Vec<_>>()),
+                (elastic, energies.iter().map(|energy| energy.elastic).collect()),
+                (gravity, energies.iter().map(|energy| energy.gravity).collect()),
+            ] {
+                if let Some(places) = places {
+                    places.write(&field)?;
+                }
+            }
+            Ok(())
+        })
+    }
+}
+
+/// Puts count strands back to their natural curvatures, at rest relative to their roots, and clears a quarantine. All or none.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_reset_strands(
+    solver: *mut shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and count ids.
+    unsafe { write("shx_solver_reset_strands", solver, |core, _| core.reset_strands(&strand_ids(ids, count)?)) }
+}

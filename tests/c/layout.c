@@ -1,0 +1,100 @@
+/* Rule 11: sizes and offsets as a C compiler sees them on a 64-bit machine. A wrong one is an array of negative size. */
+#include <stddef.h>
+#include "superhelix.h"
+
+#define JOIN2(a, b) a##b
+#define JOIN(a, b) JOIN2(a, b)
+#define ASSERT(condition) typedef char JOIN(assertion_, __LINE__)[(condition) ? 1 : -1]
+#define SIZE(type, size) ASSERT(sizeof(type) == (size))
+#define AT(type, field, offset) ASSERT(offsetof(type, field) == (offset))
+
+SIZE(shx_solver_def, 152);
+AT(shx_solver_def, struct_size, 0);
+AT(shx_solver_def, worker_count, 4);
+AT(shx_solver_def, gravity, 8);
+AT(shx_solver_def, wind, 32);
+AT(shx_solver_def, parallel_for, 56);
+AT(shx_solver_def, parallel_for_user, 64);
+AT(shx_solver_def, log, 72);
+AT(shx_solver_def, log_user, 80);
+AT(shx_solver_def, log_level, 88);
+AT(shx_solver_def, integrator, 92);
+AT(shx_solver_def, linear_solver, 96);
+AT(shx_solver_def, precision, 100);
+AT(shx_solver_def, max_iterations, 104);
+AT(shx_solver_def, exact_hessian, 108);
+AT(shx_solver_def, tolerance, 112);
+AT(shx_solver_def, reserved, 120);
+
+SIZE(shx_frame, 56);
+AT(shx_frame, origin, 0);
+AT(shx_frame, rotation, 24);
+
+SIZE(shx_strand_def, 264);
+AT(shx_strand_def, struct_size, 0);
+AT(shx_strand_def, element_count, 4);
+AT(shx_strand_def, length, 8);
+AT(shx_strand_def, element_lengths, 16);
+AT(shx_strand_def, radius, 24);
+AT(shx_strand_def, density, 40);
+AT(shx_strand_def, youngs_modulus, 48);
+AT(shx_strand_def, poisson_ratio, 56);
+AT(shx_strand_def, internal_friction, 64);
+AT(shx_strand_def, viscosity, 72);
+AT(shx_strand_def, air_drag, 80);
+AT(shx_strand_def, freedoms, 88);
+AT(shx_strand_def, reserved0, 92);
+AT(shx_strand_def, root, 96);
+AT(shx_strand_def, natural, 152);
+AT(shx_strand_def, user_data, 160);
+AT(shx_strand_def, initial, 168);
+AT(shx_strand_def, initial_rates, 176);
+AT(shx_strand_def, root_velocity, 184);
+AT(shx_strand_def, root_angular_velocity, 208);
+AT(shx_strand_def, reserved, 232);
+
+SIZE(shx_step_report, 80);
+AT(shx_step_report, struct_size, 0);
+AT(shx_step_report, quarantined, 4);
+AT(shx_step_report, unconverged, 8);
+AT(shx_step_report, max_iterations, 12);
+AT(shx_step_report, max_residual, 16);
+AT(shx_step_report, kinetic_energy, 24);
+AT(shx_step_report, elastic_energy, 32);
+AT(shx_step_report, gravity_energy, 40);
+AT(shx_step_report, seconds, 48);
+AT(shx_step_report, substeps, 56);
+AT(shx_step_report, reserved, 60);
+AT(shx_step_report, mean_iterations, 64);
+AT(shx_step_report, max_condition, 72);
+
+SIZE(shx_strand_id, 8);
+AT(shx_strand_id, bits, 0);
+
+SIZE(shx_input, 32);
+AT(shx_input, data, 0);
+AT(shx_input, stride, 8);
+AT(shx_input, count, 16);
+AT(shx_input, format, 24);
+AT(shx_input, reserved, 28);
+
+SIZE(shx_output, 32);
+AT(shx_output, data, 0);
+AT(shx_output, stride, 8);
+AT(shx_output, count, 16);
+AT(shx_output, format, 24);
+AT(shx_output, reserved, 28);
+
+SIZE(shx_sample_def, 32);
+AT(shx_sample_def, struct_size, 0);
+AT(shx_sample_def, points_per_strand, 4);
+AT(shx_sample_def, origin, 8);
+
+SIZE(shx_fit, 88);
+AT(shx_fit, struct_size, 0);
+AT(shx_fit, reserved, 4);
+AT(shx_fit, root, 8);
+AT(shx_fit, length, 64);
+AT(shx_fit, rms_error, 72);
+AT(shx_fit, max_error, 80);
+int main(void) { return 0; }

@@ -1,0 +1,103 @@
+/* Rule 8: dlclose after destroy unloads the library, 100 times, after serial, pooled and dense solvers, errors and a fit.
+ *   unload LIBRARY.so */
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "superhelix.h"
+
+static int mapped(void) {
+  FILE *maps = fopen("/proc/self/maps", "r");
+  char line[1024];
+  int found = 0;
+  while (maps != NULL && fgets(line, sizeof line, maps) != NULL)
+    found |= strstr(line, "libsuperhelix") != NULL;
+  if (maps == NULL || fclose(maps) != 0)
+    exit(3);
+  return found;
+}
+
+static void *library;
+
+static void *symbol(const char *name) {
+  void *address = dlsym(library, name);
+  if (address == NULL) {
+    fprintf(stderr, "%s\n", dlerror());
+    exit(1);
+  }
+  return address;
+}
+
+/* ISO C has no conversion from object to function pointers; POSIX does. */
+#define LOAD(name) __typeof__(&name) p_##name; do { void *address = symbol(#name); memcpy(&p_##name, &address, sizeof address); } while (0)
+#define MUST(call) do { if ((call) != SHX_OK) { fprintf(stderr, "line %d: %s\n", __LINE__, #call); exit(1); } } while (0)
+
+static void use(uint32_t workers, uint32_t linear_solver) {
+  LOAD(shx_solver_def_init);
+  LOAD(shx_strand_def_init);
+  LOAD(shx_solver_create);
+  LOAD(shx_solver_add_strands);
+  LOAD(shx_solver_step);
+  LOAD(shx_solver_destroy);
+  LOAD(shx_last_error);
+  shx_solver_def def;
+  MUST(p_shx_solver_def_init(&def, sizeof def));
+  def.worker_count = workers;
+  def.linear_solver = linear_solver;
+  shx_solver *solver;
+  MUST(p_shx_solver_create(&def, &solver));
+  shx_strand_def strands[20];
+  shx_strand_id ids[20];
+  for (int i = 0; i < 20; i++) {
+    MUST(p_shx_strand_def_init(&strands[i], sizeof strands[i]));
+    strands[i].length = 0.1;
+    strands[i].element_count = 12;
+  }
+  MUST(p_shx_solver_add_strands(solver, strands, sizeof strands[0], 20, ids));
+  MUST(p_shx_solver_step(solver, 0.01, 1, NULL));
+  char text[64];
+  if (p_shx_solver_step(solver, -1.0, 1, NULL) != SHX_ERROR_INVALID_ARGUMENT || p_shx_last_error(text, sizeof text) == 0)
+    exit(1);
+  p_shx_solver_destroy(solver);
+}
+
+static void fit(void) {
+  LOAD(shx_fit_init);
+  LOAD(shx_fit_polyline);
+  LOAD(shx_fit_natural_curvatures);
+  LOAD(shx_strand_def_init);
+  const double points[4][3] = {{0, 0, 0}, {0.01, 0, 0.001}, {0.02, 0.004, 0}, {0.03, 0, 0}};
+  const double gravity[3] = {0, 0, -9.81};
+  const shx_input polyline = {points, 0, 4, SHX_FORMAT_F64X3, 0};
+  double lengths[3], rows[3][3], natural[3][3];
+  shx_fit fitted;
+  shx_strand_def def;
+  MUST(p_shx_fit_init(&fitted, sizeof fitted));
+  MUST(p_shx_fit_polyline(&polyline, 3, &fitted, lengths, &rows[0][0], 3));
+  MUST(p_shx_strand_def_init(&def, sizeof def));
+  def.element_count = 3;
+  def.length = 0.03;
+  MUST(p_shx_fit_natural_curvatures(&def, &rows[0][0], 3, gravity, &natural[0][0]));
+}
+
+int main(int argc, char **argv) {
+  if (argc != 2)
+    return 2;
+  for (int round = 0; round < 100; round++) {
+    library = dlopen(argv[1], RTLD_NOW | RTLD_LOCAL);
+    if (library == NULL || !mapped()) {
+      fprintf(stderr, "%s\n", dlerror());
+      return 1;
+    }
+    use(round % 4 == 1 ? 3 : 1, 1 + (uint32_t)(round / 4 % 4));
+    if (round % 4 == 2)
+      fit();
+    if (dlclose(library) != 0 || mapped()) {
+      fprintf(stderr, "round %d: the library is still mapped after dlclose\n", round);
+      return 1;
+    }
+  }
+  printf("loaded, used and unloaded 100 times\n");
+  return 0;
+}

@@ -1,0 +1,146 @@
+//! What every case of the table starts from: a solver with strands, ids that name nothing, a groom, and memory for outputs.
+
+use std::ffi::{CString, c_void};
+use std::ptr::{null, null_mut};
+
+use superhelix::capi::curves::{shx_curves, shx_curves_read};
+use superhelix::capi::errors::SHX_OK;
+use superhelix::capi::guard::shx_solver;
+use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy, shx_solver_step};
+use superhelix::capi::state::shx_solver_state_hash;
+use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::capi::strands::{shx_solver_add_strands, shx_solver_remove_strands};
+use superhelix::capi::types::{SHX_FORMAT_F64X3, SHX_FORMAT_FRAME, shx_frame, shx_input, shx_output, shx_strand_id};
+
+/// What outputs are filled with; it must still be there after an error.
+pub const UNTOUCHED: u8 = 0xa5;
+
+/// Elements of each strand.
+pub const ELEMENTS: usize = 3;
+
+pub struct Scene {
+    pub solver: *mut shx_solver,
+    pub ids: [shx_strand_id; 2],
+    pub stale: [shx_strand_id; 1],
+    pub foreign: [shx_strand_id; 1],
+    pub other: *mut shx_solver,
+    pub curves: *mut shx_curves,
+    pub groom: CString,
+    pub rows: [[f64; 3]; ELEMENTS],
+    pub frames: [shx_frame; 2],
+    pub points: [[f64; 3]; 4],
+    memory: Box<[u64; 1024]>,
+    hash: u64,
+}
+
+pub fn strand() -> shx_strand_def {
+    let mut def = std::mem::MaybeUninit::uninit();
+    // SAFETY: room for one definition, which the call fills.
+    unsafe {
+        assert_eq!(shx_strand_def_init(def.as_mut_ptr(), size_of::<shx_strand_def>()), SHX_OK);
+        let mut def = def.assume_init();
+        def.length = 0.1;
+        def.element_count = ELEMENTS as u32;
+        def
+    }
+}
+
+impl Scene {
+    pub fn new() -> Self {
+        let (mut solver, mut other, mut curves) = (null_mut(), null_mut(), null_mut());
+        let none = shx_strand_id { bits: 0 };
+        let (mut ids, mut gone, mut foreign) = ([none; 2], [none; 1], [none; 1]);
+        let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("bad_input_{}.obj", std::process::id()));
+        std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 0 0 1\nv 1 0 1\nl 1 2 3\nl 4 5\n").expect("a groom");
+        let groom = CString::new(path.to_str().expect("UTF-8")).expect("a path");
+        let def = [strand(); 2];
+        let size = size_of::<shx_strand_def>();
+        // SAFETY: all pointers are to memory of the right size.
+        unsafe {
+            assert_eq!(shx_solver_create(null(), &raw mut solver), SHX_OK);
+            assert_eq!(shx_solver_create(null(), &raw mut other), SHX_OK);
+            assert_eq!(shx_solver_add_strands(solver, def.as_ptr(), size, 2, ids.as_mut_ptr()), SHX_OK);
+            assert_eq!(shx_solver_add_strands(solver, def.as_ptr(), size, 1, gone.as_mut_ptr()), SHX_OK);
+            assert_eq!(shx_solver_remove_strands(solver, gone.as_ptr(), 1), SHX_OK);
+            assert_eq!(shx_solver_add_strands(other, def.as_ptr(), size, 1, foreign.as_mut_ptr()), SHX_OK);
+            assert_eq!(shx_solver_step(solver, 0.01, 1, null_mut()), SHX_OK);
+            assert_eq!(shx_curves_read(groom.as_ptr(), &raw mut curves), SHX_OK);
+        }
+        let frame = shx_frame { origin: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0] };
+        let mut scene = Self {
+            solver,
+            ids,
+            stale: gone,
+            foreign,
+            other,
+            curves,
+            groom,
+            rows: [[1.0, 2.0, 3.0]; ELEMENTS],
+            frames: [frame; 2],
+            points: [[0.0; 3], [0.01, 0.0, 0.0], [0.02, 0.01, 0.0], [0.03, 0.01, 0.0]],
+            memory: Box::new([u64::from_ne_bytes([UNTOUCHED; 8]); 1024]),
+            hash: 0,
+        };
+        scene.hash = scene.state_hash();
+        scene
+    }
+
+    fn state_hash(&self) -> u64 {
+        let mut hash = 0;
+        // SAFETY: a living solver and place for a number.
+        unsafe { assert_eq!(shx_solver_state_hash(self.solver, &raw mut hash), SHX_OK) };
+        hash
+    }
+
+    /// Memory for an output; two different places.
+    pub fn out<T>(&mut self) -> *mut T {
+        self.memory.as_mut_ptr().cast()
+    }
+
+    pub fn out2<T>(&mut self) -> *mut T {
+        self.memory[512..].as_mut_ptr().cast()
+    }
+
+    /// A good output of vectors over the memory.
+    pub fn output(&mut self, count: usize) -> shx_output {
+        shx_output { data: self.out(), stride: 0, count, format: SHX_FORMAT_F64X3, reserved: 0 }
+    }
+
+    /// A good output of frames.
+    pub fn frame_output(&mut self, count: usize) -> shx_output {
+        shx_output { format: SHX_FORMAT_FRAME, ..self.output(count) }
+    }
+
+    /// A good input of frames.
+    pub fn frame_input(&self) -> shx_input {
+        input(self.frames.as_ptr().cast(), 2, SHX_FORMAT_FRAME)
+    }
+
+    /// A good input of points.
+    pub fn point_input(&self) -> shx_input {
+        input(self.points.as_ptr().cast(), 4, SHX_FORMAT_F64X3)
+    }
+
+    /// That a failed call changed nothing and wrote nothing.
+    pub fn check_untouched(&self, what: &str) {
+        assert_eq!(self.state_hash(), self.hash, "{what}: the solver's state has changed");
+        let untouched = u64::from_ne_bytes([UNTOUCHED; 8]);
+        assert!(self.memory.iter().all(|word| *word == untouched), "{what}: an output was written");
+    }
+}
+
+pub fn input(data: *const c_void, count: usize, format: u32) -> shx_input {
+    shx_input { data, stride: 0, count, format, reserved: 0 }
+}
+
+impl Drop for Scene {
+    fn drop(&mut self) {
+        // SAFETY: handles that this scene made.
+        unsafe {
+            shx_solver_destroy(self.solver);
+            shx_solver_destroy(self.other);
+            superhelix::capi::curves::shx_curves_destroy(self.curves);
+        }
+        let _ = std::fs::remove_file(self.groom.to_str().expect("UTF-8"));
+    }
+}

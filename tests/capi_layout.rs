@@ -1,0 +1,65 @@
+//! Rule 11: sizes and offsets of every structure of the C ABI, as Rust has them on a 64-bit machine; `tests/c/layout.c` asserts the
+//! same numbers from C, and this test that it leaves none out.
+#![cfg(target_pointer_width = "64")]
+
+use std::mem::{offset_of, size_of};
+
+use superhelix::capi::{
+    fit::shx_fit,
+    sampling::shx_sample_def,
+    solver::shx_step_report,
+    solver_def::shx_solver_def,
+    strand_def::shx_strand_def,
+    types::{shx_frame, shx_input, shx_output, shx_strand_id},
+};
+
+/// The lines of layout.c for these structures, after their numbers have been compared with Rust's.
+macro_rules! layouts {
+    ($($name:ident: $size:literal { $($field:ident: $offset:literal),* $(,)? })*) => {{
+        let mut lines = Vec::new();
+        $(
+            assert_eq!(size_of::<$name>(), $size, stringify!($name));
+            lines.push(format!("SIZE({}, {});", stringify!($name), $size));
+            $(
+                assert_eq!(offset_of!($name, $field), $offset, "{}.{}", stringify!($name), stringify!($field));
+                lines.push(format!("AT({}, {}, {});", stringify!($name), stringify!($field), $offset));
+            )*
+        )*
+        lines
+    }};
+}
+
+#[test]
+fn every_size_and_offset_is_as_published() {
+    let expected = layouts! {
+        shx_solver_def: 152 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, reserved: 120 }
+        shx_frame: 56 { origin: 0, rotation: 24 }
+        shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, freedoms: 88, reserved0: 92, root: 96, natural: 152, user_data: 160, initial: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
+        shx_step_report: 80 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, reserved: 60, mean_iterations: 64, max_condition: 72 }
+        shx_strand_id: 8 { bits: 0 }
+        shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
+        shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
+        shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
+        shx_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
+    };
+    let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
+    let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();
+    assert_eq!(asserted, expected);
+}
+
+#[test]
+fn every_structure_of_the_header_is_asserted() {
+    let header = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/include/superhelix.h")).expect("the header");
+    let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
+    for line in header.lines().filter(|line| line.starts_with("typedef struct ") && line.ends_with('{')) {
+        let name = line.split_whitespace().nth(2).expect("a name");
+        assert!(program.contains(&format!("SIZE({name},")), "{name} is not in layout.c");
+        let (_, rest) = header.split_once(line).expect("the structure");
+        let (fields, _) = rest.split_once("\n}").expect("its end");
+        for field in fields.lines().map(str::trim).filter(|field| field.ends_with(';')) {
+            let field = field.trim_end_matches(';').split('[').next().expect("a declaration");
+            let field = field.rsplit([' ', '*']).next().expect("a name");
+            assert!(program.contains(&format!("AT({name}, {field},")), "{name}.{field} is not in layout.c");
+        }
+    }
+}
