@@ -1,2 +1,76 @@
-//! The command line.
-fn main() {}
+//! The command line: scenes, grooms with head motion, and pictures of what came out.
+
+mod atomic_file;
+mod failure;
+mod groom_statistics;
+mod groom_strands;
+mod head;
+mod info;
+mod json;
+mod material_arguments;
+mod picture;
+mod presets;
+mod progress;
+mod resolution;
+mod result;
+mod run;
+mod scene;
+mod simulate;
+mod simulate_report;
+mod timeline;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Simulates hair as Super-Helices.
+#[derive(Debug, Parser)]
+#[command(version, about, propagate_version = true)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Run(run::RunArguments),
+    Simulate(Box<simulate::SimulateArguments>),
+    Info(info::InfoArguments),
+    Picture(picture::PictureArguments),
+}
+
+/// Prints a command's answer. A reader that has gone away is no failure of ours.
+fn print_line(text: &str) -> Result<(), failure::Failure> {
+    match writeln!(std::io::stdout(), "{text}") {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(failure::Failure::Other(format!("standard output cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn main() -> ExitCode {
+    let command_line = match CommandLine::try_parse() {
+        Ok(command_line) => command_line,
+        Err(error) => {
+            // Help and version are what was asked for; status 2 is kept for bad scenes.
+            let code = if error.use_stderr() { ExitCode::from(1) } else { ExitCode::SUCCESS };
+            let _ = error.print();
+            return code;
+        }
+    };
+    let outcome = match &command_line.command {
+        Command::Run(arguments) => run::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Info(arguments) => info::run(arguments),
+        Command::Picture(arguments) => picture::run(arguments),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            failure.exit_code()
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! A groom's polylines made into strands: fitted, given a material and a natural shape.
+
+use clap::ValueEnum;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+use serde::Serialize;
+use superhelix::error::Error;
+use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
+use superhelix::rod::material::Material;
+use superhelix::solver::definition::StrandDef;
+
+use crate::failure::Failure;
+
+/// What a strand's natural shape is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum NaturalShape {
+    /// Such that the strand hangs under gravity as the groom has it.
+    SagFree,
+    /// The groom's shape itself: the strand sags from it.
+    AsDrawn,
+}
+
+/// How strands are made.
+#[derive(Debug, Clone, Copy)]
+pub struct StrandRecipe {
+    /// Helical elements a strand.
+    pub elements: usize,
+    /// Section and material.
+    pub material: Material,
+    /// Natural shape.
+    pub natural: NaturalShape,
+    /// Gravity, m/s².
+    pub gravity: Vector3<f64>,
+}
+
+/// A strand of the groom that is not simulated.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Skipped {
+    /// Its index in the file.
+    pub strand: usize,
+    /// Why.
+    pub because: String,
+}
+
+/// A strand that is.
+#[derive(Debug, Clone)]
+pub struct GroomStrand {
+    /// Its index in the file.
+    pub index: usize,
+    /// What the solver makes it from.
+    pub definition: StrandDef,
+    /// Distance between polyline and centreline at equal arclength, m: root mean square and largest.
+    pub fit_error: (f64, f64),
+}
+
+/// Makes strands from polylines (index in the file, points in metres, root first). `done` is called after each, from any thread.
+pub fn make(
+    polylines: &[(usize, Vec<Vector3<f64>>)],
+    recipe: &StrandRecipe,
+    threads: usize,
+    done: impl Fn() + Sync,
+) -> Result<(Vec<GroomStrand>, Vec<Skipped>), Failure> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()
+        .map_err(|error| Failure::Other(format!("{threads} threads cannot be had: {error}")))?;
+    let made: Vec<Result<GroomStrand, Skipped>> = pool.install(|| {
+        polylines
+            .par_iter()
+            .map(|(index, points)| {
+                let strand = make_one(*index, points, recipe);
+                done();
+                strand.map_err(|because| Skipped { strand: *index, because })
+            })
+            .collect()
+    });
+    let (mut strands, mut skipped) = (Vec::new(), Vec::new());
+    for strand in made {
+        match strand {
+            Ok(strand) => strands.push(strand),
+            Err(reason) => skipped.push(reason),
+        }
+    }
+    Ok((strands, skipped))
+}
+
+fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Result<GroomStrand, String> {
+    let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+    let width = 2.0 * recipe.material.radius[0].max(recipe.material.radius[1]);
+    if length <= width {
+        return Err(format!("its length of {length:.3e} m is not more than its width of {width:.3e} m"));
+    }
+    let words = |error: Error| error.to_string();
+    let fit = fit_polyline(points, &FitOptions { element_count: recipe.elements }).map_err(words)?;
+    let mut definition = StrandDef {
+        element_lengths: fit.element_lengths,
+        material: recipe.material,
+        root: fit.root,
+        natural: fit.curvatures.clone(),
+        ..StrandDef::straight(1.0, 1)
+    };
+    if recipe.natural == NaturalShape::SagFree {
+        definition.natural = natural_under_gravity(&definition, &fit.curvatures, recipe.gravity).map_err(words)?;
+        definition.initial = Some(fit.curvatures);
+    }
+    Ok(GroomStrand { index, definition, fit_error: (fit.rms_error, fit.max_error) })
+}

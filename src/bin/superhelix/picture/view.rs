@@ -1,0 +1,129 @@
+//! The two views of a sheet: which axes run right, up and towards the viewer.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::failure::Failure;
+
+/// Which axis of the world points up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Up {
+    /// y up, as most grooms and all motion capture have it.
+    Y,
+    /// z up.
+    Z,
+}
+
+impl Up {
+    /// Index of the axis that points up.
+    pub fn axis(self) -> usize {
+        match self {
+            Up::Y => 1,
+            Up::Z => 2,
+        }
+    }
+
+    /// Gravity, m/s².
+    pub fn gravity(self) -> Vector3<f64> {
+        let mut gravity = Vector3::zeros();
+        gravity[self.axis()] = -9.81;
+        gravity
+    }
+}
+
+/// The axis that a face looks along. Files do not say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Face {
+    /// Along x.
+    #[value(name = "+x")]
+    PlusX,
+    /// Against x.
+    #[value(name = "-x")]
+    MinusX,
+    /// Along y.
+    #[value(name = "+y")]
+    PlusY,
+    /// Against y.
+    #[value(name = "-y")]
+    MinusY,
+    /// Along z.
+    #[value(name = "+z")]
+    PlusZ,
+    /// Against z.
+    #[value(name = "-z")]
+    MinusZ,
+}
+
+impl Face {
+    fn vector(self) -> Vector3<f32> {
+        match self {
+            Face::PlusX => Vector3::x(),
+            Face::MinusX => -Vector3::x(),
+            Face::PlusY => Vector3::y(),
+            Face::MinusY => -Vector3::y(),
+            Face::PlusZ => Vector3::z(),
+            Face::MinusZ => -Vector3::z(),
+        }
+    }
+}
+
+/// A way to look at the strands, without perspective.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// Label.
+    pub name: &'static str,
+    /// Right, up and towards the viewer, as rows.
+    axes: Matrix3<f32>,
+}
+
+impl View {
+    /// From the front and from the side (the face then looks to the left). Without a `face` it looks along +z where y is up
+    /// and along -y where z is up: the same head in the two conventions.
+    ///
+    /// # Errors
+    /// When the face looks up or down.
+    pub fn pair(up: Up, face: Option<Face>) -> Result<[Self; 2], Failure> {
+        let face = face.unwrap_or(match up {
+            Up::Y => Face::PlusZ,
+            Up::Z => Face::MinusY,
+        });
+        let mut vertical = Vector3::zeros();
+        vertical[up.axis()] = 1.0;
+        let ahead = face.vector();
+        let beside = vertical.cross(&ahead);
+        if beside == Vector3::zeros() {
+            return Err(Failure::Other(format!("--face is the axis that --up says is {up:?}; expected a level one")));
+        }
+        let rows = |right: Vector3<f32>, towards: Vector3<f32>| Matrix3::from_columns(&[right, vertical, towards]).transpose();
+        Ok([Self { name: "Front", axes: rows(beside, ahead) }, Self { name: "Side", axes: rows(-ahead, beside) }])
+    }
+
+    /// A point (or direction) as right, up, towards the viewer.
+    pub fn look(&self, point: [f32; 3]) -> [f32; 3] {
+        (self.axes * Vector3::from(point)).into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn views_are_right_handed_and_turn_with_the_up_axis() {
+        for (up, face) in [(Up::Y, None), (Up::Z, None), (Up::Y, Some(Face::MinusZ)), (Up::Z, Some(Face::PlusX))] {
+            for view in View::pair(up, face).unwrap() {
+                assert_eq!(view.axes.determinant(), 1.0, "{view:?} mirrors");
+                let mut vertical = [0.0; 3];
+                vertical[up.axis()] = 1.0;
+                assert_eq!(view.look(vertical), [0.0, 1.0, 0.0]);
+            }
+        }
+        // The same thing in the two conventions: (x, y, z) with y up is (x, -z, y) with z up.
+        let (y_up, z_up) = (View::pair(Up::Y, None).unwrap(), View::pair(Up::Z, None).unwrap());
+        for (one, other) in y_up.iter().zip(&z_up) {
+            assert_eq!(one.look([1.0, 2.0, 3.0]), other.look([1.0, -3.0, 2.0]));
+        }
+        assert_eq!(y_up[0].look([1.0, 2.0, 3.0]), [1.0, 2.0, 3.0]);
+        assert_eq!(y_up[1].look([1.0, 2.0, 3.0]), [-3.0, 2.0, 1.0]);
+        assert!(View::pair(Up::Y, Some(Face::MinusY)).is_err());
+    }
+}

@@ -1,0 +1,443 @@
+//! `superhelix simulate`: a groom on a moving head, to a cache and a picture.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use nalgebra::Vector3;
+use superhelix::files::curves::Curves;
+use superhelix::files::motion::{Motion, MotionOptions};
+use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
+use superhelix::math::frame::Frame;
+use superhelix::solver::Solver;
+use superhelix::solver::definition::{SolverOptions, Workers};
+use superhelix::solver::id::StrandId;
+use superhelix::solver::report::StrandStatus;
+use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
+
+use crate::atomic_file::AtomicFile;
+use crate::failure::Failure;
+use crate::groom_statistics::{GroomStatistics, Spread, is_plausible_length};
+use crate::groom_strands::{self, GroomStrand, NaturalShape, StrandRecipe};
+use crate::head::Head;
+use crate::material_arguments::MaterialArguments;
+use crate::picture::sheet::{Moment, SheetOptions};
+use crate::picture::view::{Face, Up};
+use crate::picture::{self, spread};
+use crate::resolution::Shapes;
+use crate::result::Report;
+use crate::simulate_report::{FitReport, SimulateReport};
+use crate::{progress, resolution, scene};
+
+/// Simulates a groom on a moving head: fits strands, steps them, writes a cache of frames and a picture.
+///
+/// The head's motion moves all roots rigidly: a root at time t is M(t) M(0)^-1 applied to the groom's root, about the joint.
+/// Strands that cannot be simulated (without length, shorter than wide) are left out and reported.
+#[derive(Debug, Args)]
+#[command(allow_negative_numbers = true)]
+pub struct SimulateArguments {
+    /// The groom: .hair, .tfx or .obj with lines, root first.
+    #[arg(value_name = "GROOM")]
+    groom: PathBuf,
+    /// The head's motion: a .csv of poses or a .bvh. Without it the head stands still.
+    #[arg(long, value_name = "HEAD.csv|.bvh")]
+    motion: Option<PathBuf>,
+    /// .bvh: name of the joint that carries the hair. Default: the first with "head" in its name.
+    #[arg(long, value_name = "NAME", requires = "motion")]
+    motion_joint: Option<String>,
+    /// .bvh: metres a unit of the file. Default: 1.
+    #[arg(long, value_name = "METRES", requires = "motion", value_parser = positive)]
+    motion_scale: Option<f64>,
+    /// The motion's axis that points up.
+    #[arg(long, value_enum, value_name = "AXIS", default_value_t = Up::Y)]
+    motion_up: Up,
+    /// Where in the motion to begin, s.
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, requires = "motion", value_parser = not_negative)]
+    start: f64,
+    /// Where the head's joint sits in the groom, file units. Default: the middle of the roots.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
+    pivot: Option<Vector3<f64>>,
+    /// Metres a unit of the groom. Default: 1, refused when hair of that size could not be.
+    #[arg(long, value_name = "METRES", value_parser = positive)]
+    scale: Option<f64>,
+    /// The groom's axis that points up; gravity points the other way.
+    #[arg(long, value_enum, value_name = "AXIS", default_value_t = Up::Y)]
+    up: Up,
+    /// Use each K-th strand only.
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    every: u32,
+    /// Helical elements a strand.
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    elements: u32,
+    /// Natural shape of the strands.
+    #[arg(long, value_enum, value_name = "SHAPE", default_value_t = NaturalShape::SagFree)]
+    natural: NaturalShape,
+    /// Uniform wind, m/s.
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
+    wind: Option<Vector3<f64>>,
+    #[command(flatten)]
+    material: MaterialArguments,
+    /// Frames a second.
+    #[arg(long, default_value_t = 30.0, value_parser = positive)]
+    fps: f64,
+    /// Seconds to simulate. Default: to the motion's end.
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    duration: Option<f64>,
+    /// Steps a frame.
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    substeps: u32,
+    /// Time integrator.
+    #[arg(long, default_value = "implicit_euler", value_parser = integrator)]
+    integrator: Integrator,
+    /// Linear solver.
+    #[arg(long, default_value = "linear_time", value_parser = linear_solver)]
+    solver: LinearSolver,
+    /// Newton's tolerance, rad.
+    #[arg(long, value_name = "RAD", default_value_t = 1e-4, value_parser = positive)]
+    tolerance: f64,
+    /// Threads.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
+    threads: u32,
+    /// Directory of the cache: one file a frame, in the groom's units.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Format of the cache.
+    #[arg(long, value_enum, default_value_t = Format::Obj)]
+    format: Format,
+    /// Points a strand in the cache and in the picture.
+    #[arg(long, value_name = "N", default_value_t = 33, value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    samples: u32,
+    /// Replace the frames that the directory already holds.
+    #[arg(long, requires = "out")]
+    overwrite: bool,
+    /// A contact sheet of the motion.
+    #[arg(long, value_name = "FILE.png")]
+    picture: Option<PathBuf>,
+    /// The axis that the face looks along, for the contact sheet. Default: +z where y is up, -y where z is up.
+    #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
+    face: Option<Face>,
+    /// Moments on the contact sheet.
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=64))]
+    moments: u32,
+    /// The report as JSON on standard output.
+    #[arg(long)]
+    json: bool,
+    /// Neither progress bar nor warnings.
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// Format of a cache's frames.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// Wavefront OBJ lines.
+    Obj,
+    /// Cem Yuksel's .hair.
+    Hair,
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| "expected a finite number".to_string())
+}
+
+/// A number above zero, for clap.
+pub fn positive(text: &str) -> Result<f64, String> {
+    finite(text).ok().filter(|value| *value > 0.0).ok_or_else(|| "expected a finite number above zero".to_string())
+}
+
+fn triple(text: &str) -> Result<Vector3<f64>, String> {
+    let numbers: Result<Vec<f64>, String> = text.split(',').map(|number| finite(number.trim())).collect();
+    match numbers.as_deref() {
+        Ok([x, y, z]) => Ok(Vector3::new(*x, *y, *z)),
+        _ => Err("expected three finite numbers with commas between".to_string()),
+    }
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    finite(text).ok().filter(|value| *value >= 0.0).ok_or_else(|| "expected a finite number, zero or above".to_string())
+}
+
+fn named<T: Copy>(text: &str, choices: &[(&str, T)]) -> Result<T, String> {
+    let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+    let found = choices.iter().find(|(name, _)| *name == text).map(|(_, choice)| *choice);
+    found.ok_or_else(|| format!("expected one of {}", names.join(", ")))
+}
+
+fn integrator(text: &str) -> Result<Integrator, String> {
+    named(text, &scene::INTEGRATORS)
+}
+
+fn linear_solver(text: &str) -> Result<LinearSolver, String> {
+    named(text, &scene::LINEAR_SOLVERS)
+}
+
+/// Runs the command.
+pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
+    let begun = Instant::now();
+    let (motion, duration) = read_motion(arguments)?;
+    let curves = Curves::read(&arguments.groom)?;
+    let scale = choose_scale(arguments, &curves)?;
+    let recipe = StrandRecipe {
+        elements: arguments.elements as usize,
+        material: arguments.material.material()?,
+        natural: arguments.natural,
+        gravity: arguments.up.gravity(),
+    };
+    let mut solver = Solver::new(SolverOptions {
+        gravity: recipe.gravity,
+        wind: arguments.wind.unwrap_or(Vector3::zeros()),
+        step: StepOptions {
+            integrator: arguments.integrator,
+            linear_solver: arguments.solver,
+            tolerance: arguments.tolerance,
+            ..StepOptions::default()
+        },
+        workers: if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) },
+    })?;
+
+    let polylines: Vec<(usize, Vec<Vector3<f64>>)> = curves
+        .strands()
+        .enumerate()
+        .step_by(arguments.every as usize)
+        .map(|(index, strand)| {
+            (index, strand.iter().map(|point| Vector3::from(point.map(|value| f64::from(value) * scale))).collect())
+        })
+        .collect();
+    let bar = progress::bar(polylines.len() as u64, "strands fitted", arguments.quiet);
+    let (mut strands, skipped) = groom_strands::make(&polylines, &recipe, arguments.threads as usize, || bar.inc(1))?;
+    bar.finish_and_clear();
+    if strands.is_empty() {
+        let why = skipped.first().map_or_else(|| "the file has none".to_string(), |skipped| skipped.because.clone());
+        return Err(Failure::file(&arguments.groom, format!("no strand can be simulated: {why}")));
+    }
+    drop(polylines);
+
+    let at_start: Vec<Frame> = strands.iter().map(|strand| strand.definition.root).collect();
+    let joint = match arguments.pivot {
+        Some(pivot) => pivot * scale,
+        None => at_start.iter().map(|root| root.origin).sum::<Vector3<f64>>() / at_start.len() as f64,
+    };
+    // A motion's clock may begin anywhere: --start counts from its first sample.
+    let start = arguments.start + motion.as_ref().map_or(0.0, |motion| motion.times()[0]);
+    let head = Head::new(motion, start, joint);
+    for strand in &mut strands {
+        let definition = &mut strand.definition;
+        (definition.root_velocity, definition.root_angular_velocity) = head.velocity_at_start(&definition.root);
+    }
+    warn(arguments, &strands, skipped.len());
+    let definitions: Vec<_> = strands.iter().map(|strand| strand.definition.clone()).collect();
+    let ids = solver.add_strands(&definitions)?;
+
+    let frame_count = (duration * arguments.fps + 1e-9).floor() as usize + 1;
+    let mut film = Film::create(arguments, scale, frame_count)?;
+    let preparing_seconds = begun.elapsed().as_secs_f64();
+    let mut report = Report::default();
+    let mut quarantined = vec![false; ids.len()];
+    let bar = progress::bar(frame_count as u64, "frames", arguments.quiet);
+    let mut roots = Vec::with_capacity(at_start.len());
+    film.take(&solver, &ids, 0)?;
+    bar.inc(1);
+    let step = 1.0 / (arguments.fps * f64::from(arguments.substeps));
+    for frame in 1..frame_count {
+        for substep in 0..arguments.substeps {
+            let steps = (frame - 1) as f64 * f64::from(arguments.substeps) + f64::from(substep) + 1.0;
+            head.roots(steps * step, &at_start, &mut roots);
+            solver.set_root_frames(&ids, &roots, step)?;
+            let outcome = solver.step(step, 1)?;
+            if outcome.quarantined > 0 {
+                for (flag, id) in quarantined.iter_mut().zip(&ids) {
+                    *flag |= solver.status(*id)? == StrandStatus::Quarantined;
+                }
+            }
+            report.add(&outcome);
+        }
+        film.take(&solver, &ids, frame)?;
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    let (cache_frames, picture) = film.finish(arguments, &strands, scale)?;
+
+    let turns = resolution::coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
+    let answer = SimulateReport {
+        version: 1,
+        groom: arguments.groom.display().to_string(),
+        format: curves.format().name(),
+        metres_per_unit: scale,
+        strands_in_file: curves.strand_count(),
+        strands: strands.len(),
+        elements: arguments.elements,
+        skipped,
+        fit: FitReport {
+            rms_metres: Spread::of(strands.iter().map(|strand| strand.fit_error.0).collect()),
+            max_metres: Spread::of(strands.iter().map(|strand| strand.fit_error.1).collect()),
+            strands_with_coarse_elements: turns,
+        },
+        frames: frame_count,
+        time_step: step,
+        simulated_seconds: (frame_count - 1) as f64 / arguments.fps,
+        report,
+        quarantined_strands: quarantined
+            .iter()
+            .zip(&strands)
+            .filter(|(flag, _)| **flag)
+            .map(|(_, strand)| strand.index)
+            .collect(),
+        preparing_seconds,
+        total_seconds: begun.elapsed().as_secs_f64(),
+        cache_frames,
+        cache: arguments.out.as_ref().map(|path| path.display().to_string()),
+        picture: picture.map(|path| path.display().to_string()),
+    };
+    let text = if arguments.json {
+        serde_json::to_string_pretty(&answer).map_err(|error| Failure::Other(error.to_string()))?
+    } else {
+        answer.in_words()
+    };
+    crate::print_line(&text)
+}
+
+/// The motion in the groom's axes, and how long to simulate.
+fn read_motion(arguments: &SimulateArguments) -> Result<(Option<Motion>, f64), Failure> {
+    let Some(path) = &arguments.motion else {
+        let duration = arguments
+            .duration
+            .ok_or_else(|| Failure::Other("without --motion, --duration must say how long to simulate".into()))?;
+        return Ok((None, duration));
+    };
+    let options = MotionOptions { joint: arguments.motion_joint.clone(), metres_per_unit: arguments.motion_scale };
+    let motion = Motion::read_with(path, &options)?;
+    let motion = match (arguments.motion_up, arguments.up) {
+        (Up::Y, Up::Z) => motion.to_z_up(),
+        (Up::Z, Up::Y) => {
+            return Err(Failure::Other("--motion-up z with --up y is not in this version: turn the groom to z up".into()));
+        }
+        _ => motion,
+    };
+    let left = motion.duration() - arguments.start;
+    if left <= 0.0 {
+        let length = motion.duration();
+        return Err(Failure::Other(format!("--start is {}; expected less than the motion's {length} s", arguments.start)));
+    }
+    Ok((Some(motion), arguments.duration.unwrap_or(left)))
+}
+
+/// Metres a file unit. Not given, it is 1, unless strands of that size could not be hair.
+fn choose_scale(arguments: &SimulateArguments, curves: &Curves) -> Result<f64, Failure> {
+    if let Some(scale) = arguments.scale {
+        return Ok(scale);
+    }
+    let statistics = GroomStatistics::of(curves);
+    let Some(length) = statistics.length else { return Ok(1.0) };
+    if is_plausible_length(length.median) {
+        return Ok(1.0);
+    }
+    let hint = statistics
+        .scale_guess
+        .map_or_else(String::new, |guess| format!("; a guess is {} ({})", guess.metres_per_unit, guess.because));
+    Err(Failure::file(
+        &arguments.groom,
+        format!(
+            "taken as metres, the median strand is {} m long: give --scale, the metres a unit of this file{hint}",
+            length.median
+        ),
+    ))
+}
+
+fn warn(arguments: &SimulateArguments, strands: &[GroomStrand], skipped: usize) {
+    if arguments.quiet {
+        return;
+    }
+    if skipped > 0 {
+        eprintln!(
+            "warning: {}: {skipped} strands cannot be simulated and are left out (--json lists them)",
+            arguments.groom.display()
+        );
+    }
+    resolution::warn(strands.iter().map(|strand| &strand.definition), Shapes::Initial, |index| {
+        format!("{}: strand {}", arguments.groom.display(), strands[index].index)
+    });
+}
+
+/// The frames on their way out: to the cache, and some of them to the picture.
+struct Film {
+    cache: Option<SequenceWriter>,
+    picture: Option<AtomicFile>,
+    moments: Vec<Moment>,
+    chosen: Vec<usize>,
+    fps: f64,
+    samples: usize,
+    units_a_metre: f64,
+    points: Vec<[f32; 3]>,
+}
+
+impl Film {
+    /// Opens what will be written, so that a directory that cannot be written to is found out before the work.
+    fn create(arguments: &SimulateArguments, scale: f64, frame_count: usize) -> Result<Self, Failure> {
+        let format = match arguments.format {
+            Format::Obj => CacheFormat::Obj,
+            Format::Hair => CacheFormat::Hair,
+        };
+        let existing = if arguments.overwrite { Existing::Replace } else { Existing::Refuse };
+        let cache =
+            arguments.out.as_ref().map(|directory| SequenceWriter::create(directory, "hair", format, 1, existing)).transpose()?;
+        let picture = arguments.picture.as_deref().map(AtomicFile::create).transpose()?;
+        let chosen = if picture.is_some() { spread(frame_count, arguments.moments as usize) } else { Vec::new() };
+        Ok(Self {
+            cache,
+            picture,
+            moments: Vec::new(),
+            chosen,
+            fps: arguments.fps,
+            samples: arguments.samples as usize,
+            units_a_metre: 1.0 / scale,
+            points: Vec::new(),
+        })
+    }
+
+    /// Takes the solver's present state as frame number `frame` (from 0).
+    fn take(&mut self, solver: &Solver, ids: &[StrandId], frame: usize) -> Result<(), Failure> {
+        let pictured = self.chosen.contains(&frame);
+        if self.cache.is_none() && !pictured {
+            return Ok(());
+        }
+        let (points, samples, units) = (&mut self.points, self.samples, self.units_a_metre);
+        points.clear();
+        points.resize(ids.len() * samples, [0.0; 3]);
+        solver.sample_strands(ids, samples, |strand, point, sample| {
+            points[strand * samples + point] = (sample.position * units).map(|value| value as f32).into();
+        })?;
+        if let Some(cache) = &mut self.cache {
+            cache.write_points(&vec![samples as u32; ids.len()], points)?;
+        }
+        if pictured {
+            let strands = points.chunks_exact(samples).map(<[_]>::to_vec).collect();
+            self.moments.push(Moment { label: format!("{:.2} s", frame as f64 / self.fps), strands });
+        }
+        Ok(())
+    }
+
+    /// Draws the picture; how many frames the cache has and where the picture is.
+    fn finish<'a>(
+        self,
+        arguments: &'a SimulateArguments,
+        strands: &[GroomStrand],
+        scale: f64,
+    ) -> Result<(u32, Option<&'a Path>), Failure> {
+        let cache_frames = self.cache.as_ref().map_or(0, SequenceWriter::frame_count);
+        if let (Some(mut file), Some(path)) = (self.picture, &arguments.picture) {
+            let name = |path: &Path| path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            let title = format!(
+                "{}   {}   {} strands of {} elements",
+                name(&arguments.groom),
+                arguments.motion.as_deref().map_or_else(|| "still head".to_string(), name),
+                strands.len(),
+                arguments.elements
+            );
+            let options =
+                SheetOptions { title, up: arguments.up, face: arguments.face, cell_width: 340, metres_per_unit: Some(scale) };
+            picture::write_png(&mut file, path, &self.moments, &options)?;
+            file.commit()?;
+        }
+        Ok((cache_frames, arguments.picture.as_deref()))
+    }
+}

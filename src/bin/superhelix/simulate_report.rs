@@ -1,0 +1,107 @@
+//! What `superhelix simulate` tells afterwards.
+
+use serde::Serialize;
+
+use crate::groom_statistics::Spread;
+use crate::groom_strands::Skipped;
+use crate::result::Report;
+
+/// How well strands follow the groom's polylines.
+#[derive(Debug, Serialize)]
+pub struct FitReport {
+    /// Root mean square distance a strand, m.
+    pub rms_metres: Option<Spread>,
+    /// Largest distance a strand, m.
+    pub max_metres: Option<Spread>,
+    /// Strands with an element that turns by more than a quarter turn: more elements are advised.
+    pub strands_with_coarse_elements: usize,
+}
+
+/// The whole report.
+#[derive(Debug, Serialize)]
+pub struct SimulateReport {
+    /// Version of this layout.
+    pub version: u32,
+    /// The groom's path.
+    pub groom: String,
+    /// Its format.
+    pub format: &'static str,
+    /// Metres a file unit that were used.
+    pub metres_per_unit: f64,
+    /// Strands in the file.
+    pub strands_in_file: usize,
+    /// Strands simulated.
+    pub strands: usize,
+    /// Helical elements a strand.
+    pub elements: u32,
+    /// Strands that could not be simulated.
+    pub skipped: Vec<Skipped>,
+    /// The fit.
+    pub fit: FitReport,
+    /// Frames, the one at the start included.
+    pub frames: usize,
+    /// Length of a step, s.
+    pub time_step: f64,
+    /// Length of the motion that was simulated, s.
+    pub simulated_seconds: f64,
+    /// How the steps went.
+    pub report: Report,
+    /// Indices in the file of strands whose state turned non-finite at some step.
+    pub quarantined_strands: Vec<usize>,
+    /// Wall time of reading and fitting, s.
+    pub preparing_seconds: f64,
+    /// Wall time of everything, s.
+    pub total_seconds: f64,
+    /// Frames written to the cache.
+    pub cache_frames: u32,
+    /// The cache's directory.
+    pub cache: Option<String>,
+    /// The picture's path.
+    pub picture: Option<String>,
+}
+
+impl SimulateReport {
+    /// For people.
+    pub fn in_words(&self) -> String {
+        let mut text = format!(
+            "{}: {} of {} strands, {} elements each, {} m a unit\n",
+            self.groom, self.strands, self.strands_in_file, self.elements, self.metres_per_unit
+        );
+        if let (Some(rms), Some(max)) = (self.fit.rms_metres, self.fit.max_metres) {
+            text += &format!(
+                "fit: rms {:.2} mm (median strand), {:.2} mm (99 %), farthest point {:.2} mm\n",
+                rms.median * 1e3,
+                rms.p99 * 1e3,
+                max.max * 1e3
+            );
+        }
+        if !self.skipped.is_empty() {
+            text += &format!(
+                "left out: {} strands, the first (strand {}): {}\n",
+                self.skipped.len(),
+                self.skipped[0].strand,
+                self.skipped[0].because
+            );
+        }
+        let report = &self.report;
+        text += &format!(
+            "{} frames, {} steps of {:.3} ms: {:.2} s of stepping for {:.2} s of motion, {:.1} iterations a step (at most {})\n",
+            self.frames,
+            report.steps,
+            self.time_step * 1e3,
+            report.seconds,
+            self.simulated_seconds,
+            report.iterations_mean,
+            report.iterations_max
+        );
+        text += &format!("strand-steps unconverged: {}, quarantined: {}\n", report.unconverged, report.quarantined);
+        if let Some(cache) = &self.cache {
+            text += &format!("cache: {} frames in {cache}\n", self.cache_frames);
+        }
+        if let Some(picture) = &self.picture {
+            text += &format!("picture: {picture}\n");
+        }
+        text += &format!("{:.2} s in all, {:.2} s of them reading and fitting", self.total_seconds, self.preparing_seconds);
+        text
+    }
+}

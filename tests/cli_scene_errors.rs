@@ -1,0 +1,205 @@
+//! `superhelix run`: what a bad scene, and bad use, get.
+#![cfg(feature = "cli")]
+
+mod cli_support;
+
+use cli_support::{directory, errors, run_text, small_scene, superhelix, with};
+use serde_json::{Value, json};
+
+/// Runs a scene that must be refused with status 2, by a message that names the file, the key and the value; nothing is written.
+fn refuse(directory: &std::path::Path, scene: &str, key: &str, value: &str) {
+    std::fs::write(directory.join("result.json"), "").unwrap();
+    let (output, result) = run_text(directory, scene);
+    let message = errors(&output);
+    assert_eq!(output.status.code(), Some(2), "{key} {value}: {message}");
+    assert!(result.is_none(), "{key}: a result is written");
+    assert!(message.contains("scene.json"), "the file is not named: {message}");
+    assert!(message.contains(key), "`{key}` is not named: {message}");
+    assert!(message.contains(value), "the value `{value}` is not shown: {message}");
+    assert_eq!(message.trim_end().lines().count(), 1, "{message}");
+    assert_eq!(std::fs::read_dir(directory).unwrap().count(), 1, "{key}: something is left behind");
+}
+
+#[test]
+fn unknown_keys_are_named_at_every_level() {
+    let directory = directory("unknown");
+    let motion = json!({"times": [0], "frames": [[0, 0, 0, 0, 0, 0, 1]], "loop": true});
+    for (pointer, value, key, shown) in [
+        ("/time_stepp", json!(0.1), "time_stepp", "0.1"),
+        ("/newton", json!({"tolerence": 0.125}), "newton.tolerence", "0.125"),
+        ("/strands/0/raduis", json!([1, 2]), "strands[0].raduis", "[1,2]"),
+        ("/strands/0/root", json!({"orgin": [0, 0, 0]}), "strands[0].root.orgin", "[0,0,0]"),
+        ("/strands/0/root_motion", motion, "strands[0].root_motion.loop", "true"),
+        ("/output", json!([{"kind": "points", "sample": 3}]), "output[0].sample", "3"),
+    ] {
+        refuse(&directory, &with(small_scene(), pointer, value).to_string(), key, shown);
+    }
+    let two = with(small_scene(), "/strands", json!([small_scene()["strands"][0], small_scene()["strands"][0]]));
+    refuse(&directory, &with(two, "/strands/1/Length", json!(3)).to_string(), "strands[1].Length", "3");
+}
+
+#[test]
+fn keys_that_stand_twice_are_named_at_every_level() {
+    let directory = directory("twice");
+    let text = small_scene().to_string();
+    refuse(&directory, &text.replacen('{', "{\"duration\": 7.5,", 1), "duration", "twice");
+    refuse(&directory, &text.replacen("\"length\":", "\"length\": 0.3, \"length\":", 1), "strands[0].length", "0.1");
+    let newton = with(small_scene(), "/newton", json!({"tolerance": 0.5})).to_string();
+    refuse(&directory, &newton.replacen("\"tolerance\":", "\"tolerance\":0.25,\"tolerance\":", 1), "newton.tolerance", "0.5");
+}
+
+#[test]
+fn values_out_of_range_are_named() {
+    let directory = directory("range");
+    let frame = json!([0, 0, 0, 0, 0, 0, 1]);
+    let motion = |times: Value, frames: Value| json!({"times": times, "frames": frames});
+    let cases: Vec<(&str, Value, &str, &str)> = vec![
+        ("/version", json!(2), "version", "2"),
+        ("/version", json!("1"), "version", "\"1\""),
+        ("/gravity", json!([0, 0]), "gravity", "[0,0]"),
+        ("/gravity", json!([0, 0, "g"]), "gravity[2]", "\"g\""),
+        ("/wind", json!(null), "wind", "null"),
+        ("/integrator", json!("euler"), "integrator", "\"euler\""),
+        ("/time_step", json!(0), "time_step", "0"),
+        ("/time_step", json!(-0.5), "time_step", "-0.5"),
+        ("/time_step", json!("fast"), "time_step", "\"fast\""),
+        ("/time_step", json!(1e-30), "duration", "0.05"),
+        ("/duration", json!(-1), "duration", "-1"),
+        ("/output_interval", json!(0), "output_interval", "0"),
+        ("/output_interval", json!(1e-20), "duration", "0.05"),
+        ("/precision", json!("f16"), "precision", "\"f16\""),
+        ("/threads", json!(0), "threads", "0"),
+        ("/threads", json!(257), "threads", "257"),
+        ("/threads", json!(1.5), "threads", "1.5"),
+        ("/newton", json!({"max_iterations": 0}), "newton.max_iterations", "0"),
+        ("/newton", json!({"tolerance": 0}), "newton.tolerance", "0"),
+        ("/newton", json!(7), "newton", "7"),
+        ("/reference_tolerance", json!(-1e-8), "reference_tolerance", "-1e-8"),
+        ("/solver", json!("lu"), "solver", "\"lu\""),
+        ("/strands", json!({}), "strands", "{}"),
+        ("/strands/0", json!(17), "strands[0]", "17"),
+        ("/strands/0/elements", json!(0), "strands[0].elements", "0"),
+        ("/strands/0/elements", json!(1e12), "strands[0].elements", "1000000000000"),
+        ("/strands/0/elements", json!(2.5), "strands[0].elements", "2.5"),
+        ("/strands/0/length", json!(-0.2), "strands[0].length", "-0.2"),
+        ("/strands/0/element_lengths", json!([0.1]), "strands[0].elements", "3"),
+        ("/strands/0/radius", json!([5e-5, 0]), "strands[0].radius[1]", "0"),
+        ("/strands/0/radius", json!(5e-5), "strands[0].radius", "0.00005"),
+        ("/strands/0/density", json!(-1300), "strands[0].density", "-1300"),
+        ("/strands/0/youngs_modulus", json!(0), "strands[0].youngs_modulus", "0"),
+        ("/strands/0/poisson_ratio", json!(0.75), "strands[0].poisson_ratio", "0.75"),
+        ("/strands/0/internal_friction", json!(-1), "strands[0].internal_friction", "-1"),
+        ("/strands/0/viscosity", json!(-2), "strands[0].viscosity", "-2"),
+        ("/strands/0/air_drag", json!(-3), "strands[0].air_drag", "-3"),
+        ("/strands/0/natural_curvatures", json!([]), "strands[0].natural_curvatures", "0"),
+        ("/strands/0/natural_curvatures", json!([[0, 0, 0], [0, 0, 0]]), "strands[0].natural_curvatures", "2"),
+        ("/strands/0/natural_curvatures", json!([[0, 0]]), "strands[0].natural_curvatures[0]", "[0,0]"),
+        ("/strands/0/initial_curvatures", json!([[0, true, 0]]), "strands[0].initial_curvatures[0][1]", "true"),
+        ("/strands/0/initial_rates", json!([0, 0, 0]), "strands[0].initial_rates[0]", "0"),
+        ("/strands/0/freedoms", json!([]), "strands[0].freedoms", "[]"),
+        ("/strands/0/freedoms", json!(["twist", "bend3"]), "strands[0].freedoms[1]", "\"bend3\""),
+        ("/strands/0/freedoms", json!(["twist", "twist"]), "strands[0].freedoms[1]", "\"twist\""),
+        ("/strands/0/root", json!({"origin": [0, 0]}), "strands[0].root.origin", "[0,0]"),
+        ("/strands/0/root", json!({"rotation": [0, 0, 0, 2]}), "strands[0].root.rotation", "2"),
+        ("/strands/0/root_motion", motion(json!([]), json!([])), "strands[0].root_motion.frames", "0"),
+        ("/strands/0/root_motion", motion(json!([0, 1]), json!([frame])), "strands[0].root_motion.frames", "1"),
+        ("/strands/0/root_motion", motion(json!([0, 0]), json!([frame, frame])), "strands[0].root_motion.times[1]", "0"),
+        ("/strands/0/root_motion", motion(json!([0]), json!([[0, 0, 0, 3, 0, 0, 1]])), "strands[0].root_motion.frames[0]", "3"),
+        ("/output", json!(["tip"]), "output[0]", "\"tip\""),
+        ("/output", json!(["tips", "tips"]), "output[1]", "\"tips\""),
+        ("/output", json!("tips"), "output", "\"tips\""),
+        ("/output", json!([{"kind": "tips", "samples": 4}]), "output[0].samples", "4"),
+        ("/samples", json!(1), "samples", "1"),
+        ("/hair_contact", json!("no"), "hair_contact", "\"no\""),
+    ];
+    for (pointer, value, key, shown) in cases {
+        refuse(&directory, &with(small_scene(), pointer, value).to_string(), key, shown);
+    }
+    // A frozen freedom cannot start anywhere else than at its natural value.
+    let frozen =
+        with(with(small_scene(), "/strands/0/freedoms", json!(["twist"])), "/strands/0/initial_curvatures", json!([[1, 13, 3]]));
+    refuse(&directory, &frozen.to_string(), "strands[0].initial_curvatures[0][1]", "13");
+}
+
+#[test]
+fn what_this_version_does_not_have_is_said() {
+    let directory = directory("absent");
+    for (pointer, value, key, shown) in [
+        ("/precision", json!("f32"), "precision", "unsupported in this version"),
+        ("/integrator", json!("second_order"), "integrator", "second_order"),
+        ("/integrator", json!("reference"), "integrator", "unsupported in this version"),
+        ("/hair_contact", json!(true), "hair_contact", "not in this version"),
+        ("/colliders", json!([{"shape": "sphere"}]), "colliders[0]", "not in this version"),
+        ("/attachments", json!([{"strand": 0}]), "attachments[0]", "not in this version"),
+    ] {
+        refuse(&directory, &with(small_scene(), pointer, value).to_string(), key, shown);
+    }
+}
+
+#[test]
+fn missing_keys_are_named() {
+    let directory = directory("missing");
+    for (parent, key, path) in [
+        ("", "version", "version"),
+        ("", "time_step", "time_step"),
+        ("", "duration", "duration"),
+        ("", "strands", "strands"),
+        ("/strands/0", "elements", "strands[0].elements"),
+        ("/strands/0", "length", "strands[0].length"),
+    ] {
+        let mut scene = small_scene();
+        scene.pointer_mut(parent).unwrap().as_object_mut().unwrap().remove(key);
+        refuse(&directory, &scene.to_string(), path, "missing");
+    }
+}
+
+#[test]
+fn what_is_not_json_is_refused_with_its_place() {
+    let directory = directory("syntax");
+    let text = small_scene().to_string();
+    refuse(&directory, "", "", "line 1");
+    refuse(&directory, "[]", "the document", "[]");
+    refuse(&directory, &text[..text.len() - 9], "", "EOF");
+    refuse(&directory, &(text.clone() + "{}"), "", "trailing");
+    refuse(&directory, &text.replacen(':', ": /* never closed", 1), "", "/*");
+    refuse(&directory, &text.replacen("\"duration\":", "\"duration\": 1e999, \"x\":", 1), "duration", "1e999");
+    refuse(&directory, &text.replacen("\"duration\":", "\"duration\": NaN, \"x\":", 1), "duration", "NaN");
+    refuse(&directory, &"[".repeat(100_000), "", "recursion");
+}
+
+#[test]
+fn everything_else_that_fails_has_status_1() {
+    let directory = directory("status");
+    let scene = directory.join("scene.json");
+    std::fs::write(&scene, small_scene().to_string()).unwrap();
+    let scene = scene.to_str().unwrap();
+    let missing = directory.join("no_such_directory").join("result.json");
+    for (arguments, named) in [
+        (vec!["run", "no_such_scene.json", "--out", "result.json"], "no_such_scene.json"),
+        (vec!["run", scene, "--out", missing.to_str().unwrap()], "no_such_directory"),
+        (vec!["run", scene, "--out", directory.to_str().unwrap()], "directory"),
+        (vec!["run", scene], "--out"),
+        (vec!["run", scene, "--out", "x.json", "--outt"], "--outt"),
+        (vec!["walk"], "walk"),
+        (vec![], "Usage"),
+    ] {
+        let output = superhelix(&arguments);
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {}", errors(&output));
+        assert!(errors(&output).contains(named), "{arguments:?}: {}", errors(&output));
+    }
+    assert_eq!(std::fs::read_dir(&directory).unwrap().count(), 1, "something is left behind");
+    for question in ["--help", "--version"] {
+        assert_eq!(superhelix(&[question]).status.code(), Some(0));
+    }
+}
+
+#[test]
+fn a_bad_scene_leaves_an_old_result_alone() {
+    let directory = directory("old");
+    let (scene, result) = (directory.join("scene.json"), directory.join("result.json"));
+    std::fs::write(&scene, with(small_scene(), "/time_step", json!(-1)).to_string()).unwrap();
+    std::fs::write(&result, "old").unwrap();
+    let output = superhelix(&["run".as_ref(), scene.as_os_str(), "--out".as_ref(), result.as_os_str()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(std::fs::read_to_string(&result).unwrap(), "old");
+}
