@@ -445,7 +445,7 @@ SHX_API shx_result shx_step_report_init(shx_step_report *report, size_t size);
 // Makes a solver. def may be null: all defaults. *out_solver is yours; free it with shx_solver_destroy. The callbacks and user
 // pointers of the definition must stay valid until then.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range),
-// SHX_ERROR_UNSUPPORTED (an integrator or a precision that is not in this version), SHX_ERROR_OUT_OF_MEMORY (no threads).
+// SHX_ERROR_UNSUPPORTED (an integrator or a precision that is not in this version, threads that could not be started).
 // Any thread; a solver belongs to no thread.
 SHX_API shx_result shx_solver_create(const shx_solver_def *def, shx_solver **out_solver);
 

@@ -264,6 +264,63 @@ fn a_root_is_at_its_samples_and_held_outside_them() {
     assert!(between[0] > 0.001 && between[0] < 0.019, "{between:?}");
 }
 
+/// The head of the reference trajectory `head_yaw_n2`: yaw about z and sway along y, as in tests/oracle/make_references.py.
+fn yawing_root(root: &Value, time: f64) -> [f64; 7] {
+    let of = |key: &str| root[key].as_f64().unwrap();
+    let swing = (std::f64::consts::TAU * of("f") * time).sin() * (1.0 - (-(of("ramp") * time).powi(2)).exp());
+    let (yaw, half_tilt) = (of("yaw") * swing, of("tilt") / 2.0);
+    let (half_sin, half_cos) = (yaw / 2.0).sin_cos();
+    // The product of a turn by the yaw about z and one by the tilt about y.
+    let rotation =
+        [-half_sin * half_tilt.sin(), half_cos * half_tilt.sin(), half_sin * half_tilt.cos(), half_cos * half_tilt.cos()];
+    let radius = of("radius");
+    [radius * yaw.cos(), radius * yaw.sin() + of("amp") * swing, 0.0, rotation[0], rotation[1], rotation[2], rotation[3]]
+}
+
+#[test]
+fn a_moving_head_gives_the_reference_trajectory() {
+    let oracle: Value = serde_json::from_str(include_str!("data/reference/oracle.json")).unwrap();
+    let (case, directory) = (&oracle["head_yaw_n2"], directory("oracle"));
+    let parameters = &case["parameters"];
+    let times: Vec<f64> = (0..=240).map(|index| f64::from(index) / 480.0).collect();
+    let frames: Vec<[f64; 7]> = times.iter().map(|time| yawing_root(&parameters["root"], *time)).collect();
+    let tips = |steps: f64| {
+        let strand = json!({
+            "elements": parameters["N"], "length": parameters["L"], "radius": [parameters["a1"], parameters["a2"]],
+            "density": parameters["rho"], "youngs_modulus": parameters["E"], "poisson_ratio": parameters["poisson"],
+            "internal_friction": parameters["gamma"], "air_drag": parameters["drag"], "natural_curvatures": [parameters["qn"]],
+            "root_motion": {"times": times, "frames": frames}
+        });
+        let scene = json!({
+            "version": 1, "gravity": case["gravity"], "time_step": 1.0 / (60.0 * steps), "output_interval": 1.0 / 60.0,
+            "duration": parameters["T"], "newton": {"tolerance": 1e-9}, "strands": [strand], "output": ["tips"]
+        });
+        let result = run(&directory, &scene);
+        let tips: Vec<f64> = result["strands"][0]["tips"].as_array().unwrap()[1..].iter().flat_map(numbers).collect();
+        tips
+    };
+    let reference: Vec<f64> = case["tip"].as_array().unwrap().iter().flat_map(numbers).collect();
+    let length = parameters["L"].as_f64().unwrap();
+    let (coarse, fine) = (tips(32.0), tips(64.0));
+    let extrapolated: Vec<f64> = coarse.iter().zip(&fine).map(|(coarse, fine)| 2.0 * fine - coarse).collect();
+    let (first, second) = (difference(&coarse, &reference) / length, difference(&fine, &reference) / length);
+    assert!((1.7..2.3).contains(&(first / second)), "first order: {first} and {second}");
+    assert!(difference(&extrapolated, &reference) / length < 1e-3, "{}", difference(&extrapolated, &reference) / length);
+}
+
+#[test]
+fn numbers_come_back_to_the_last_bit() {
+    // Numbers that a parser which is right to an ulp only gets wrong.
+    let rows = "[[1e-30, 2.2250738585072014e-308, 7.1202363472230444e-307]]";
+    let scene = with(with(small_scene(), "/duration", json!(0)), "/output", json!(["curvatures"])).to_string();
+    let scene = scene.replace("[[1.0,12.0,3.0]]", rows);
+    assert!(scene.contains(rows));
+    let (output, result) = run_text(&directory("bits"), &scene);
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    let row = numbers(&result.unwrap()["strands"][0]["curvatures"][0][0]);
+    assert_eq!(row, [1e-30, 2.225_073_858_507_201_4e-308, 7.120_236_347_223_045e-307]);
+}
+
 #[test]
 fn comments_are_allowed_where_json_allows_spaces() {
     let text = small_scene().to_string().replacen('{', "/* a // comment */ { // and \"another\": 1\n", 1) + "// the end";

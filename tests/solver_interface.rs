@@ -14,7 +14,7 @@ fn strand(k: usize) -> StrandDef {
     let count = 1 + k % 7;
     let mut def = StrandDef::straight(0.05 + 0.01 * (k % 11) as f64, count);
     def.natural = vec![[k as f64, 10.0 + 7.0 * (k % 5) as f64, (k % 3) as f64]; count];
-    def.material.air_drag = if k % 2 == 0 { 0.0 } else { 1e-5 };
+    def.material.air_drag = if k.is_multiple_of(2) { 0.0 } else { 1e-5 };
     def.user_data = k as u64;
     def
 }

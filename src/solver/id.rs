@@ -6,6 +6,7 @@ pub struct StrandId(u64);
 
 const SLOT_BITS: u32 = 26;
 const GENERATION_BITS: u32 = 22;
+const MAX_GENERATION: u32 = (1 << GENERATION_BITS) - 1;
 /// Slots that a solver can have: the most strands that live at one time.
 pub(super) const MAX_SLOTS: usize = 1 << SLOT_BITS;
 
@@ -26,10 +27,20 @@ impl StrandId {
 pub(super) struct SlotMap {
     /// Sixteen bits that tell this solver's identifiers from another's.
     pub mark: u16,
-    /// For each slot its generation and, where one lives there, the index of its strand.
-    pub slots: Vec<(u32, Option<u32>)>,
+    pub slots: Vec<Slot>,
     /// Empty slots whose generation may still grow.
     pub free: Vec<u32>,
+}
+
+/// One slot.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Slot {
+    /// Generation of the strand that lives here, or lived here last.
+    pub generation: u32,
+    /// The highest generation ever given out here: more than `generation` after going back to a snapshot.
+    pub highest: u32,
+    /// The index of the strand that lives here.
+    pub index: Option<u32>,
 }
 
 impl SlotMap {
@@ -42,49 +53,72 @@ impl SlotMap {
         let slot = match self.free.pop() {
             Some(slot) => slot as usize,
             None if self.slots.len() < MAX_SLOTS => {
-                self.slots.push((0, None));
+                self.slots.push(Slot::default());
                 self.slots.len() - 1
             }
             None => return None,
         };
         // Generations begin at 1, so that no identifier is zero.
-        self.slots[slot].0 += 1;
-        self.slots[slot].1 = Some(index as u32);
+        let here = &mut self.slots[slot];
+        here.highest += 1;
+        here.generation = here.highest;
+        here.index = Some(index as u32);
         Some(self.id_of(slot))
     }
 
     fn id_of(&self, slot: usize) -> StrandId {
-        let generation = u64::from(self.slots[slot].0);
+        let generation = u64::from(self.slots[slot].generation);
         StrandId(u64::from(self.mark) << (SLOT_BITS + GENERATION_BITS) | generation << SLOT_BITS | slot as u64)
     }
 
     /// The slot that a living identifier names.
     fn slot(&self, id: StrandId) -> Option<usize> {
         let slot = (id.0 & (MAX_SLOTS as u64 - 1)) as usize;
-        (slot < self.slots.len() && self.slots[slot].1.is_some() && self.id_of(slot) == id).then_some(slot)
+        (slot < self.slots.len() && self.slots[slot].index.is_some() && self.id_of(slot) == id).then_some(slot)
     }
 
     /// The index of the strand that an identifier names.
     pub fn index(&self, id: StrandId) -> Option<usize> {
-        self.slot(id).and_then(|slot| self.slots[slot].1).map(|index| index as usize)
+        self.slot(id).and_then(|slot| self.slots[slot].index).map(|index| index as usize)
     }
 
     /// Ends an identifier.
     pub fn remove(&mut self, id: StrandId) {
         if let Some(slot) = self.slot(id) {
-            self.slots[slot].1 = None;
-            // A slot whose generations are used up is retired rather than begun again.
-            if self.slots[slot].0 < (1 << GENERATION_BITS) - 1 {
-                self.free.push(slot as u32);
-            }
+            self.slots[slot].index = None;
+            self.offer(slot);
+        }
+    }
+
+    /// Puts an empty slot up for use; one whose generations are used up is retired rather than begun again.
+    fn offer(&mut self, slot: usize) {
+        if self.slots[slot].highest < MAX_GENERATION {
+            self.free.push(slot as u32);
         }
     }
 
     /// Tells a strand's new index.
     pub fn moved(&mut self, id: StrandId, index: usize) {
         if let Some(slot) = self.slot(id) {
-            self.slots[slot].1 = Some(index as u32);
+            self.slots[slot].index = Some(index as u32);
         }
+    }
+
+    /// Remembers the identifiers that `later` gave out: going back to a snapshot must not give one of them out again.
+    pub fn remember(&mut self, later: &SlotMap) {
+        if later.mark != self.mark {
+            return;
+        }
+        for (slot, seen) in later.slots.iter().enumerate() {
+            if slot == self.slots.len() {
+                self.slots.push(Slot { generation: seen.generation, highest: seen.highest, index: None });
+                self.offer(slot);
+            } else {
+                self.slots[slot].highest = self.slots[slot].highest.max(seen.highest);
+            }
+        }
+        let slots = &self.slots;
+        self.free.retain(|slot| slots[*slot as usize].highest < MAX_GENERATION);
     }
 }
 
@@ -108,10 +142,28 @@ mod tests {
     }
 
     #[test]
+    fn going_back_gives_no_identifier_out_twice() {
+        let mut map = SlotMap::new(3);
+        let a = map.insert(0).unwrap();
+        let saved = map.clone();
+        map.remove(a);
+        let later = [map.insert(0).unwrap(), map.insert(1).unwrap()];
+        let mut back = saved;
+        back.remember(&map);
+        assert_eq!(back.index(a), Some(0));
+        assert!(later.iter().all(|id| back.index(*id).is_none()));
+        let fresh = [back.insert(1).unwrap(), back.insert(2).unwrap()];
+        assert!(fresh.iter().all(|id| !later.contains(id)));
+        back.remove(a);
+        assert!(!later.contains(&back.insert(0).unwrap()));
+    }
+
+    #[test]
     fn a_slot_is_retired_when_its_generations_end() {
         let mut map = SlotMap::new(1);
         let id = map.insert(0).unwrap();
-        map.slots[0].0 = (1 << GENERATION_BITS) - 1;
+        map.slots[0].generation = MAX_GENERATION;
+        map.slots[0].highest = MAX_GENERATION;
         let last = map.id_of(0);
         map.remove(last);
         assert!(map.free.is_empty() && map.index(id).is_none());

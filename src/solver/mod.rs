@@ -454,7 +454,8 @@ impl Solver {
         self.options.gravity = image.gravity;
         self.options.wind = image.wind;
         self.options.step = image.step;
-        self.slots = image.slots;
+        let later = std::mem::replace(&mut self.slots, image.slots);
+        self.slots.remember(&later);
         self.strands = image.strands;
         Ok(())
     }
@@ -477,7 +478,7 @@ impl Solver {
             + size_of::<Rules>()
             + self.strands.capacity() * size_of::<Strand>()
             + strands
-            + self.slots.slots.capacity() * size_of::<(u32, Option<u32>)>()
+            + self.slots.slots.capacity() * size_of::<id::Slot>()
             + self.slots.free.capacity() * size_of::<u32>()) as u64
     }
 

@@ -5,7 +5,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-use super::id::{SlotMap, StrandId};
+use super::id::{Slot, SlotMap, StrandId};
 use super::report::Energies;
 use super::strand::{Strand, Tally};
 use crate::error::{Error, Result};
@@ -114,9 +114,10 @@ impl Writer {
     pub fn slots(&mut self, slots: &SlotMap) {
         self.u32(u32::from(slots.mark));
         self.u64(slots.slots.len() as u64);
-        for (generation, index) in &slots.slots {
-            self.u32(*generation);
-            self.u32(index.map_or(u32::MAX, |index| index));
+        for slot in &slots.slots {
+            self.u32(slot.generation);
+            self.u32(slot.highest);
+            self.u32(slot.index.unwrap_or(u32::MAX));
         }
         self.u64(slots.free.len() as u64);
         slots.free.iter().for_each(|slot| self.u32(*slot));
@@ -307,15 +308,19 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
     };
     step.check("its options").map_err(|error| Error::Snapshot { reason: error.to_string() })?;
     let mark = reader.u32()? as u16;
-    let slot_count = reader.count(8)?;
+    let slot_count = reader.count(12)?;
     let mut slots = SlotMap::new(mark);
     for _ in 0..slot_count {
-        let (generation, index) = (reader.u32()?, reader.u32()?);
-        slots.slots.push((generation, (index != u32::MAX).then_some(index)));
+        let (generation, highest, index) = (reader.u32()?, reader.u32()?, reader.u32()?);
+        slots.slots.push(Slot { generation, highest, index: (index != u32::MAX).then_some(index) });
     }
     let free_count = reader.count(4)?;
     for _ in 0..free_count {
-        slots.free.push(reader.u32()?);
+        let slot = reader.u32()?;
+        if slots.slots.get(slot as usize).is_none_or(|free| free.index.is_some()) {
+            return Err(Error::Snapshot { reason: format!("slot {slot} is said to be free") });
+        }
+        slots.free.push(slot);
     }
     let strand_count = reader.count(8)?;
     let mut strands = Vec::with_capacity(strand_count);

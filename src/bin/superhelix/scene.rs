@@ -9,6 +9,7 @@ use superhelix::math::frame::Frame;
 use superhelix::math::pose_spline::PoseSpline;
 use superhelix::rod::freedoms::Freedoms;
 use superhelix::rod::material::Material;
+use superhelix::solver::SHORTEST_STEP;
 use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef, Workers};
 use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
 
@@ -139,13 +140,13 @@ fn read(document: &Value) -> Result<Scene, Complaint> {
     ])?;
     scene.require("version")?.whole(1..=1)?;
 
-    let time_step = scene.require("time_step")?.positive()?;
+    let time_step = long_enough(scene.require("time_step")?)?;
     let duration = scene.require("duration")?;
     let seconds = duration.number()?;
-    if seconds < 0.0 {
-        return Err(duration.complain("a number of seconds, zero or above"));
+    if seconds != 0.0 && seconds < SHORTEST_STEP {
+        return Err(duration.complain(format!("zero, or {SHORTEST_STEP:e} s or more")));
     }
-    let output_interval = scene.or("output_interval", time_step, Node::positive)?;
+    let output_interval = scene.or("output_interval", time_step, long_enough)?;
     if seconds / time_step > timeline::MAX_STEPS || seconds / output_interval > timeline::MAX_OUTPUTS {
         return Err(duration.complain(format!(
             "a duration of at most {} times time_step ({time_step}) and {} times output_interval ({output_interval})",
@@ -177,6 +178,12 @@ fn read(document: &Value) -> Result<Scene, Complaint> {
         strands.push(read_strand(&strand)?);
     }
     Ok(Scene { options, time_step, duration: seconds, output_interval, strands, outputs: read_outputs(&scene)? })
+}
+
+/// A time that a step can last.
+fn long_enough(node: &Node) -> Result<f64, Complaint> {
+    let seconds = node.number()?;
+    if seconds >= SHORTEST_STEP { Ok(seconds) } else { Err(node.complain(format!("{SHORTEST_STEP:e} s or more"))) }
 }
 
 fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {

@@ -1,5 +1,7 @@
 //! When states are written and which steps lead there.
 
+use superhelix::solver::SHORTEST_STEP;
+
 /// More steps than this in one run are taken for a mistake.
 pub const MAX_STEPS: f64 = 1e9;
 
@@ -14,7 +16,7 @@ pub fn output_times(duration: f64, interval: f64) -> Vec<f64> {
     let whole = (duration / interval + ROUNDING).floor() as u64;
     let mut times: Vec<f64> = (0..=whole).map(|index| index as f64 * interval).collect();
     let last = whole as f64 * interval;
-    if duration - last > ROUNDING * interval {
+    if duration - last > (ROUNDING * interval).max(SHORTEST_STEP) {
         times.push(duration);
     } else if whole > 0 {
         times[whole as usize] = duration;
@@ -22,17 +24,19 @@ pub fn output_times(duration: f64, interval: f64) -> Vec<f64> {
     times
 }
 
-/// The steps from one written time to the next: as many whole ones as fit, then a shorter one for what is left.
-/// Each is (end of the step, length of the step).
+/// The steps from one written time to the next: as many whole ones as fit, then a shorter one for what is left. A rest too short
+/// for the engine lengthens the last whole step. Each is (end of the step, length of the step).
 pub fn steps_between(from: f64, to: f64, time_step: f64) -> impl Iterator<Item = (f64, f64)> {
     let whole = ((to - from) / time_step + ROUNDING).floor() as u64;
     let rest = to - (from + whole as f64 * time_step);
-    let shorter = whole == 0 || rest > ROUNDING * time_step;
+    let shorter = whole == 0 || rest > (ROUNDING * time_step).max(SHORTEST_STEP);
     let count = whole + u64::from(shorter);
-    (1..=count).map(move |index| {
-        let length = if shorter && index == count { rest } else { time_step };
-        (if index == count { to } else { from + index as f64 * time_step }, length)
-    })
+    let last_length = match (shorter, rest > ROUNDING * time_step) {
+        (true, _) => rest,
+        (false, true) => time_step + rest,
+        (false, false) => time_step,
+    };
+    (1..=count).map(move |index| if index == count { (to, last_length) } else { (from + index as f64 * time_step, time_step) })
 }
 
 #[cfg(test)]
@@ -78,6 +82,15 @@ mod tests {
                 assert!(steps.iter().all(|(_, length)| *length > 0.0 && *length <= step));
             }
         }
+    }
+
+    #[test]
+    fn no_step_is_shorter_than_the_engine_takes() {
+        assert_eq!(output_times(0.1 + 5e-10, 0.1), [0.0, 0.1 + 5e-10]);
+        let steps = listed(0.0, 1.5e-9, 1e-9);
+        assert_eq!(steps.len(), 1);
+        assert!((steps[0].1 - 1.5e-9).abs() < 1e-20);
+        assert_eq!(listed(0.0, 0.2 + 5e-10, 0.1).len(), 2);
     }
 
     #[test]

@@ -113,7 +113,7 @@ mod tests {
     fn every_drawing_stays_on_its_grid() {
         for character in ('0'..='9').chain('A'..='Z').chain(".,:-+=/_()% ".chars()) {
             for stroke in strokes(character).split(' ').filter(|stroke| !stroke.is_empty()) {
-                assert!(stroke.len() % 2 == 0 && stroke.len() >= 4, "{character}");
+                assert!(stroke.len().is_multiple_of(2) && stroke.len() >= 4, "{character}");
                 assert!(stroke.bytes().step_by(2).all(|x| (b'0'..=b'4').contains(&x)), "{character}");
                 assert!(stroke.bytes().skip(1).step_by(2).all(|y| (b'0'..=b'7').contains(&y)), "{character}");
             }
