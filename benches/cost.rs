@@ -53,8 +53,7 @@ impl Contestant {
         let ids = solver.add_strands(&vec![def; strands]).expect("strands");
         let mut new = Self { name, count, strands, solver, ids, rest, step: 0, seconds: Vec::new(), iterations: Vec::new() };
         // Not timed: the first touch of all memory, and the sway's onset.
-        let warm_up = if linear_solver == LinearSolver::LinearTime { 30 } else { 3 };
-        new.take(warm_up);
+        new.take(30);
         (new.seconds, new.iterations) = (Vec::new(), Vec::new());
         new
     }
@@ -102,8 +101,13 @@ fn main() {
             }
         }
     }
-    let mut csv = String::from("solver,elements,strands,rounds,iterations,us_per_element_step,us_per_element_iteration,least_us_per_element_step\n");
-    println!("{:15} {:>5} {:>11} {:>16} {:>21} {:>8}", "solver", "N", "iterations", "us/element/step", "us/element/iteration", "least");
+    let mut csv = String::from(
+        "solver,elements,strands,rounds,iterations,us_per_element_step,us_per_element_iteration,least_us_per_element_step\n",
+    );
+    println!(
+        "{:15} {:>5} {:>11} {:>16} {:>21} {:>8}",
+        "solver", "N", "iterations", "us/element/step", "us/element/iteration", "least"
+    );
     for c in &contestants {
         let per_iteration: Vec<f64> = c.seconds.iter().zip(&c.iterations).map(|(s, i)| s / i * 1e6).collect();
         let (step, iterations) = (median(&c.seconds) * 1e6, c.iterations.iter().sum::<f64>() / c.iterations.len() as f64);
@@ -112,8 +116,7 @@ fn main() {
         writeln!(csv, "{},{},{},{},{iterations:.4},{step:.4},{each:.4},{least:.4}", c.name, c.count, c.strands, c.seconds.len())
             .expect("a string");
     }
-    let steps: Vec<f64> =
-        contestants.iter().filter(|c| c.name == "linear_time").map(|c| median(&c.seconds)).collect();
+    let steps: Vec<f64> = contestants.iter().filter(|c| c.name == "linear_time").map(|c| median(&c.seconds)).collect();
     let (least, most) = (steps.iter().copied().fold(f64::INFINITY, f64::min), steps.iter().copied().fold(0.0, f64::max));
     println!("linear time: the dearest element-step of all N costs {:.2} times the cheapest", most / least);
     if let Some(path) = value("--csv") {

@@ -92,7 +92,8 @@ fn main() {
             let tips = simulate(case, per_output);
             let error = worst(tips.iter().copied(), known(), length);
             // 2 × fine − coarse; nothing for the first.
-            let extrapolated = coarser.as_ref().map(|coarse| worst(tips.iter().zip(coarse).map(|(a, b)| a * 2.0 - b), known(), length));
+            let extrapolated =
+                coarser.as_ref().map(|coarse| worst(tips.iter().zip(coarse).map(|(a, b)| a * 2.0 - b), known(), length));
             let step = 1.0 / 60.0 / per_output as f64;
             let said = extrapolated.map_or(String::new(), |e| format!("{e:.6e}"));
             println!("{name:20} h = 1/{:<6} tip error {error:.3e} L, extrapolated {said} L", 60 * per_output);

@@ -46,12 +46,11 @@ impl Move<'_> {
         }
     }
 
-    /// The follicle: 9 cm to the side of the head's axis, its strand leaving outwards and a little down.
+    /// The follicle: 9 cm to the side of the head's axis, its strand leaving outwards and a little down; straight down when calm.
     fn root(&self, t: f64) -> Frame {
-        let follicle = Frame {
-            origin: Vector3::new(0.09, 0.0, 0.0),
-            rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -0.5),
-        };
+        let down = if let Move::Sway = self { std::f64::consts::FRAC_PI_2 } else { 0.5 };
+        let follicle =
+            Frame { origin: Vector3::new(0.09, 0.0, 0.0), rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -down) };
         self.at(t).compose(&follicle)
     }
 }
@@ -73,6 +72,18 @@ fn strand(hair: &str, dissipation: &str) -> StrandDef {
     def
 }
 
+/// The curvatures in which a strand hangs: what is left of ten seconds in honey.
+fn settled(def: &StrandDef, gravity: Vector3<f64>) -> Vec<[f64; 3]> {
+    let mut thick = def.clone();
+    (thick.material.viscosity, thick.material.air_drag) = (0.05, 1e-4);
+    let mut solver = Solver::new(SolverOptions { gravity, ..SolverOptions::default() }).expect("a solver");
+    let id = solver.add_strands(&[thick]).expect("a strand")[0];
+    for _ in 0..600 {
+        solver.step(1.0 / 60.0, 1).expect("a step");
+    }
+    solver.curvatures(id).expect("curvatures").to_vec()
+}
+
 /// Tips at 10 Hz, m, or the time at which it blew up, s.
 fn simulate(def: &StrandDef, movement: Move, integrator: Integrator, rate: u32) -> Result<Vec<Vector3<f64>>, f64> {
     let mut options = SolverOptions { gravity: Vector3::new(0.0, -9.81, 0.0), ..SolverOptions::default() };
@@ -81,6 +92,9 @@ fn simulate(def: &StrandDef, movement: Move, integrator: Integrator, rate: u32) 
     let mut solver = Solver::new(options).expect("a solver");
     let mut def = def.clone();
     def.root = movement.root(0.0);
+    if let Move::Sway = movement {
+        def.initial = Some(settled(&def, solver.options().gravity));
+    }
     if let Move::Walk(_) = movement {
         let h = 1e-4;
         def.root_velocity = (movement.root(h).origin - def.root.origin) / h;
@@ -115,14 +129,14 @@ fn furthest(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> f64 {
 
 fn main() {
     let path = std::env::args().nth(1);
-    let walk = Motion::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/grooms/walk_figure8_head.csv"), None).expect("the walk");
+    let walk =
+        Motion::read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/grooms/walk_figure8_head.csv"), None).expect("the walk");
     let mut csv = String::from("hair,motion,dissipation,rate,papers_blown_up_s,papers_error_mm,euler_error_mm\n");
     for hair in ["stiff straight", "curly", "limp"] {
         for (motion, movement) in [("sway", Move::Sway), ("walk", Move::Walk(&walk)), ("shake", Move::Shake)] {
             for dissipation in ["none", "papers'", "Kelvin-Voigt"] {
                 let def = strand(hair, dissipation);
-                let euler: Vec<_> =
-                    RATES.iter().map(|rate| simulate(&def, movement, Integrator::ImplicitEuler, *rate)).collect();
+                let euler: Vec<_> = RATES.iter().map(|rate| simulate(&def, movement, Integrator::ImplicitEuler, *rate)).collect();
                 let coarse = simulate(&def, movement, Integrator::ImplicitEuler, 2000).expect("implicit Euler at 1/2000 s");
                 let fine = euler[4].as_ref().expect("implicit Euler at 1/4000 s");
                 let reference: Vec<_> = fine.iter().zip(&coarse).map(|(fine, coarse)| fine * 2.0 - coarse).collect();

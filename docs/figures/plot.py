@@ -29,6 +29,16 @@ def save(figure, name):
     print(f"docs/figures/{name}: {(FIGURES / name).stat().st_size // 1024} kB")
 
 
+def put(lines, page, name):
+    """Puts a table between a page's markers."""
+    page = DOCS / page
+    start, end = f"<!-- {name}: made by make figures -->\n", f"<!-- end of {name} -->"
+    before, rest = page.read_text().split(start)
+    _, after = rest.split(end)
+    page.write_text(before + start + "\n".join(lines) + "\n" + end + after)
+    print(f"docs/{page.name}: table of {name}")
+
+
 def convergence():
     data = defaultdict(list)
     for row in rows("convergence.csv"):
@@ -47,6 +57,13 @@ def convergence():
     axes.set_title("Implicit Euler against the reference trajectories\nsolid: as it is; dashed: Richardson, from h and 2h", fontsize=9)
     axes.legend(fontsize=8)
     save(figure, "convergence.png")
+    rates = [60, 240, 960, 3840, 15360]
+    lines = ["| trajectory | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " | extrapolated from the last two halvings |",
+             "|---" * (len(rates) + 2) + "|"]
+    for name, points in sorted(data.items()):
+        known = {round(1 / step): error for step, error, _ in points}
+        lines.append(f"| `{name}` | " + " | ".join(f"{known[rate]:.2g}" for rate in rates) + f" | {points[-1][2]:.1g} |")
+    put(lines, "convergence.md", "convergence")
 
 
 def cost():
@@ -71,6 +88,12 @@ def cost():
     for axes in (left, right):
         axes.set_xlabel("elements a strand, N")
     save(figure, "cost.png")
+    lines = ["| solver | N | iterations a step | µs an element and step | µs an element and iteration |", "|---|---|---|---|---|"]
+    for row in rows("cost.csv"):
+        lines.append(f"| {row['solver'].replace('_', ' ')} | {row['elements']} | {float(row['iterations']):.2f} | "
+                     f"{float(row['us_per_element_step']):.3g} | {float(row['us_per_element_iteration']):.3g} |")
+    lines += ["", f"Linear time: the dearest element-step of all N costs {linear[1].max() / linear[1].min():.2f} times the cheapest."]
+    put(lines, "performance.md", "cost")
 
 
 def limits():
@@ -84,12 +107,7 @@ def limits():
     lines = ["| hair | motion | dissipation | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " |", "|---" * (3 + len(rates)) + "|"]
     for (hair, motion, dissipation), line in table.items():
         lines.append(f"| {hair} | {motion} | {dissipation} | " + " | ".join(line[rate] for rate in rates) + " |")
-    page = DOCS / "integrators.md"
-    text = page.read_text()
-    before, rest = text.split("<!-- limits: made by make figures -->\n")
-    _, after = rest.split("<!-- end of limits -->")
-    page.write_text(before + "<!-- limits: made by make figures -->\n" + "\n".join(lines) + "\n<!-- end of limits -->" + after)
-    print("docs/integrators.md: table of limits")
+    put(lines, "integrators.md", "limits")
 
 
 convergence()
