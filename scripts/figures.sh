@@ -10,7 +10,8 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
   cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
   scripts/demo.sh
-  cp out/demo/contact_sheet.png docs/figures/contact_sheet.png
+  "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \
+    --title "Sintel hair on a recorded walk" --cell 220 --moments 5 --quiet
 fi
 
 venv=build/venv
