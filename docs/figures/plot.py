@@ -100,7 +100,7 @@ def limits():
     """The table in docs/integrators.md, between the markers."""
     table = defaultdict(dict)
     for row in rows("limits.csv"):
-        papers = f"✗ {float(row['papers_blown_up_s']):.2f} s" if row["papers_blown_up_s"] else f"{float(row['papers_error_mm']):.3g}"
+        papers = f"✗ {float(row['papers_blown_up_s']):.2g} s" if row["papers_blown_up_s"] else f"{float(row['papers_error_mm']):.3g}"
         euler = f"{float(row['euler_error_mm']):.3g}" if row["euler_error_mm"] else "✗"
         table[row["hair"], row["motion"], row["dissipation"]][int(row["rate"])] = f"{papers} ({euler})"
     rates = sorted({rate for line in table.values() for rate in line})
