@@ -30,7 +30,7 @@ demo: ## a real groom on a walking head, hosted by a C program: out/demo/ holds 
 
 soak: ## the randomised tests for half an hour and more (PROPTEST_CASES=5000, or yours)
 	@scripts/setup.sh test
-	PROPTEST_CASES=$${PROPTEST_CASES:-5000} cargo test --locked --release --all-features \
+	PROPTEST_CASES=$${PROPTEST_CASES:-5000} cargo test --locked --all-features \
 	  --test kernel_mathematics --test math_pose_spline --test files_fuzz --test hard_cases -- --nocapture
 
 bench: ## what a step costs an element, linear-time and dense: docs/figures/cost.csv

@@ -21,9 +21,8 @@ for part in "$@"; do
       need make make
       need nm binutils
       need readelf binutils
-      need valgrind valgrind
-      # valgrind refuses to start without the C library's debugging symbols on Debian; gcc brings the headers.
-      [ -e /usr/include/stdlib.h ] || missing+=(libc6-dev)
+      # valgrind looks for the C library's symbols when it starts.
+      command -v valgrind >/dev/null 2>&1 || missing+=(valgrind libc6-dbg)
       ;;
     figures)
       need python3 python3
