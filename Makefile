@@ -16,7 +16,7 @@ lib: ## the shared and the static library, the header and superhelix.pc, into bu
 	scripts/build_lib.sh
 	@echo "build/lib/libsuperhelix.so, build/lib/libsuperhelix.a, build/include/superhelix.h"
 
-test: ## everything: format, lints, documentation, tests in Rust and C, examples (about 10 minutes on two cores)
+test: ## everything: format, lints, documentation, tests in Rust and C, examples (about 8 minutes on two cores)
 	@scripts/setup.sh test
 	cargo fmt --check
 	cargo clippy --locked --all-targets --all-features -- -D warnings
@@ -28,16 +28,16 @@ demo: ## a real groom on a walking head, hosted by a C program: out/demo/ holds 
 	@scripts/setup.sh build
 	scripts/demo.sh
 
-soak: ## the randomised tests for half an hour and more (PROPTEST_CASES=5000, or yours)
+soak: ## the randomised tests with a hundred thousand cases each (PROPTEST_CASES, or yours)
 	@scripts/setup.sh test
-	PROPTEST_CASES=$${PROPTEST_CASES:-5000} cargo test --locked --all-features \
+	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features \
 	  --test kernel_mathematics --test math_pose_spline --test files_fuzz --test hard_cases -- --nocapture
 
 bench: ## what a step costs an element, linear-time and dense: docs/figures/cost.csv
 	@scripts/setup.sh build
 	cargo bench --locked --bench cost -- --csv docs/figures/cost.csv
 
-figures: ## every figure and table of docs/, from their programs (about 15 minutes)
+figures: ## every figure and table of docs/, from their programs
 	@scripts/setup.sh build figures
 	scripts/figures.sh
 
