@@ -1,4 +1,4 @@
-//! Implicit Euler as a minimisation (design, section 5): the step's end minimises
+//! Implicit Euler as a minimisation: the step's end minimises
 //! Φ(q) = Σ w ρS/(2h²) |r(q) − r_t − h v_t|² − Σ w ρS g·r + Σ w ν/(2h) |r − r_t − h·wind|² + ½ (q−qⁿ)ᵀK(q−qⁿ) + (q−q_t)ᵀD(q−q_t)/(2h).
 //! Velocity products need no code: they are in r(q). The root moves first, rigidly; r_t stays in the world.
 
