@@ -141,10 +141,10 @@
 // scenes only.
 #define SHX_INTEGRATOR_LINEARLY_IMPLICIT 1
 
-// Implicit Euler by Newton's method on the incremental potential: robust, first order. The default.
+// Implicit Euler by Newton's method on the incremental potential: first order: it damps, and forgives anything.
 #define SHX_INTEGRATOR_IMPLICIT_EULER 2
 
-// Second order in the step. Not in this version: SHX_ERROR_UNSUPPORTED.
+// Two-step backward differences: second order in the step for the price of implicit Euler. The default.
 #define SHX_INTEGRATOR_SECOND_ORDER 3
 
 // High order with error control. Not in this version: SHX_ERROR_UNSUPPORTED.
@@ -234,7 +234,7 @@ typedef struct shx_solver_def {
   void *log_user;
   // Messages up to this level go to log: SHX_LOG_ERROR to SHX_LOG_DEBUG. Default SHX_LOG_WARN.
   uint32_t log_level;
-  // SHX_INTEGRATOR_. Default SHX_INTEGRATOR_IMPLICIT_EULER.
+  // SHX_INTEGRATOR_. Default SHX_INTEGRATOR_SECOND_ORDER.
   uint32_t integrator;
   // SHX_LINEAR_SOLVER_. Default SHX_LINEAR_SOLVER_LINEAR_TIME.
   uint32_t linear_solver;

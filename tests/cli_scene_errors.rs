@@ -129,7 +129,6 @@ fn what_this_version_does_not_have_is_said() {
     let directory = directory("absent");
     for (pointer, value, key, shown) in [
         ("/precision", json!("f32"), "precision", "unsupported in this version"),
-        ("/integrator", json!("second_order"), "integrator", "second_order"),
         ("/integrator", json!("reference"), "integrator", "unsupported in this version"),
         ("/hair_contact", json!(true), "hair_contact", "not in this version"),
         ("/colliders", json!([{"shape": "sphere"}]), "colliders[0]", "not in this version"),

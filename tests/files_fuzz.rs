@@ -216,7 +216,11 @@ fn accident() -> impl Strategy<Value = Accident> {
 
 fn mutilated_files_are_survived() {
     let accidents = prop::collection::vec(accident(), 1..6);
-    let mut runner = TestRunner::new(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() });
+    let mut runner = TestRunner::new(ProptestConfig {
+        cases: ProptestConfig::default().cases.max(20_000),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    });
     runner
         .run(&(0..seeds().len(), accidents, any::<bool>()), |(which, accidents, in_head)| {
             let (name, seed) = &seeds()[which];
@@ -240,7 +244,11 @@ static WHOLE: AtomicUsize = AtomicUsize::new(0);
 
 fn noise_is_survived() {
     let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a", "HAIR"];
-    let mut runner = TestRunner::new(ProptestConfig { cases: 10_000, failure_persistence: None, ..ProptestConfig::default() });
+    let mut runner = TestRunner::new(ProptestConfig {
+        cases: ProptestConfig::default().cases.max(10_000),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    });
     runner
         .run(&(0..names.len(), prop::collection::vec(any::<u8>(), 0..600)), |(which, bytes)| {
             let (_, memory) = read(names[which], &bytes);

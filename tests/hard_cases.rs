@@ -5,7 +5,7 @@ use superhelix::math::frame::Frame;
 use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::LinearSolver;
+use superhelix::step::options::{Integrator, LinearSolver};
 
 /// Head yaw ±46° at 2 Hz with ±8 cm of sway.
 fn shake(t: f64) -> Frame {
@@ -18,8 +18,15 @@ fn shake(t: f64) -> Frame {
 }
 
 /// Tip after three seconds, mean iterations, most iterations.
-fn shaken(count: usize, natural: [f64; 3], per_second: f64, kind: LinearSolver) -> (Vector3<f64>, f64, u32) {
+fn shaken(
+    count: usize,
+    natural: [f64; 3],
+    per_second: f64,
+    integrator: Integrator,
+    kind: LinearSolver,
+) -> (Vector3<f64>, f64, u32) {
     let mut options = SolverOptions::default();
+    options.step.integrator = integrator;
     options.step.linear_solver = kind;
     options.step.max_iterations = 300;
     let mut solver = Solver::new(options).unwrap();
@@ -47,8 +54,9 @@ fn shaken(count: usize, natural: [f64; 3], per_second: f64, kind: LinearSolver) 
 fn a_shaken_head_converges_at_every_step_and_both_solvers_find_the_same_minimum() {
     for (count, natural) in [(5, [0.0; 3]), (10, [0.0; 3]), (10, [10.0, 60.0, 0.0])] {
         for per_second in [30.0, 60.0, 240.0] {
-            let (fast, mean, most) = shaken(count, natural, per_second, LinearSolver::LinearTime);
-            let (slow, dense_mean, dense_most) = shaken(count, natural, per_second, LinearSolver::DenseCholesky);
+            let (fast, mean, most) = shaken(count, natural, per_second, Integrator::ImplicitEuler, LinearSolver::LinearTime);
+            let (slow, dense_mean, dense_most) =
+                shaken(count, natural, per_second, Integrator::ImplicitEuler, LinearSolver::DenseCholesky);
             println!(
                 "N = {count} {natural:?} h = 1/{per_second}: linear time {mean:.1} iterations (most {most}), dense {dense_mean:.1} ({dense_most})"
             );
@@ -56,5 +64,10 @@ fn a_shaken_head_converges_at_every_step_and_both_solvers_find_the_same_minimum(
             assert!((fast - slow).norm() < 1e-4, "{fast} {slow}");
         }
     }
-    shaken(50, [0.0; 3], 60.0, LinearSolver::LinearTime);
+    for integrator in [Integrator::ImplicitEuler, Integrator::SecondOrder] {
+        for (count, per_second) in [(5, 30.0), (10, 60.0), (50, 60.0), (10, 240.0)] {
+            let (_, mean, most) = shaken(count, [0.0; 3], per_second, integrator, LinearSolver::LinearTime);
+            println!("{integrator:?} N = {count} h = 1/{per_second}: {mean:.1} iterations (most {most})");
+        }
+    }
 }

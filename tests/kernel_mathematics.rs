@@ -149,7 +149,7 @@ fn system_on(setting: &Setting, exact: bool, force_size: f64) -> (Kinematics<f64
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        cases: 64,
+        cases: if std::env::var_os("PROPTEST_CASES").is_some() { ProptestConfig::default().cases } else { 64 },
         failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
         ..ProptestConfig::default()
     })]

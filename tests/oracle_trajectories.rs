@@ -138,5 +138,9 @@ fn the_second_order_method_converges_at_second_order() {
             .map(|per_output| worst(&simulate(&case, Integrator::SecondOrder, per_output), &case.tips, length))
             .into();
         println!("{name}: {errors:?} L at 4, 8, 16, 32 steps a 60th of a second");
+        for pair in errors.windows(2) {
+            assert!((3.4..4.6).contains(&(pair[0] / pair[1])), "{name}: {errors:?}");
+        }
+        assert!(errors[3] < 3e-4, "{name}: {errors:?}");
     }
 }

@@ -81,7 +81,7 @@ fn any_number_of_workers_gives_the_same_bits() {
     assert_eq!(expected, GOLDEN, "0x{expected:016x}");
 }
 
-const GOLDEN: u64 = 0x40f5_e459_07a4_2c88;
+const GOLDEN: u64 = 0xb632_1436_7f88_bb4c;
 
 #[test]
 fn removed_strands_stay_removed_and_the_others_keep_their_identifiers() {
@@ -273,7 +273,8 @@ fn samples_cover_the_strand_and_agree_with_each_other() {
     solver.sample_strands(&[id], 9, |_, _, s| after.push((s.position, s.velocity))).unwrap();
     for ((position, velocity), from) in after.iter().zip(&before).skip(1) {
         let moved = (position - from) / 1e-6;
-        assert!((moved - velocity).norm() < 1e-5 * (1.0 + velocity.norm()), "{moved} {velocity}");
+        // The mean velocity of the way against the one at its end: apart by the acceleration (hundreds of m/s²) times 1e-6 s.
+        assert!((moved - velocity).norm() < 1e-3 * (1.0 + velocity.norm()), "{moved} {velocity}");
     }
 }
 

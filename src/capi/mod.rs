@@ -9,6 +9,8 @@
 //! Every function trusts its caller in what a C function must: a pointer that is not null points to as many items as the
 //! function's comment says, handles come from their create function and were not destroyed, and callbacks return normally.
 //! Everything else is checked.
+// Comments here are those of the C header too, plain text: ids[i] is not a link.
+#![allow(rustdoc::broken_intra_doc_links)]
 #![allow(unsafe_code, non_camel_case_types)]
 #![allow(clippy::missing_safety_doc)] // said once, above
 

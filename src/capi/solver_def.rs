@@ -17,9 +17,9 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 /// The papers' linearly implicit step: one linear solve a step, gravity, drag and velocity products explicit. Fast, for calm
 /// scenes only.
 pub const SHX_INTEGRATOR_LINEARLY_IMPLICIT: u32 = 1;
-/// Implicit Euler by Newton's method on the incremental potential: robust, first order. The default.
+/// Implicit Euler by Newton's method on the incremental potential: first order: it damps, and forgives anything.
 pub const SHX_INTEGRATOR_IMPLICIT_EULER: u32 = 2;
-/// Second order in the step. Not in this version: SHX_ERROR_UNSUPPORTED.
+/// Two-step backward differences: second order in the step for the price of implicit Euler. The default.
 pub const SHX_INTEGRATOR_SECOND_ORDER: u32 = 3;
 /// High order with error control. Not in this version: SHX_ERROR_UNSUPPORTED.
 pub const SHX_INTEGRATOR_REFERENCE: u32 = 4;
@@ -62,7 +62,7 @@ pub struct shx_solver_def {
     pub log_user: *mut c_void,
     /// Messages up to this level go to log: SHX_LOG_ERROR to SHX_LOG_DEBUG. Default SHX_LOG_WARN.
     pub log_level: u32,
-    /// SHX_INTEGRATOR_. Default SHX_INTEGRATOR_IMPLICIT_EULER.
+    /// SHX_INTEGRATOR_. Default SHX_INTEGRATOR_SECOND_ORDER.
     pub integrator: u32,
     /// SHX_LINEAR_SOLVER_. Default SHX_LINEAR_SOLVER_LINEAR_TIME.
     pub linear_solver: u32,

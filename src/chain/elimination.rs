@@ -1,9 +1,9 @@
-//! The linear-time solve: elimination from tip to root, then one pass from root to tip (design, section 4; Featherstone's recursion for
+//! The linear-time solve: elimination from tip to root, then one pass from root to tip (`docs/mathematics.md`; Featherstone's recursion for
 //! flexible segments, Bertails 2009).
 //!
 //! Everything of a segment is in the axes of its left end. Symbols: u = (ψ, ρ) rotation and displacement of the left end; δκ; the right
 //! end turns by ψ + Ψδκ and moves by ρ + ψ×a + Jδκ, a the right end's place. What lies downstream acts on the right end as a quadratic
-//! ½ uᵀPu − pᵀu, P = [A B; Bᵀ C]; F, M are the sum of the forces downstream and their moment about the right end. A point with
+//! ½ uᵀPu − pᵀu, `P = [A B; Bᵀ C]`; F, M are the sum of the forces downstream and their moment about the right end. A point with
 //! stiffness k and force f at place x moves by ρ + ψ×x + J_x δκ. The exact Hessian adds tension: the second variations of x and of the
 //! right end, weighted by −f, −F, −M.
 
@@ -129,7 +129,7 @@ impl<T: Lane> Downstream<T> {
         }
     }
 
-    /// The same, acting at a point that lies at −x from here: A gains −BS + SBᵀ − SCS, B gains SC, moments x × force, S = [x]×.
+    /// The same, acting at a point that lies at −x from here: A gains −BS + SBᵀ − SCS, B gains SC, moments x × force, `S = [x]×`.
     #[inline(always)]
     fn moved(&self, x: Vec3<T>) -> Self {
         let sc = full(&self.c).crossed_from_left(x);

@@ -1,4 +1,4 @@
-//! Natural shapes that hold a strand where it is drawn (design, section 6): equilibrium is K(q − qⁿ) = f(q), hence qⁿ = q − K⁻¹ f(q).
+//! Natural shapes that hold a strand where it is drawn: equilibrium is K(q − qⁿ) = f(q), hence qⁿ = q − K⁻¹ f(q).
 
 use nalgebra::Vector3;
 

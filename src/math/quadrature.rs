@@ -88,7 +88,7 @@ impl Default for Rules {
 
 impl Rules {
     /// The smallest rule that integrates a segment's inertia to 1e-10 of itself when the segment turns by `angle` = Ωℓ rad
-    /// (design, section 3: 7 + 0.6 Ωℓ points, six below a radian), as an index for [`Rules::rule`].
+    /// (measured: 7 + 0.6 Ωℓ points, six below a radian), as an index for [`Rules::rule`].
     pub fn for_angle(&self, angle: f64) -> usize {
         let needed = if angle <= 1.0 { 6.0 } else { 7.0 + 0.6 * angle };
         SIZES.iter().position(|count| *count as f64 >= needed).unwrap_or(SIZES.len() - 1)

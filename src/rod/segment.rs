@@ -1,11 +1,14 @@
-//! Kinematics of one helical segment in the frame of its left end, and its first and second variations (design, section 3 and 4;
+//! Kinematics of one helical segment in the frame of its left end, and its first and second variations (`docs/mathematics.md`;
 //! Bertails et al. 2006, appendix A, without the singular case).
 //!
 //! Symbols: κ = (κ0, κ1, κ2) twist and curvatures; s arclength from the left end; θ = sκ; z = θ·θ; e0 the tangent at the left end;
 //! cₖ Stumpff's functions at z (A = c1, B = c2, C = c3; b, c, b′, c′ as in `math::entire`). Then
+//!
+//! ```text
 //! frame     exp[θ]× = (1 − Bz) I + A[θ]× + Bθθᵀ,
 //! its mean  V(θ)    = (1 − Cz) I + B[θ]× + Cθθᵀ, so that Ψ = sV is the rotation of the frame per δκ,
 //! chord     V e0, so that r = s V e0, and J = s² ∂(V e0)/∂θ its variation.
+//! ```
 
 use crate::math::entire::Stumpff;
 use crate::math::lane::Lane;
@@ -21,13 +24,13 @@ fn rotation_like<T: Lane>(theta: Vec3<T>, factor_i: T, factor_x: T, factor_d: T)
     Mat3([[factor_i + xd * x, xy - zx, xz + yx], [xy + zx, factor_i + yd * y, yz - xx], [xz - yx, yz + xx, factor_i + zd * z]])
 }
 
-/// The frame at θ relative to the left end: exp[θ]×.
+/// The frame at θ relative to the left end: `exp[θ]×`.
 #[inline(always)]
 pub fn frame<T: Lane>(theta: Vec3<T>, z: T, c: &Stumpff<T>) -> Mat3<T> {
     rotation_like(theta, T::one() - c.c2 * z, c.c1, c.c2)
 }
 
-/// V(θ) = ∫₀¹ exp(t[θ]×) dt.
+/// `V(θ) = ∫₀¹ exp(t[θ]×) dt`.
 #[inline(always)]
 pub fn mean_frame<T: Lane>(theta: Vec3<T>, z: T, c: &Stumpff<T>) -> Mat3<T> {
     rotation_like(theta, T::one() - c.c3 * z, c.c2, c.c3)

@@ -1,4 +1,4 @@
-//! Velocities and velocity-product accelerations along a strand from the rates of its curvatures (design, section 3 and 4).
+//! Velocities and velocity-product accelerations along a strand from the rates of its curvatures (`docs/mathematics.md`).
 
 use super::kinematics::Kinematics;
 use super::segment;

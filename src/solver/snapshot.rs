@@ -152,6 +152,12 @@ impl Writer {
         self.vector(state.root_angular_velocity);
         self.vector(state.wrench_force.into());
         self.vector(state.wrench_torque.into());
+        self.f64(state.past.step);
+        if state.past.step > 0.0 {
+            self.rows(&state.past.curvatures);
+            state.past.velocities.iter().for_each(|v| v.0.iter().for_each(|x| self.f64(*x)));
+            self.frame(&state.past.root);
+        }
         self.u32(u32::from(strand.root_move.is_some()));
         if let Some((root_move, elapsed)) = &strand.root_move {
             self.frame(&root_move.from);
@@ -222,6 +228,22 @@ impl Reader<'_> {
         (0..count).map(|_| Ok([self.f64()?, self.f64()?, self.f64()?])).collect()
     }
 
+    fn past(&mut self, elements: usize, points: usize) -> Result<Past> {
+        let step = self.f64()?;
+        if step == 0.0 {
+            return Ok(Past::default());
+        }
+        if !(step.is_finite() && step > 0.0) {
+            return Err(Error::Snapshot { reason: format!("a strand's last step took {step} s") });
+        }
+        let curvatures = self.rows(elements)?;
+        let velocities = self.rows(points)?;
+        if !curvatures.iter().chain(&velocities).flatten().all(|x| x.is_finite()) {
+            return Err(Error::Snapshot { reason: "a strand's past holds a number that is not finite".into() });
+        }
+        Ok(Past { curvatures, velocities: velocities.into_iter().map(Vec3).collect(), root: self.frame()?, step })
+    }
+
     fn strand(&mut self, id: StrandId, rules: &Rules) -> Result<Strand> {
         let user_data = self.u64()?;
         let count = self.count(8 * 10)?;
@@ -259,7 +281,7 @@ impl Reader<'_> {
             root_angular_velocity: self.vector()?,
             wrench_force: self.vector()?.into(),
             wrench_torque: self.vector()?.into(),
-            past: Past::default(),
+            past: self.past(count, count * rules.rule(rule).len())?,
         };
         let lengths_are_right = lengths.iter().all(|length| length.is_finite() && *length > 0.0);
         if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {

@@ -176,6 +176,8 @@ impl Strand {
                 * (self.model.natural.capacity()
                     + self.state.curvatures.capacity()
                     + self.state.rates.capacity()
-                    + self.state.velocities.capacity())
+                    + self.state.velocities.capacity()
+                    + self.state.past.curvatures.capacity()
+                    + self.state.past.velocities.capacity())
     }
 }

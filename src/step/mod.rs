@@ -65,9 +65,8 @@ pub fn take(
         Integrator::ImplicitEuler => {
             stages::take(&tableau::IMPLICIT_EULER, model, state, root_at, h, surroundings, options, rules, workspace)
         }
-        Integrator::SecondOrder => stages::two_step(model, state, root_at, h, surroundings, options, rules, workspace),
-        Integrator::Reference => {
-            stages::take(&tableau::THIRD_ORDER, model, state, root_at, h, surroundings, options, rules, workspace)
+        Integrator::SecondOrder | Integrator::Reference => {
+            stages::two_step(model, state, root_at, h, surroundings, options, rules, workspace)
         }
     };
     if outcome.quarantined || !state.is_finite() {

@@ -18,6 +18,8 @@ use crate::rod::kinematics::Kinematics;
 
 /// No element turns by more than this in an iteration, rad: beyond it the quadratic model says nothing.
 const ROTATION_LIMIT: f64 = 2.0;
+/// The same for the dense solves, whose directions are not damped but shortened as a whole.
+const DENSE_ROTATION_LIMIT: f64 = 1.0;
 /// What the damping grows by where it must, and shrinks by where the model kept its promise.
 const DAMPING_UP: f64 = 4.0;
 const DAMPING_DOWN: f64 = 0.125;
@@ -84,7 +86,8 @@ pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Worksp
             return outcome;
         }
         outcome.residual = rotation;
-        let part = if rotation > ROTATION_LIMIT { ROTATION_LIMIT / rotation } else { 1.0 };
+        let limit = if options.linear_solver == LinearSolver::LinearTime { ROTATION_LIMIT } else { DENSE_ROTATION_LIMIT };
+        let part = if rotation > limit { limit / rotation } else { 1.0 };
         let Some(next) = walk(problem, workspace, potential, found.descent, part) else {
             // No way down that rounding lets us see: the state is as good as this potential can tell.
             return outcome;

@@ -9,10 +9,10 @@ pub enum Integrator {
     /// The papers' step (Bertails et al. 2006, section 3.4): one linear solve, elasticity implicit, gravity, drag, internal
     /// friction γ and velocity products explicit. For calm scenes only: its limits are measured in `docs/integrators.md`.
     LinearlyImplicit = 1,
-    /// Implicit Euler: Newton on the incremental potential. Robust, first order.
-    #[default]
+    /// Implicit Euler: Newton on the incremental potential. First order: it damps, and forgives anything.
     ImplicitEuler = 2,
-    /// Second order in the step. Not in this version: asking for it is [`Error::Unsupported`].
+    /// Two-step backward differences on the same Newton: second order for the price of implicit Euler, and stable where that is.
+    #[default]
     SecondOrder = 3,
     /// High order with error control. Not in this version: asking for it is [`Error::Unsupported`].
     Reference = 4,
@@ -58,9 +58,10 @@ pub struct StepOptions {
     pub integrator: Integrator,
     /// Which linear solve.
     pub linear_solver: LinearSolver,
-    /// Newton iterations a step at most, 1 to 10000. A strand that needs more is reported as unconverged.
+    /// Newton iterations a solve at most, 1 to 10000. A strand that needs more is reported as unconverged.
     pub max_iterations: u32,
-    /// Converged when no element turns by more than this in an iteration, rad; above zero.
+    /// Converged when no element turns by more than this in an iteration, rad; above zero. Newton's convergence is quadratic: what is
+    /// left after an iteration that turned by 1e-3 is of the order of 1e-6.
     pub tolerance: f64,
     /// Newton's matrix is the exact Hessian (tension included). False: Gauss–Newton, for comparison.
     pub exact_hessian: bool,
@@ -89,6 +90,13 @@ impl StepOptions {
         }
         if !(self.tolerance.is_finite() && self.tolerance > 0.0) {
             return Err(Error::invalid(format!("{argument}.tolerance"), self.tolerance, "a finite number above zero (rad)"));
+        }
+        if self.integrator == Integrator::Reference {
+            return Err(Error::Unsupported {
+                argument: format!("{argument}.integrator"),
+                value: format!("{:?}", self.integrator),
+                hint: "this version has LinearlyImplicit, ImplicitEuler and SecondOrder".into(),
+            });
         }
         Ok(())
     }

@@ -130,7 +130,7 @@ pub fn two_step(
     let outcome = if has_past {
         backward_difference(model, state, root_at, h, surroundings, options, rules, workspace)
     } else {
-        take(&tableau::SECOND_ORDER, model, state, root_at, h, surroundings, options, rules, workspace)
+        take(&tableau::TWO_STAGES, model, state, root_at, h, surroundings, options, rules, workspace)
     };
     state.past = past;
     outcome

@@ -47,7 +47,6 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_create", "def", "precision = 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.precision = 0; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "precision = 9", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.precision = 9; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "precision = u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.precision = u32::MAX; shx_solver_create(&raw const def, s.out()) });
-    case!(cases, "shx_solver_create", "def", "integrator = 3", SHX_ERROR_UNSUPPORTED, |s| { let mut def = solver_def(); def.integrator = 3; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "integrator = 4", SHX_ERROR_UNSUPPORTED, |s| { let mut def = solver_def(); def.integrator = 4; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "precision = 2", SHX_ERROR_UNSUPPORTED, |s| { let mut def = solver_def(); def.precision = 2; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "max_iterations = 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.max_iterations = 0; shx_solver_create(&raw const def, s.out()) });

@@ -236,7 +236,9 @@ pub fn in_words_of_the_scene(error: Error, integrator: Integrator) -> Complaint 
             let _ = hint; // it lists the names that Rust has
             Complaint::new(
                 key(&argument),
-                format!("is {name}, which is unsupported in this version; use \"implicit_euler\" or \"linearly_implicit\""),
+                format!(
+                    "is {name}, which is unsupported in this version; use \"second_order\", \"implicit_euler\" or \"linearly_implicit\""
+                ),
             )
         }
         Error::Unsupported { argument, value, hint } => {

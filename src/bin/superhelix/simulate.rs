@@ -87,7 +87,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     substeps: u32,
     /// Time integrator.
-    #[arg(long, default_value = "implicit_euler", value_parser = integrator)]
+    #[arg(long, default_value = "second_order", value_parser = integrator)]
     integrator: Integrator,
     /// Linear solver.
     #[arg(long, default_value = "linear_time", value_parser = linear_solver)]

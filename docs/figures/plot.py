@@ -1,0 +1,115 @@
+"""Draws docs/figures/*.png from docs/figures/*.csv and writes the table of docs/integrators.md between its markers. Run by `make figures`."""
+
+import csv
+from collections import defaultdict
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+FIGURES = Path(__file__).resolve().parent
+DOCS = FIGURES.parent
+plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "grid.linewidth": 0.5, "legend.frameon": False,
+                     "axes.spines.top": False, "axes.spines.right": False})
+COLOURS = ["#1f5fa8", "#c7622b", "#3d8f53", "#7a4a9e"]
+
+
+def rows(name):
+    with open(FIGURES / name, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def save(figure, name):
+    figure.tight_layout()
+    figure.savefig(FIGURES / name, dpi=110, metadata={"Software": None})
+    plt.close(figure)
+    print(f"docs/figures/{name}: {(FIGURES / name).stat().st_size // 1024} kB")
+
+
+def put(lines, page, name):
+    """Puts a table between a page's markers."""
+    page = DOCS / page
+    start, end = f"<!-- {name}: made by make figures -->\n", f"<!-- end of {name} -->"
+    before, rest = page.read_text().split(start)
+    _, after = rest.split(end)
+    page.write_text(before + start + "\n".join(lines) + "\n" + end + after)
+    print(f"docs/{page.name}: table of {name}")
+
+
+def convergence():
+    data = defaultdict(list)
+    for row in rows("convergence.csv"):
+        data[row["trajectory"]].append((float(row["step"]), float(row["tip_error"]), float(row["extrapolated_error"] or "nan")))
+    figure, axes = plt.subplots(figsize=(6.4, 4.4))
+    for colour, (name, points) in zip(COLOURS, sorted(data.items())):
+        step, error, extrapolated = np.array(points).T
+        axes.loglog(step, error, "o-", color=colour, markersize=3.5, linewidth=1.2, label=name)
+        axes.loglog(step, extrapolated, "s--", color=colour, markersize=3, linewidth=0.9, markerfacecolor="white")
+    step = np.array([min(step), max(step)])
+    axes.loglog(step, 0.5 * step / step[1], ":", color="black", linewidth=1, label="first order")
+    axes.axhline(1e-4, color="grey", linewidth=0.8)
+    axes.text(step[1], 1.1e-4, "$10^{-4}$ L", ha="right", va="bottom", color="grey")
+    axes.set_xlabel("step h (s)")
+    axes.set_ylabel("largest tip error / length")
+    axes.set_title("Implicit Euler against the reference trajectories\nsolid: as it is; dashed: Richardson, from h and 2h", fontsize=9)
+    axes.legend(fontsize=8)
+    save(figure, "convergence.png")
+    rates = [60, 240, 960, 3840, 15360]
+    lines = ["| trajectory | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " | extrapolated from the last two halvings |",
+             "|---" * (len(rates) + 2) + "|"]
+    for name, points in sorted(data.items()):
+        known = {round(1 / step): error for step, error, _ in points}
+        lines.append(f"| `{name}` | " + " | ".join(f"{known[rate]:.2g}" for rate in rates) + f" | {points[-1][2]:.1g} |")
+    put(lines, "convergence.md", "convergence")
+
+
+def cost():
+    data = defaultdict(list)
+    for row in rows("cost.csv"):
+        data[row["solver"]].append([float(row[key]) for key in ("elements", "us_per_element_step", "us_per_element_iteration")])
+    figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.5))
+    linear, dense = np.array(data["linear_time"]).T, np.array(data["dense_cholesky"]).T
+    left.semilogx(linear[0], linear[1], "o-", color=COLOURS[0], label="a step")
+    left.semilogx(linear[0], linear[2], "s--", color=COLOURS[2], label="a Newton iteration")
+    low = linear[1].min()
+    left.axhspan(low, 1.25 * low, color=COLOURS[0], alpha=0.1, label="25 % above the cheapest")
+    left.set_ylim(0, 1.6 * linear[1].max())
+    left.set_title("linear-time solve", fontsize=9)
+    left.set_ylabel("µs an element")
+    left.legend(fontsize=8, loc="lower right")
+    right.loglog(linear[0], linear[1], "o-", color=COLOURS[0], label="linear time")
+    right.loglog(dense[0], dense[1], "s-", color=COLOURS[1], label="dense Cholesky")
+    right.set_title("beside the dense one", fontsize=9)
+    right.set_ylabel("µs an element and step")
+    right.legend(fontsize=8)
+    for axes in (left, right):
+        axes.set_xlabel("elements a strand, N")
+    save(figure, "cost.png")
+    lines = ["| solver | N | iterations a step | µs an element and step | µs an element and iteration |", "|---|---|---|---|---|"]
+    for row in rows("cost.csv"):
+        lines.append(f"| {row['solver'].replace('_', ' ')} | {row['elements']} | {float(row['iterations']):.2f} | "
+                     f"{float(row['us_per_element_step']):.3g} | {float(row['us_per_element_iteration']):.3g} |")
+    lines += ["", f"Linear time: the dearest element-step of all N costs {linear[1].max() / linear[1].min():.2f} times the cheapest."]
+    put(lines, "performance.md", "cost")
+
+
+def limits():
+    """The table in docs/integrators.md, between the markers."""
+    table = defaultdict(dict)
+    for row in rows("limits.csv"):
+        papers = f"✗ {float(row['papers_blown_up_s']):.2g} s" if row["papers_blown_up_s"] else f"{float(row['papers_error_mm']):.3g}"
+        euler = f"{float(row['euler_error_mm']):.3g}" if row["euler_error_mm"] else "✗"
+        table[row["hair"], row["motion"], row["dissipation"]][int(row["rate"])] = f"{papers} ({euler})"
+    rates = sorted({rate for line in table.values() for rate in line})
+    lines = ["| hair | motion | dissipation | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " |", "|---" * (3 + len(rates)) + "|"]
+    for (hair, motion, dissipation), line in table.items():
+        lines.append(f"| {hair} | {motion} | {dissipation} | " + " | ".join(line[rate] for rate in rates) + " |")
+    put(lines, "integrators.md", "limits")
+
+
+convergence()
+cost()
+limits()

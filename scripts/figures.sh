@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Makes every figure and measured table of docs/: runs the programs that measure, into docs/figures/*.csv, then draws them with
+# matplotlib in an environment of its own, build/venv. The contact sheet of the README is the demonstration's.
+#   FIGURES_MEASURE=no   draws from the committed numbers without measuring again
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
+  cargo bench --locked --bench cost -- --csv docs/figures/cost.csv
+  cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
+  cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
+  scripts/demo.sh
+  "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \
+    --title "Sintel hair on a recorded walk" --cell 220 --moments 5 --quiet
+fi
+
+venv=build/venv
+if [ ! -x "$venv/bin/python" ]; then
+  mkdir -p build
+  python3 -m venv "$venv"
+fi
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check numpy scipy matplotlib mpmath
+"$venv/bin/python" docs/figures/plot.py
