@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 use super::newton::{self, Problem};
 use super::options::StepOptions;
-use super::state::{Past, StrandState, rotation_matrix};
+use super::state::{StrandState, rotation_matrix};
 use super::tableau::{self, Tableau};
 use super::workspace::{Stage, Workspace};
 use super::{StrandOutcome, Surroundings};
@@ -126,13 +126,17 @@ pub fn two_step(
     workspace: &mut Workspace,
 ) -> StrandOutcome {
     let has_past = state.past.step > 0.0 && h < LARGEST_RATIO * state.past.step;
-    let past = Past { curvatures: state.curvatures.clone(), velocities: state.velocities.clone(), root: state.root, step: h };
+    let past = &mut workspace.next_past;
+    past.curvatures.clone_from(&state.curvatures);
+    past.velocities.clone_from(&state.velocities);
+    past.root = state.root;
+    past.step = h;
     let outcome = if has_past {
         backward_difference(model, state, root_at, h, surroundings, options, rules, workspace)
     } else {
         take(&tableau::TWO_STAGES, model, state, root_at, h, surroundings, options, rules, workspace)
     };
-    state.past = past;
+    std::mem::swap(&mut state.past, &mut workspace.next_past);
     outcome
 }
 

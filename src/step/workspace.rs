@@ -47,6 +47,8 @@ pub struct Workspace {
     pub base: Vec<Vec3<f64>>,
     /// Where each point was at the start of the step before, relative to the root's origin now.
     pub past_base: Vec<Vec3<f64>>,
+    /// What will be the past of the next step.
+    pub next_past: Past,
     /// The stages of the step.
     pub stages: [Stage; MAX_STAGES],
     /// The accepted curvatures.
@@ -72,6 +74,7 @@ impl Default for Workspace {
             curvature_target: Vec::new(),
             base: Vec::new(),
             past_base: Vec::new(),
+            next_past: Past::default(),
             stages: std::array::from_fn(|_| Stage::default()),
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
