@@ -53,3 +53,26 @@ fn second_order_steps_of_a_sixtieth_are_within_a_millimetre() {
     // Implicit Euler needs steps thirty times smaller for as much.
     assert!(error(20, Integrator::ImplicitEuler, 60) > 0.01 && error(20, Integrator::ImplicitEuler, 1920) < 0.6e-3);
 }
+
+#[test]
+fn an_undamped_second_at_a_sixtieth_is_stable() {
+    // Ten seconds, in fact: no friction, no drag. The method may trade energy between forms; it must not make any.
+    let mut solver = Solver::new(SolverOptions::default()).unwrap();
+    let id = solver.add_strands(&[helix(20)]).unwrap()[0];
+    let total = |solver: &Solver| {
+        let e = solver.energies(id).unwrap();
+        e.kinetic + e.elastic + e.gravity
+    };
+    let start = total(&solver);
+    let (mut lowest, mut highest) = (start, start);
+    for step in 0..600 {
+        let report = solver.step(1.0 / 60.0, 1).unwrap();
+        assert_eq!((report.unconverged, report.quarantined), (0, 0), "step {step}");
+        lowest = lowest.min(total(&solver));
+        highest = highest.max(total(&solver));
+    }
+    // The scale: what gravity gives when the strand's weight falls by its length.
+    let scale = 9.81 * helix(20).material.linear_density() * 0.2 * 0.2;
+    println!("energy from {:.4} to {:.4} of the scale about the start", (lowest - start) / scale, (highest - start) / scale);
+    assert!(highest - start < 0.01 * scale);
+}
