@@ -236,7 +236,7 @@ fn bad_use_is_explained() {
         (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--elements", "0"], "--elements"),
         (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--density", "-5"], "--density is -5"),
         (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--ellipticity", "0.5"], "--ellipticity is 0.5"),
-        (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--integrator", "second_order"], "SecondOrder"),
+        (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--integrator", "third_order"], "third_order"),
         (vec![groom.as_str(), "--motion", &motion, "--scale", "0.0031", "--start", "100"], "--start is 100"),
         (vec![groom.as_str(), "--motion", "no_such_motion.csv"], "no_such_motion.csv"),
         (vec!["no_such_groom.tfx", "--duration", "1"], "no_such_groom.tfx"),
