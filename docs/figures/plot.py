@@ -55,9 +55,9 @@ def convergence():
         step = np.array([min(step), max(step)])
         panel.loglog(step, weight * (step / step[1]) ** slope, ":", color="black", linewidth=1, label=order)
         panel.axhline(1e-4, color="grey", linewidth=0.8)
-        panel.text(step[0], 1.1e-4, "$10^{-4}$ L", ha="left", va="bottom", color="grey")
         panel.set_xlabel("step h (s)")
         panel.set_title(f"{title}\nsolid: as it is; dashed: Richardson, from h and 2h", fontsize=9)
+    axes[1].text(step[0], 1.1e-4, "$10^{-4}$ L", ha="left", va="bottom", color="grey")
     axes[1].legend(fontsize=8, loc="lower right")
     axes[0].set_ylabel("largest tip error / length")
     save(figure, "convergence.png")
@@ -122,7 +122,7 @@ def newton():
     table = defaultdict(dict)
     for row in rows("newton.csv"):
         key = row["motion"], row["integrator"].replace("_", " "), f"{float(row['tolerance']):g}"
-        failed = f", {row['unconverged']} ✗" if row["unconverged"] != "0" else ""
+        failed = f", {row['beyond_cap']} ✗" if row["beyond_cap"] != "0" else ""
         table[key][int(row["elements"]), int(row["rate"])] = f"{float(row['iterations']):.1f} ({row['most']}{failed})"
     scenes = list(next(iter(table.values())))
     lines = ["| motion | integrator | tolerance, rad | " + " | ".join(f"N = {count}, h = 1/{rate}" for count, rate in scenes) + " |",
