@@ -1,8 +1,9 @@
 //! What a step costs an element: the linear-time solve from N = 5 to N = 500 elements a strand, and the dense one beside it.
 //!
-//! Every N takes the same scene: 0.2 m of gently bent hair, sag-free, on a root that sways by a centimetre at ½ Hz, implicit Euler at
-//! 1/60 s, Newton to 1e-6 rad, one thread. There are as many strands as make about 2000 elements. A round takes every N through the
-//! same steps once, so that what else the machine does falls on all alike; the figures are medians (and minima) over the rounds.
+//! Every N takes the same scene: 0.2 m of gently bent hair, sag-free, on a root that sways by a centimetre at ½ Hz, the default
+//! integrator (second order) at 1/60 s, Newton to 1e-6 rad, one thread. There are as many strands as make about 2000 elements. A round
+//! takes every N through the same steps once, so that what else the machine does falls on all alike; the figures are medians (and
+//! minima) over the rounds.
 //!
 //! `cargo bench --bench cost -- [--csv FILE] [--rounds 15]`
 

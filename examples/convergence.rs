@@ -1,5 +1,6 @@
-//! Tip error of implicit Euler against the step, for the four reference trajectories of tests/data/reference/oracle.json (fixed N,
-//! continuous time, by independent software): plain, and extrapolated from each step and its half (Richardson).
+//! Tip error of implicit Euler and of the second-order integrator against the step, for the four reference trajectories of
+//! tests/data/reference/oracle.json (fixed N, continuous time, by independent software): plain, and extrapolated from each step and its
+//! half (Richardson).
 //!
 //! `cargo run --release --example convergence -- docs/figures/convergence.csv`
 
@@ -11,6 +12,7 @@ use superhelix::math::frame::Frame;
 use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::step::options::Integrator;
 
 /// The head motion of the references: yaw about z and sway along y, eased in.
 struct Root<'a>(&'a Value);
@@ -56,9 +58,11 @@ fn definition(p: &Value) -> StrandDef {
 }
 
 /// Tips at the reference's times (each 1/60 s) with `per_output` steps between two of them.
-fn simulate(case: &Value, per_output: usize) -> Vec<Vector3<f64>> {
+fn simulate(case: &Value, integrator: Integrator, per_output: usize) -> Vec<Vector3<f64>> {
     let def = definition(&case["parameters"]);
-    let mut solver = Solver::new(SolverOptions::default()).expect("a solver");
+    let mut options = SolverOptions::default();
+    options.step.integrator = integrator;
+    let mut solver = Solver::new(options).expect("a solver");
     let id = solver.add_strands(std::slice::from_ref(&def)).expect("a strand")[0];
     let h = 1.0 / 60.0 / per_output as f64;
     let mut tips = Vec::new();
@@ -83,22 +87,28 @@ fn worst<'a>(tips: impl Iterator<Item = Vector3<f64>>, reference: impl Iterator<
 fn main() {
     let path = std::env::args().nth(1);
     let all: Value = serde_json::from_str(include_str!("../tests/data/reference/oracle.json")).expect("the references");
-    let mut csv = String::from("trajectory,step,tip_error,extrapolated_error\n");
+    let mut csv = String::from("trajectory,integrator,step,tip_error,extrapolated_error\n");
     for (name, case) in all.as_object().expect("trajectories") {
         let length = case["parameters"]["L"].as_f64().expect("L");
         let known = || case["tip"].as_array().expect("tips").iter();
-        let mut coarser: Option<Vec<Vector3<f64>>> = None;
-        for per_output in [1, 2, 4, 8, 16, 32, 64, 128, 256] {
-            let tips = simulate(case, per_output);
-            let error = worst(tips.iter().copied(), known(), length);
-            // 2 × fine − coarse; nothing for the first.
-            let extrapolated =
-                coarser.as_ref().map(|coarse| worst(tips.iter().zip(coarse).map(|(a, b)| a * 2.0 - b), known(), length));
-            let step = 1.0 / 60.0 / per_output as f64;
-            let said = extrapolated.map_or(String::new(), |e| format!("{e:.6e}"));
-            println!("{name:20} h = 1/{:<6} tip error {error:.3e} L, extrapolated {said} L", 60 * per_output);
-            writeln!(csv, "{name},{step:.9e},{error:.6e},{said}").expect("a string");
-            coarser = Some(tips);
+        // Richardson's weight: 1 / (2^order - 1).
+        for (integrator, called, weight) in
+            [(Integrator::ImplicitEuler, "implicit_euler", 1.0), (Integrator::SecondOrder, "second_order", 1.0 / 3.0)]
+        {
+            let mut coarser: Option<Vec<Vector3<f64>>> = None;
+            for per_output in [1, 2, 4, 8, 16, 32, 64, 128, 256] {
+                let tips = simulate(case, integrator, per_output);
+                let error = worst(tips.iter().copied(), known(), length);
+                // From this step and the one twice as long; nothing for the first.
+                let extrapolated = coarser
+                    .as_ref()
+                    .map(|coarse| worst(tips.iter().zip(coarse).map(|(a, b)| a + (a - b) * weight), known(), length));
+                let step = 1.0 / 60.0 / per_output as f64;
+                let said = extrapolated.map_or(String::new(), |e| format!("{e:.6e}"));
+                println!("{name:20} {called:15} h = 1/{:<6} tip error {error:.3e} L, extrapolated {said} L", 60 * per_output);
+                writeln!(csv, "{name},{called},{step:.9e},{error:.6e},{said}").expect("a string");
+                coarser = Some(tips);
+            }
         }
     }
     if let Some(path) = path {

@@ -141,7 +141,7 @@
 // scenes only.
 #define SHX_INTEGRATOR_LINEARLY_IMPLICIT 1
 
-// Implicit Euler by Newton's method on the incremental potential: first order: it damps, and forgives anything.
+// Implicit Euler by Newton's method on the incremental potential. First order: it damps, and forgives anything.
 #define SHX_INTEGRATOR_IMPLICIT_EULER 2
 
 // Two-step backward differences: second order in the step for the price of implicit Euler. The default.

@@ -24,7 +24,7 @@ rm -rf "$out"
 mkdir -p "$out/frames"
 "$build/groom" "$groom" "$motion" "$out/frames" --scale "$scale" --seconds 3 --rate 60 --threads 2 --format obj
 "$target/demo/superhelix" picture "$out/frames" --out "$out/contact_sheet.png" --fps 60 --scale 1 \
-  --title "Sintel hair on a recorded walk"
+  --title "Sintel's hair on a recorded walk"
 
 echo "== done in $((SECONDS - started)) s"
 echo "frames:        $PWD/$out/frames/ ($(find "$out/frames" -name '*.obj' | wc -l) Wavefront OBJ files, one a frame at 60 Hz)"

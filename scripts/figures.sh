@@ -9,9 +9,10 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo bench --locked --bench cost -- --csv docs/figures/cost.csv
   cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
   cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
+  cargo run --quiet --locked --release --example newton -- docs/figures/newton.csv
   scripts/demo.sh
   "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \
-    --title "Sintel hair on a recorded walk" --cell 220 --moments 5 --quiet
+    --title "Sintel's hair on a recorded walk" --cell 220 --moments 5 --quiet
 fi
 
 venv=build/venv

@@ -1,4 +1,4 @@
-"""Draws docs/figures/*.png from docs/figures/*.csv and writes the table of docs/integrators.md between its markers. Run by `make figures`."""
+"""Draws docs/figures/*.png from docs/figures/*.csv and writes the measured tables of docs/*.md between their markers. Run by `make figures`."""
 
 import csv
 from collections import defaultdict
@@ -40,29 +40,36 @@ def put(lines, page, name):
 
 
 def convergence():
-    data = defaultdict(list)
+    data = defaultdict(lambda: defaultdict(list))
     for row in rows("convergence.csv"):
-        data[row["trajectory"]].append((float(row["step"]), float(row["tip_error"]), float(row["extrapolated_error"] or "nan")))
-    figure, axes = plt.subplots(figsize=(6.4, 4.4))
-    for colour, (name, points) in zip(COLOURS, sorted(data.items())):
-        step, error, extrapolated = np.array(points).T
-        axes.loglog(step, error, "o-", color=colour, markersize=3.5, linewidth=1.2, label=name)
-        axes.loglog(step, extrapolated, "s--", color=colour, markersize=3, linewidth=0.9, markerfacecolor="white")
-    step = np.array([min(step), max(step)])
-    axes.loglog(step, 0.5 * step / step[1], ":", color="black", linewidth=1, label="first order")
-    axes.axhline(1e-4, color="grey", linewidth=0.8)
-    axes.text(step[1], 1.1e-4, "$10^{-4}$ L", ha="right", va="bottom", color="grey")
-    axes.set_xlabel("step h (s)")
-    axes.set_ylabel("largest tip error / length")
-    axes.set_title("Implicit Euler against the reference trajectories\nsolid: as it is; dashed: Richardson, from h and 2h", fontsize=9)
-    axes.legend(fontsize=8)
+        values = (float(row["step"]), float(row["tip_error"]), float(row["extrapolated_error"] or "nan"))
+        data[row["integrator"]][row["trajectory"]].append(values)
+    figure, axes = plt.subplots(1, 2, figsize=(8.4, 4.4), sharey=True)
+    for panel, (integrator, title, weight, slope, order) in zip(axes, [
+            ("implicit_euler", "implicit Euler", 0.5, 1, "first order"),
+            ("second_order", "second order (default)", 0.1, 2, "second order")]):
+        for colour, (name, points) in zip(COLOURS, sorted(data[integrator].items())):
+            step, error, extrapolated = np.array(points).T
+            panel.loglog(step, error, "o-", color=colour, markersize=3.5, linewidth=1.2, label=name)
+            panel.loglog(step, extrapolated, "s--", color=colour, markersize=3, linewidth=0.9, markerfacecolor="white")
+        step = np.array([min(step), max(step)])
+        panel.loglog(step, weight * (step / step[1]) ** slope, ":", color="black", linewidth=1, label=order)
+        panel.axhline(1e-4, color="grey", linewidth=0.8)
+        panel.set_xlabel("step h (s)")
+        panel.set_title(f"{title}\nsolid: as it is; dashed: Richardson, from h and 2h", fontsize=9)
+    axes[1].text(step[0], 1.1e-4, "$10^{-4}$ L", ha="left", va="bottom", color="grey")
+    axes[1].legend(fontsize=8, loc="lower right")
+    axes[0].set_ylabel("largest tip error / length")
     save(figure, "convergence.png")
     rates = [60, 240, 960, 3840, 15360]
-    lines = ["| trajectory | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " | extrapolated from the last two halvings |",
-             "|---" * (len(rates) + 2) + "|"]
-    for name, points in sorted(data.items()):
-        known = {round(1 / step): error for step, error, _ in points}
-        lines.append(f"| `{name}` | " + " | ".join(f"{known[rate]:.2g}" for rate in rates) + f" | {points[-1][2]:.1g} |")
+    lines = ["| trajectory | integrator | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " | extrapolated from the last two |",
+             "|---" * (len(rates) + 3) + "|"]
+    for name in sorted(data["second_order"]):
+        for integrator in ("implicit_euler", "second_order"):
+            points = data[integrator][name]
+            known = {round(1 / step): error for step, error, _ in points}
+            lines.append(f"| `{name}` | {integrator.replace('_', ' ')} | " + " | ".join(f"{known[rate]:.2g}" for rate in rates) +
+                         f" | {points[-1][2]:.1g} |")
     put(lines, "convergence.md", "convergence")
 
 
@@ -102,7 +109,8 @@ def limits():
     for row in rows("limits.csv"):
         papers = f"✗ {float(row['papers_blown_up_s']):.2g} s" if row["papers_blown_up_s"] else f"{float(row['papers_error_mm']):.3g}"
         euler = f"{float(row['euler_error_mm']):.3g}" if row["euler_error_mm"] else "✗"
-        table[row["hair"], row["motion"], row["dissipation"]][int(row["rate"])] = f"{papers} ({euler})"
+        second = f"{float(row['second_order_error_mm']):.3g}" if row["second_order_error_mm"] else "✗"
+        table[row["hair"], row["motion"], row["dissipation"]][int(row["rate"])] = f"{papers} ({euler}; {second})"
     rates = sorted({rate for line in table.values() for rate in line})
     lines = ["| hair | motion | dissipation | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " |", "|---" * (3 + len(rates)) + "|"]
     for (hair, motion, dissipation), line in table.items():
@@ -110,6 +118,21 @@ def limits():
     put(lines, "integrators.md", "limits")
 
 
+def newton():
+    table = defaultdict(dict)
+    for row in rows("newton.csv"):
+        key = row["motion"], row["integrator"].replace("_", " "), f"{float(row['tolerance']):g}"
+        failed = f", {row['beyond_cap']} ✗" if row["beyond_cap"] != "0" else ""
+        table[key][int(row["elements"]), int(row["rate"])] = f"{float(row['iterations']):.1f} ({row['most']}{failed})"
+    scenes = list(next(iter(table.values())))
+    lines = ["| motion | integrator | tolerance, rad | " + " | ".join(f"N = {count}, h = 1/{rate}" for count, rate in scenes) + " |",
+             "|---" * (3 + len(scenes)) + "|"]
+    for (motion, integrator, tolerance), line in table.items():
+        lines.append(f"| {motion} | {integrator} | {tolerance} | " + " | ".join(line[scene] for scene in scenes) + " |")
+    put(lines, "newton.md", "newton")
+
+
 convergence()
 cost()
 limits()
+newton()

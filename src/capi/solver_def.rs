@@ -17,7 +17,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 /// The papers' linearly implicit step: one linear solve a step, gravity, drag and velocity products explicit. Fast, for calm
 /// scenes only.
 pub const SHX_INTEGRATOR_LINEARLY_IMPLICIT: u32 = 1;
-/// Implicit Euler by Newton's method on the incremental potential: first order: it damps, and forgives anything.
+/// Implicit Euler by Newton's method on the incremental potential. First order: it damps, and forgives anything.
 pub const SHX_INTEGRATOR_IMPLICIT_EULER: u32 = 2;
 /// Two-step backward differences: second order in the step for the price of implicit Euler. The default.
 pub const SHX_INTEGRATOR_SECOND_ORDER: u32 = 3;
