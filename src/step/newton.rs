@@ -96,7 +96,9 @@ pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Worksp
         let promised = 0.5 * (found.descent + damping * found.rotation_sum);
         let undamped = damping == 0.0;
         let kept = (potential.value - next.value) / promised;
-        if kept > 0.7 || promised < 8.0 * potential.noise {
+        if options.linear_solver != LinearSolver::LinearTime {
+            // Nothing to adapt: the dense solves repair by eigenvalues.
+        } else if kept > 0.7 || promised < 8.0 * potential.noise {
             damping *= DAMPING_DOWN;
         } else if kept < 0.25 {
             damping = (damping * DAMPING_UP).max(least_damping);
