@@ -27,7 +27,8 @@ use crate::rod::strand::StrandModel;
 /// How far to go.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EquilibriumOptions {
-    /// At rest when no moment is out of balance by more than this, relative to ρS|g|L² plus the largest stiffness over L; above zero.
+    /// At rest when no moment is out of balance by more than this, relative to ρS|g|L² plus 1e-4 (1/L + the largest natural curvature)
+    /// times the largest stiffness; above zero.
     pub tolerance: f64,
     /// Proximal steps at most, 1 to 100000.
     pub max_steps: u32,
@@ -79,7 +80,9 @@ const NEUTRAL: f64 = 1e-9;
 /// How far a saddle is left along its eigenvector: the elements' rotations sum to this, rad.
 const KICK: f64 = 0.2;
 /// Saddles left before the search is given up.
-const MAX_SADDLES: u32 = 8;
+const MAX_SADDLES: u32 = 32;
+/// A step that does not converge with a residual below this is near a saddle, if it is not stable there.
+const NEAR_SADDLE: f64 = 1e-2;
 /// What k grows by after a step whose Newton converged, and shrinks by after another.
 const GROWTH: f64 = 3.0;
 /// The largest k, in units of the first: beyond it the pull ρS g k² drowns the digits of the positions.
@@ -183,6 +186,17 @@ pub fn search(
             leave_saddle(model, &mode, &mut curvatures);
             found.saddles += 1;
             k = first;
+        } else if !step.converged
+            && found.residual < NEAR_SADDLE
+            && options.check_stability
+            && found.saddles < MAX_SADDLES
+            && let (eigenvalue, mode) = softest(model, &workspace.kinematics, &weight)
+            && eigenvalue < -NEUTRAL
+        {
+            // Where symmetry holds the strand near a saddle, Newton is damped for good and creeps towards it: it is left at once.
+            leave_saddle(model, &mode, &mut curvatures);
+            found.saddles += 1;
+            k = first;
         } else {
             k = if step.converged { (k * GROWTH).min(LARGEST_STEP * first) } else { k / GROWTH };
         }
@@ -230,7 +244,7 @@ fn draw_on(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>, k: 
     }
 }
 
-/// The largest moment out of balance on a free curvature, relative to ρS|g|L² + EI/L.
+/// The largest moment out of balance on a free curvature, relative as [`EquilibriumOptions::tolerance`] says.
 fn imbalance(
     model: &StrandModel,
     kinematics: &Kinematics<f64>,
@@ -241,7 +255,9 @@ fn imbalance(
     let pull = generalised(kinematics, |p| weight[p]);
     let length = model.length();
     let stiffest = model.stiffness.iter().fold(0.0_f64, |a, b| a.max(*b));
-    let scale = model.linear_density * gravity.norm() * length * length + stiffest / length;
+    let curved = model.natural.iter().map(|row| Vec3(*row).norm_squared()).fold(0.0, f64::max).sqrt();
+    // The elastic share is for strands that weigh next to nothing: their moments balance to the rounding of EI κ.
+    let scale = model.linear_density * gravity.norm() * length * length + 1e-4 * stiffest * (1.0 / length + curved);
     let mut largest = 0.0_f64;
     for element in 0..model.element_count() {
         for axis in 0..3 {
