@@ -128,10 +128,9 @@ fn rods_without_symmetry() {
     }
 }
 
-/// The smallest eigenvalue of the planar state, all freedoms allowed; `shape` leads along the branch.
-fn planar_eigenvalue(count: usize, phi: f64, gamma: f64, poisson: f64, shape: &mut Option<Vec<[f64; 3]>>) -> f64 {
-    let mut def = strand(count, material(gamma, 1.0, poisson), down(), [0.0, phi, 0.0]);
-    def.freedoms = Freedoms::BEND1;
+/// The smallest eigenvalue, all freedoms allowed, of the state in which only `plane` may bend; `shape` leads along the branch.
+fn planar_eigenvalue(mut def: StrandDef, plane: Freedoms, shape: &mut Option<Vec<[f64; 3]>>) -> f64 {
+    def.freedoms = plane;
     def.initial = shape.take();
     let options = EquilibriumOptions { check_stability: false, ..EquilibriumOptions::default() };
     let (curvatures, found) = of_strand(&def, GRAVITY, &options).unwrap();
@@ -140,6 +139,26 @@ fn planar_eigenvalue(count: usize, phi: f64, gamma: f64, poisson: f64, shape: &m
     let eigenvalue = smallest_eigenvalue(&def, &curvatures, GRAVITY).unwrap();
     *shape = Some(curvatures);
     eigenvalue
+}
+
+/// The zero of a function that is positive at `a` and negative at `b` (regula falsi, Illinois).
+fn zero(mut at: impl FnMut(f64) -> f64, mut a: f64, mut b: f64) -> f64 {
+    let (mut f_a, mut f_b) = (at(a), at(b));
+    assert!(f_a > 0.0 && f_b < 0.0, "{f_a} at {a}, {f_b} at {b}");
+    for _ in 0..30 {
+        let c = (a * f_b - b * f_a) / (f_b - f_a);
+        let f_c = at(c);
+        if f_c * f_b < 0.0 {
+            (a, f_a) = (b, f_b);
+        } else {
+            f_a *= 0.5;
+        }
+        (b, f_b) = (c, f_c);
+        if (b - a).abs() < 1e-7 * b || f_c.abs() < 1e-10 {
+            break;
+        }
+    }
+    b
 }
 
 #[test]
@@ -157,29 +176,33 @@ fn bend_twist_transition() {
                 let counts = [20, 40, 80];
                 let errors = counts.map(|count| {
                     let mut shape = None;
-                    let mut at = |gamma: f64| sign * planar_eigenvalue(count, phi, gamma, sigma, &mut shape);
-                    let (mut a, mut b) = (0.93 * exact, 1.07 * exact);
-                    let (mut f_a, mut f_b) = (at(a), at(b));
-                    assert!(f_a > 0.0 && f_b < 0.0, "σ {poisson} φ {turns}π {key} N {count}: {f_a} {f_b}");
-                    // Regula falsi of Illinois.
-                    for _ in 0..30 {
-                        let c = (a * f_b - b * f_a) / (f_b - f_a);
-                        let f_c = at(c);
-                        if f_c * f_b < 0.0 {
-                            (a, f_a) = (b, f_b);
-                        } else {
-                            f_a *= 0.5;
-                        }
-                        (b, f_b) = (c, f_c);
-                        if (b - a).abs() < 1e-7 * exact || f_c.abs() < 1e-10 {
-                            break;
-                        }
-                    }
-                    (b / exact - 1.0).abs()
+                    let at = |gamma: f64| {
+                        let def = strand(count, material(gamma, 1.0, sigma), down(), [0.0, phi, 0.0]);
+                        sign * planar_eigenvalue(def, Freedoms::BEND1, &mut shape)
+                    };
+                    (zero(at, 0.93 * exact, 1.07 * exact) / exact - 1.0).abs()
                 });
                 judge(&format!("bend–twist σ = {poisson}, φ = {turns}π, {key}"), &counts, &errors, 1e-2);
             }
         }
+    }
+}
+
+#[test]
+fn lateral_buckling() {
+    for row in rows(&reference()["lateral_buckling"]) {
+        let (aspect, exact, poisson) = (number(&row["e"]), number(&row["critical"]), number(&row["poisson"]));
+        let counts = [10, 20, 40];
+        let errors = counts.map(|count| {
+            let mut shape = None;
+            let at = |gamma: f64| {
+                // Gravity along −n1: the stiff plane carries it.
+                let def = strand(count, material(gamma, aspect, poisson), clamp(Vector3::x(), Vector3::z()), [0.0; 3]);
+                planar_eigenvalue(def, Freedoms::BEND2, &mut shape)
+            };
+            (zero(at, 0.9 * exact, 1.1 * exact) / exact - 1.0).abs()
+        });
+        judge(&format!("lateral buckling, ellipse {aspect}, σ = {poisson}"), &counts, &errors, 3e-3);
     }
 }
 

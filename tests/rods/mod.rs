@@ -27,9 +27,11 @@ pub fn triple(value: &Value) -> Vector3<f64> {
     Vector3::new(number(&value[0]), number(&value[1]), number(&value[2]))
 }
 
-/// The rows of a JSON list.
+/// The rows of a JSON list, of which there is at least one.
 pub fn rows(value: &Value) -> &Vec<Value> {
-    value.as_array().unwrap()
+    let rows = value.as_array().unwrap();
+    assert!(!rows.is_empty());
+    rows
 }
 
 /// Sections a1/a2 = `aspect`, Young's modulus as Γ wants it.
