@@ -20,6 +20,7 @@ use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::rod::definition::{check_frozen, check_rows};
 use crate::rod::kinematics::Kinematics;
+use crate::step::equilibrium::{self, Equilibrium, EquilibriumOptions};
 use crate::step::{self, Surroundings};
 use definition::{SolverOptions, StrandDef};
 use id::{SlotMap, StrandId};
@@ -290,6 +291,32 @@ impl Solver {
             self.put(index, self.strands[index].model.natural.clone(), None);
         }
         Ok(())
+    }
+
+    /// Puts strands at rest in their static equilibrium under the solver's gravity, each searched for from its present shape with its
+    /// root held where it is; wind is not felt. Clears a quarantine. Each strand's report comes in the order of `ids`: one that did
+    /// not converge is left, at rest, in the best shape that was found.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for options out of range.
+    pub fn settle(&mut self, ids: &[StrandId], options: &EquilibriumOptions) -> Result<Vec<Equilibrium>> {
+        options.check("options")?;
+        let indices = self.indices(ids)?;
+        let mut settled: Vec<_> = indices.iter().map(|index| (*index, Vec::new(), Equilibrium::default())).collect();
+        let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
+        self.crew.for_each(&mut settled, |(index, curvatures, found), workspace| {
+            let Strand { model, state, .. } = &strands[*index];
+            (*curvatures, *found) =
+                equilibrium::search(model, state.curvatures.clone(), &state.root, gravity, options, rules, workspace);
+        });
+        let mut found = Vec::with_capacity(settled.len());
+        for (index, curvatures, equilibrium) in settled {
+            self.strands[index].stop_root();
+            self.put(index, curvatures, None);
+            self.strands[index].outcome.converged = equilibrium.converged;
+            found.push(equilibrium);
+        }
+        Ok(found)
     }
 
     fn put(&mut self, index: usize, curvatures: Vec<[f64; 3]>, rates: Option<Vec<[f64; 3]>>) {

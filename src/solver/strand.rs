@@ -107,6 +107,13 @@ impl Strand {
         self.root_move = Some((root_move, 0.0));
     }
 
+    /// Leaves the root where it is, at rest.
+    pub fn stop_root(&mut self) {
+        self.root_move = None;
+        self.state.root_velocity = Vector3::zeros();
+        self.state.root_angular_velocity = Vector3::zeros();
+    }
+
     /// The root's velocity where the last move left it: that of the move's end if it was finished.
     fn instant_velocity(&self) -> Vector3<f64> {
         match &self.root_move {

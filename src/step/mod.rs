@@ -1,5 +1,6 @@
 //! Time integration of one strand.
 
+pub mod equilibrium;
 pub mod linearly_implicit;
 pub mod newton;
 pub mod options;
