@@ -87,7 +87,7 @@ fn random_strands_stay_finite_whole_and_honest() {
         let id = solver.add_strands(std::slice::from_ref(&def)).unwrap()[0];
         let row = &mut tally[usize::from(integrator == Integrator::SecondOrder)];
         let h = draw.over(1e-6, 0.25);
-        let (sway, spin) = (draw.direction() * 1000.0, draw.direction() * (50.0 * 6.28 * draw.unit()));
+        let (sway, spin) = (draw.direction() * 1000.0, draw.direction() * (50.0 * std::f64::consts::TAU * draw.unit()));
         let mut time = 0.0;
         for step in 0..12 {
             time += h;
