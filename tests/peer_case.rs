@@ -39,7 +39,12 @@ fn error(count: usize, integrator: Integrator, per_second: u32) -> f64 {
 fn second_order_steps_of_a_sixtieth_are_within_a_millimetre() {
     for (count, bound) in [(10, 1.2e-3), (20, 0.6e-3), (40, 0.6e-3)] {
         let errors = [60, 120, 240].map(|per_second| error(count, Integrator::SecondOrder, per_second));
-        println!("N = {count}: {:.2}, {:.2}, {:.2} mm at 1/60, 1/120, 1/240 s", errors[0] * 1e3, errors[1] * 1e3, errors[2] * 1e3);
+        println!(
+            "N = {count}: {:.2}, {:.2}, {:.2} mm at 1/60, 1/120, 1/240 s",
+            errors[0] * 1e3,
+            errors[1] * 1e3,
+            errors[2] * 1e3
+        );
         assert!(errors.iter().all(|error| *error < bound), "{errors:?}");
     }
     // The elements' own error falls by four when their number is doubled: 1.0, 0.25, 0.06 mm.

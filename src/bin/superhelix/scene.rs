@@ -159,7 +159,6 @@ fn read(document: &Value) -> Result<Scene, Complaint> {
     {
         return Err(precision.complain("\"f64\": \"f32\" is unsupported in this version"));
     }
-    scene.or("reference_tolerance", 1e-8, Node::positive)?;
     if scene.or("hair_contact", false, Node::boolean)? {
         return Err(Complaint::new("hair_contact", "is true; contact between hairs is not in this version"));
     }
@@ -191,6 +190,7 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
     let integrator = scene.or("integrator", Integrator::default(), |node| node.choice(&INTEGRATORS))?;
     let linear_solver = scene.or("solver", LinearSolver::default(), |node| node.choice(&LINEAR_SOLVERS))?;
     let mut step = StepOptions { integrator, linear_solver, ..StepOptions::default() };
+    step.reference_tolerance = scene.or("reference_tolerance", step.reference_tolerance, Node::positive)?;
     if let Some(newton) = scene.get("newton") {
         let newton = newton.object(&["max_iterations", "tolerance"])?;
         step.max_iterations = newton.or("max_iterations", step.max_iterations, |node| Ok(node.whole(1..=10_000)? as u32))?;
