@@ -2,7 +2,7 @@
 //! halves; the difference tells the error of the halves, which are kept, and the size of the next step.
 //!
 //! The error is measured at the quadrature points, in units of the strand's length: how far positions are off, plus how far the
-//! velocities being off would carry them in the strand's own time. A step of h seconds may err by `reference_tolerance`·h.
+//! velocities being off would carry them in the strand's own time. A step of h seconds may err by `reference_tolerance`·h, and by rounding.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -11,7 +11,7 @@ use super::dynamics::{Dynamics, Rows};
 use super::options::StepOptions;
 use super::radau::{self, Motion, Step};
 use super::root_path::RootPath;
-use super::state::StrandState;
+use super::state::{StrandState, rotation_matrix};
 use super::workspace::Workspace;
 use super::{StrandOutcome, Surroundings, newton, stages, tableau};
 use crate::math::frame::Frame;
@@ -24,8 +24,10 @@ use crate::rod::velocity::{self, RootMotion};
 const MAX_ATTEMPTS: u32 = 100_000;
 /// Rejections in a row before the same: each makes the step smaller by a half at least.
 const MAX_REJECTIONS: u32 = 60;
+/// What rounding puts into the position of a point, in units of the length: no step is asked to err by less.
+const ROUNDING: f64 = 2e-15;
 /// Newton's error in units of the error allowed.
-const NEWTON_SHARE: f64 = 1e-3;
+const NEWTON_SHARE: f64 = 1e-2;
 /// What a step is made smaller by than the error asks for.
 const SAFETY: f64 = 0.8;
 /// Bounds of the change of size from step to step.
@@ -33,6 +35,8 @@ const SHRINK: f64 = 0.2;
 const GROW: f64 = 4.0;
 /// The longest time, s, over which a velocity's error is counted.
 const LONGEST_TIME: f64 = 1.0;
+/// Times over which it is, the strand's own and shorter ones: 4¹² spans the modes of any hair.
+const TIMES_TRIED: u32 = 12;
 /// A root's velocity that differs by this much of the speeds at hand has jumped.
 const JUMP: f64 = 1e-8;
 
@@ -63,7 +67,11 @@ pub fn take(
         linear: state.root_velocity.into(),
         angular: state.root_angular_velocity.into(),
     };
-    let pieces = RootPath::pieces(root_at, h);
+    let Some(pieces) = RootPath::pieces(root_at, h) else {
+        // A root that jumps about is not to be followed to any tolerance.
+        let outcome = stages::take(&tableau::IMPLICIT_EULER, model, state, root_at, h, surroundings, options, rules, workspace);
+        return StrandOutcome { converged: false, ..outcome };
+    };
     for path in &pieces {
         run.meet_jump(path, &mut motion, &known);
         let end = run.along(path, &mut motion);
@@ -89,8 +97,9 @@ pub fn take(
         let dynamics = Dynamics { model, rule: rules.rule(state.rule), surroundings, path };
         let (kinematics, forces) = dynamics.point_forces(path.end, &motion.curvatures, &motion.rates, &motion.accelerations);
         (state.wrench_force, state.wrench_torque) = newton::wrench(&kinematics, &forces);
-        workspace.kinematics = kinematics;
     }
+    let rule = rules.rule(state.rule);
+    workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
     run.outcome
 }
 
@@ -154,7 +163,7 @@ impl Run<'_> {
             self.attempts += 1;
             let rule = self.fine_rule(&motion.curvatures);
             let dynamics = Dynamics { model: self.model, rule: self.rules.rule(rule), surroundings: self.surroundings, path };
-            let allowed = self.options.reference_tolerance * h;
+            let allowed = self.options.reference_tolerance * h + ROUNDING;
             match self.doubled(&dynamics, motion, t, h, allowed, time_scale) {
                 Some((next, error)) => {
                     let ratio = error / allowed;
@@ -202,31 +211,56 @@ impl Run<'_> {
         let half = Step::new(&derivatives, 0.5 * h);
         let middle = solve(&half, from, t)?;
         let end = solve(&half, &middle, t + 0.5 * h)?;
-        let distance = self.distance(dynamics, t + h, &whole, &end, time_scale);
+        let distance = self.distance(dynamics, &derivatives.inertia, t + h, &whole, &end, time_scale);
         // The halves are 2⁵ times nearer to the truth than the whole.
         let error = distance / (2.0_f64.powi(radau::ORDER) - 1.0);
         error.is_finite().then_some((end, error))
     }
 
-    /// How far two motions are apart, in units of the length.
-    fn distance(&self, dynamics: &Dynamics, t: f64, one: &Motion, other: &Motion, time_scale: f64) -> f64 {
-        let length = self.model.length();
-        let points = |motion: &Motion| {
-            let (kinematics, root) = dynamics.kinematics(t, &motion.curvatures);
-            let mut points = Vec::with_capacity(kinematics.points.len());
-            velocity::for_each_point(&kinematics, &motion.rates, &root, |p, v, _| {
-                points.push((kinematics.points[p].position, v))
+    /// How far two motions are apart, in units of the length: as they are, and where the difference of their rates would carry them.
+    ///
+    /// A mode of frequency Ω that is off by a velocity v goes off by v/Ω, one that friction holds by less. Without taking modes apart: an
+    /// implicit Euler step of τ turns v into vτ/(1 + Ω²τ²), whose largest value over τ is v/2Ω. The times tried go down from the strand's
+    /// own by factors of 4.
+    fn distance(&self, dynamics: &Dynamics, inertia: &Mat<f64>, t: f64, one: &Motion, other: &Motion, time_scale: f64) -> f64 {
+        let (kinematics, _) = dynamics.kinematics(t, &one.curvatures);
+        let (second, _) = dynamics.kinematics(t, &other.curvatures);
+        let mut apart: Vec<f64> =
+            kinematics.points.iter().zip(&second.points).map(|(a, b)| (a.position - b.position).norm_squared().sqrt()).collect();
+        let size = dynamics.size();
+        let lengths = &self.model.lengths;
+        let off = Mat::from_fn(size, 1, |i, _| {
+            let (element, axis) = dynamics.freedom(i);
+            (one.rates[element][axis] - other.rates[element][axis]) * lengths[element]
+        });
+        let momenta = inertia * off;
+        let mut carried = vec![0.0_f64; apart.len()];
+        let mut time = time_scale;
+        for _ in 0..TIMES_TRIED {
+            let mut matrix = inertia.clone();
+            for i in 0..size {
+                let (element, axis) = dynamics.freedom(i);
+                matrix[(i, i)] += time * (self.model.dissipation[axis] + time * self.model.stiffness[axis]) / lengths[element];
+            }
+            let Ok(factor) = matrix.llt(Side::Lower) else { return f64::NAN };
+            let way = factor.solve(&momenta);
+            let mut change = vec![[0.0; 3]; lengths.len()];
+            for i in 0..size {
+                let (element, axis) = dynamics.freedom(i);
+                change[element][axis] = time * way[(i, 0)] / lengths[element];
+            }
+            velocity::for_each_point(&kinematics, &change, &RootMotion::still(), |p, moved, _| {
+                carried[p] = carried[p].max(moved.norm_squared().sqrt());
             });
-            points
-        };
-        let (one, other) = (points(one), points(other));
-        let mut worst = 0.0_f64;
-        for ((r1, v1), (r2, v2)) in one.into_iter().zip(other) {
-            let apart = (r1 - r2).norm_squared().sqrt() + time_scale * (v1 - v2).norm_squared().sqrt();
-            // A number that is not one must not be lost in max().
-            worst = if apart <= worst { worst } else { apart };
+            time *= 0.25;
         }
-        worst / length
+        let mut worst = 0.0_f64;
+        for (apart, carried) in apart.iter_mut().zip(&carried) {
+            *apart += carried;
+            // A number that is not one must not be lost in max().
+            worst = if *apart <= worst { worst } else { *apart };
+        }
+        worst / self.model.length()
     }
 
     /// The strand's own time: how long a wrong velocity goes on before stiffness or weight turn it round.

@@ -6,6 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::math::frame::Frame;
 use crate::math::pose_spline::right_jacobian;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
+use crate::math::trigonometry::sine_cosine;
 use crate::rod::velocity::RootMotion;
 
 /// Points of a polynomial.
@@ -16,6 +17,8 @@ const LARGEST_TURN: f64 = 1.5;
 const SMOOTH: f64 = 1e-12;
 /// The shortest piece in units of the step: what is left around a kink, and passed over.
 const SHORTEST: f64 = 1e-11;
+/// Polynomials tried before a way is given up.
+const MOST_CUTS: u32 = 2000;
 
 type Values = [Vector3<f64>; POINTS];
 
@@ -36,7 +39,7 @@ pub struct RootPath {
 
 /// Chebyshev's extreme points on [0, 1].
 fn nodes() -> [f64; POINTS] {
-    std::array::from_fn(|k| 0.5 * (1.0 - (std::f64::consts::PI * k as f64 / (POINTS - 1) as f64).cos()))
+    std::array::from_fn(|k| 0.5 * (1.0 - sine_cosine(std::f64::consts::PI * k as f64 / (POINTS - 1) as f64).1))
 }
 
 /// Barycentric weight of a node, up to a common factor.
@@ -75,23 +78,27 @@ fn differentiate(nodes: &[f64; POINTS], values: &Values, length: f64) -> Values 
 
 impl RootPath {
     /// All smooth pieces from 0 to `h`, in order.
-    pub fn pieces(root_at: &dyn Fn(f64) -> Frame, h: f64) -> Vec<RootPath> {
+    /// `None` for a way that is nowhere smooth.
+    pub fn pieces(root_at: &dyn Fn(f64) -> Frame, h: f64) -> Option<Vec<RootPath>> {
         let mut pieces = Vec::new();
-        Self::cut(root_at, h, 0.0, h, &mut pieces);
-        pieces
+        let mut left = MOST_CUTS;
+        Self::cut(root_at, h, 0.0, h, &mut pieces, &mut left).then_some(pieces)
     }
 
-    fn cut(root_at: &dyn Fn(f64) -> Frame, h: f64, start: f64, end: f64, pieces: &mut Vec<RootPath>) {
+    fn cut(root_at: &dyn Fn(f64) -> Frame, h: f64, start: f64, end: f64, pieces: &mut Vec<RootPath>, left: &mut u32) -> bool {
         if end - start < SHORTEST * h {
-            return;
+            return true;
         }
+        if *left == 0 {
+            return false;
+        }
+        *left -= 1;
         if let Some(piece) = Self::through(root_at, start, end) {
             pieces.push(piece);
-            return;
+            return true;
         }
         let middle = 0.5 * (start + end);
-        Self::cut(root_at, h, start, middle, pieces);
-        Self::cut(root_at, h, middle, end, pieces);
+        Self::cut(root_at, h, start, middle, pieces, left) && Self::cut(root_at, h, middle, end, pieces, left)
     }
 
     /// The piece from `start` to `end`, if it is smooth.
@@ -111,13 +118,13 @@ impl RootPath {
         if angle > LARGEST_TURN {
             return None;
         }
-        let rounding = 16.0 * f64::EPSILON * (frame.origin.norm() + extent);
+        let rounding = 64.0 * f64::EPSILON * (frame.origin.norm() + extent);
         for pair in nodes.windows(2) {
             let x = 0.5 * (pair[0] + pair[1]);
             let (there, turned) = place(x);
             let off = (interpolate(&nodes, &way, x) - there).norm();
             let off_turn = (interpolate(&nodes, &turn, x) - turned).norm();
-            if off > SMOOTH * extent + rounding || off_turn > SMOOTH * angle + 16.0 * f64::EPSILON {
+            if off > SMOOTH * extent + rounding || off_turn > SMOOTH * angle + 64.0 * f64::EPSILON {
                 return None;
             }
         }
@@ -165,7 +172,7 @@ mod tests {
 
     #[test]
     fn velocities_and_accelerations_are_those_of_the_way() {
-        let pieces = RootPath::pieces(&swinging, 0.5);
+        let pieces = RootPath::pieces(&swinging, 0.5).unwrap();
         assert_eq!((pieces[0].start, pieces[pieces.len() - 1].end), (0.0, 0.5));
         for piece in &pieces {
             for part in 0..=10 {
@@ -192,8 +199,10 @@ mod tests {
     #[test]
     fn a_kink_is_cut_out() {
         let kinked = |t: f64| Frame { origin: Vector3::new((t - 0.3).max(0.0), 0.0, 0.0), ..Frame::default() };
-        let pieces = RootPath::pieces(&kinked, 1.0);
+        let pieces = RootPath::pieces(&kinked, 1.0).unwrap();
         assert!(pieces.len() > 1);
+        let noise = |t: f64| Frame { origin: Vector3::new((1e9 * t).sin(), 0.0, 0.0), ..Frame::default() };
+        assert!(RootPath::pieces(&noise, 1.0).is_none());
         for piece in &pieces {
             let speed = piece.at(0.5 * (piece.start + piece.end)).1.velocity.0[0];
             let expected = if piece.end <= 0.3 + 1e-9 { 0.0 } else { 1.0 };
