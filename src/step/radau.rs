@@ -111,8 +111,8 @@ impl Step {
             solved.residual = sum;
             let measure = weigh * sum;
             let contraction = measure / last;
-            // What is left after this iteration, as a geometric series.
-            let left = if contraction < 0.9 { measure * contraction / (1.0 - contraction) } else { measure };
+            // What is left after this iteration, as a geometric series; the first one tells nothing.
+            let left = if iteration > 1 && contraction < 0.9 { measure * contraction / (1.0 - contraction) } else { measure };
             let at_rounding = contraction > 0.3 && measure <= ROUNDING * weigh.max(1.0);
             if left.min(measure) <= tolerance || at_rounding {
                 let (curvatures, rates) = self.stage(STAGES - 1, dynamics, from, &stages);

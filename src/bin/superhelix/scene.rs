@@ -203,12 +203,12 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
         step,
         workers: if threads == 1 { Workers::Serial } else { Workers::Pool(threads) },
     };
-    options.check("scene").map_err(|error| in_words_of_the_scene(error, integrator))?;
+    options.check("scene").map_err(|error| in_words_of_the_scene(error))?;
     Ok(options)
 }
 
 /// The solver names its own fields: the same complaint in the keys of a scene.
-pub fn in_words_of_the_scene(error: Error, integrator: Integrator) -> Complaint {
+pub fn in_words_of_the_scene(error: Error) -> Complaint {
     let key = |argument: &str| {
         let argument =
             argument.split_once('.').map_or(argument, |(first, rest)| if first.contains('[') { argument } else { rest });
@@ -228,19 +228,6 @@ pub fn in_words_of_the_scene(error: Error, integrator: Integrator) -> Complaint 
         key
     };
     match error {
-        Error::Unsupported { argument, value, hint } if argument.ends_with(".integrator") => {
-            let name = INTEGRATORS
-                .iter()
-                .find(|(_, candidate)| *candidate == integrator)
-                .map_or(value, |(name, _)| format!("\"{name}\""));
-            let _ = hint; // it lists the names that Rust has
-            Complaint::new(
-                key(&argument),
-                format!(
-                    "is {name}, which is unsupported in this version; use \"second_order\", \"implicit_euler\" or \"linearly_implicit\""
-                ),
-            )
-        }
         Error::Unsupported { argument, value, hint } => {
             Complaint::new(key(&argument), format!("is {value}, which is unsupported in this version: {hint}"))
         }
