@@ -76,7 +76,7 @@ pub struct shx_solver_def {
     pub tolerance: f64,
     /// 0.
     pub reserved: [u64; 4],
-    /// SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time;
+    /// SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
     /// 1e-12 to 1e-2. Default 1e-8.
     pub reference_tolerance: f64,
 }
