@@ -20,6 +20,9 @@ pub const ORDER: i32 = 5;
 /// Below this change in an iteration (in the measure that `Step::solve` explains) an iteration that no longer contracts has met rounding.
 const ROUNDING: f64 = 1e-11;
 
+/// An iteration that contracts by less gets the derivatives of the stages where they are, instead of those of the step's start.
+const SLOW: f64 = 0.1;
+
 /// A² entry.
 fn squared(i: usize, j: usize) -> f64 {
     (0..STAGES).map(|k| A[i][k] * A[k][j]).sum()
@@ -34,6 +37,18 @@ pub struct Motion {
     pub rates: Rows,
     /// q̈.
     pub accelerations: Rows,
+}
+
+/// Newton's matrix for stages that have derivatives each of their own.
+fn factorise(derivatives: [&Derivatives; STAGES], h: f64) -> PartialPivLu<f64> {
+    let size = derivatives[0].inertia.nrows();
+    let matrix = Mat::from_fn(STAGES * size, STAGES * size, |row, column| {
+        let (i, j, r, c) = (row / size, column / size, row % size, column % size);
+        // In units of h² q̈: divided by h².
+        let own = if i == j { derivatives[i].inertia[(r, c)] / (h * h) } else { 0.0 };
+        own + squared(i, j) * derivatives[i].by_position[(r, c)] + A[i][j] / h * derivatives[i].by_rate[(r, c)]
+    });
+    matrix.partial_piv_lu()
 }
 
 /// The factorised matrix of steps of one size.
@@ -55,14 +70,7 @@ pub struct Solved {
 impl Step {
     /// Factorises the matrix of simplified Newton iterations for steps of `h` seconds.
     pub fn new(derivatives: &Derivatives, h: f64) -> Self {
-        let size = derivatives.inertia.nrows();
-        let matrix = Mat::from_fn(STAGES * size, STAGES * size, |row, column| {
-            let (i, j, r, c) = (row / size, column / size, row % size, column % size);
-            // In units of h² q̈: divided by h².
-            let own = if i == j { derivatives.inertia[(r, c)] / (h * h) } else { 0.0 };
-            own + squared(i, j) * derivatives.by_position[(r, c)] + A[i][j] / h * derivatives.by_rate[(r, c)]
-        });
-        Self { h, factor: matrix.partial_piv_lu() }
+        Self { h, factor: factorise([derivatives; STAGES], h) }
     }
 
     /// Takes `from` from `t` a step on. Converged when the sum of the elements' turns in an iteration, and of their changes of turning
@@ -82,6 +90,7 @@ impl Step {
         let weigh = 1.0 + time_scale / h;
         let mut solved = Solved { iterations: 0, motion: None, residual: 0.0 };
         let mut last = f64::INFINITY;
+        let mut refined: Option<PartialPivLu<f64>> = None;
         for iteration in 1..=max_iterations {
             solved.iterations = iteration;
             let mut rhs = Mat::zeros(STAGES * size, 1);
@@ -95,7 +104,7 @@ impl Step {
                     rhs[(i * size + row, 0)] = -value;
                 }
             }
-            let change = self.factor.solve(&rhs);
+            let change = refined.as_ref().unwrap_or(&self.factor).solve(&rhs);
             let mut sum = 0.0;
             for i in 0..STAGES {
                 for index in 0..size {
@@ -120,8 +129,15 @@ impl Step {
                 solved.motion = Some(Motion { curvatures, rates, accelerations });
                 return solved;
             }
-            if iteration > 3 && contraction > 0.9 {
+            if iteration > 3 && contraction > 0.9 && refined.is_some() {
                 return solved;
+            }
+            if iteration > 1 && contraction > SLOW {
+                let own = std::array::from_fn::<_, STAGES, _>(|i| {
+                    let (q, w) = self.stage(i, dynamics, from, &stages);
+                    dynamics.derivatives(t + TIMES[i] * h, &q, &w, &stages[i])
+                });
+                refined = Some(factorise(own.each_ref(), h));
             }
             last = measure;
         }
