@@ -248,7 +248,7 @@ typedef struct shx_solver_def {
   double tolerance;
   // 0.
   uint64_t reserved[4];
-  // SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time;
+  // SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
   // 1e-12 to 1e-2. Default 1e-8.
   double reference_tolerance;
 } shx_solver_def;
