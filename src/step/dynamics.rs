@@ -86,7 +86,7 @@ impl Dynamics<'_> {
                 ((self.surroundings.gravity - a).scale(density) - (v - self.surroundings.wind).scale(drag)).scale(self.weight(p));
         });
         velocity::for_each_point(&kinematics, accelerations, &RootMotion::still(), |p, a, _| {
-            forces[p] = forces[p] - a.scale(density * self.weight(p));
+            forces[p] -= a.scale(density * self.weight(p));
         });
         (kinematics, forces)
     }

@@ -292,7 +292,7 @@ impl Run<'_> {
         }
         let mut change = known.velocities.clone();
         let unmoved = RootMotion { acceleration: Vec3::zero(), angular_acceleration: Vec3::zero(), ..root };
-        velocity::for_each_point(&kinematics, &motion.rates, &unmoved, |p, v, _| change[p] = change[p] - v);
+        velocity::for_each_point(&kinematics, &motion.rates, &unmoved, |p, v, _| change[p] -= v);
         let momenta = dynamics.point_momenta(change.into_iter());
         let rhs = dynamics.gather(&kinematics, &momenta);
         let mut matrix = dynamics.inertia(&kinematics);

@@ -118,13 +118,15 @@ impl RootPath {
         if angle > LARGEST_TURN {
             return None;
         }
+        // Rounding of the poses, and of the times that they are asked for: a short piece late in a step knows its own time badly.
+        let coarse = SMOOTH + 64.0 * f64::EPSILON * end / length;
         let rounding = 64.0 * f64::EPSILON * (frame.origin.norm() + extent);
         for pair in nodes.windows(2) {
             let x = 0.5 * (pair[0] + pair[1]);
             let (there, turned) = place(x);
             let off = (interpolate(&nodes, &way, x) - there).norm();
             let off_turn = (interpolate(&nodes, &turn, x) - turned).norm();
-            if off > SMOOTH * extent + rounding || off_turn > SMOOTH * angle + 64.0 * f64::EPSILON {
+            if off > coarse * extent + rounding || off_turn > coarse * angle + 64.0 * f64::EPSILON {
                 return None;
             }
         }
