@@ -288,7 +288,7 @@ fn read_strand(node: &Node) -> Result<SceneStrand, Complaint> {
         definition.root = motion.at(0.0);
         (definition.root_velocity, definition.root_angular_velocity) = motion.velocity(0.0);
     }
-    definition.check(&node.key).map_err(|error| in_words_of_the_scene(error, Integrator::default()))?;
+    definition.check(&node.key).map_err(|error| in_words_of_the_scene(error))?;
     Ok(SceneStrand { definition, motion })
 }
 
@@ -336,7 +336,7 @@ fn read_freedoms(node: &Node) -> Result<Freedoms, Complaint> {
 }
 
 fn read_frame(key: &str, origin: [f64; 3], rotation: [f64; 4]) -> Result<Frame, Complaint> {
-    Frame::from_arrays(key, origin, rotation).map_err(|error| in_words_of_the_scene(error, Integrator::default()))
+    Frame::from_arrays(key, origin, rotation).map_err(|error| in_words_of_the_scene(error))
 }
 
 fn read_motion(node: &Node) -> Result<PoseSpline, Complaint> {
