@@ -203,7 +203,7 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
         step,
         workers: if threads == 1 { Workers::Serial } else { Workers::Pool(threads) },
     };
-    options.check("scene").map_err(|error| in_words_of_the_scene(error))?;
+    options.check("scene").map_err(in_words_of_the_scene)?;
     Ok(options)
 }
 
@@ -288,7 +288,7 @@ fn read_strand(node: &Node) -> Result<SceneStrand, Complaint> {
         definition.root = motion.at(0.0);
         (definition.root_velocity, definition.root_angular_velocity) = motion.velocity(0.0);
     }
-    definition.check(&node.key).map_err(|error| in_words_of_the_scene(error))?;
+    definition.check(&node.key).map_err(in_words_of_the_scene)?;
     Ok(SceneStrand { definition, motion })
 }
 
@@ -336,7 +336,7 @@ fn read_freedoms(node: &Node) -> Result<Freedoms, Complaint> {
 }
 
 fn read_frame(key: &str, origin: [f64; 3], rotation: [f64; 4]) -> Result<Frame, Complaint> {
-    Frame::from_arrays(key, origin, rotation).map_err(|error| in_words_of_the_scene(error))
+    Frame::from_arrays(key, origin, rotation).map_err(in_words_of_the_scene)
 }
 
 fn read_motion(node: &Node) -> Result<PoseSpline, Complaint> {
