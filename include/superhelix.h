@@ -147,7 +147,7 @@
 // Two-step backward differences: second order in the step for the price of implicit Euler. The default.
 #define SHX_INTEGRATOR_SECOND_ORDER 3
 
-// High order with error control. Not in this version: SHX_ERROR_UNSUPPORTED.
+// Order 5 with error control, in steps of its own: meets reference_tolerance. Slow: to measure the others by.
 #define SHX_INTEGRATOR_REFERENCE 4
 
 // Elimination from tip to root: cost proportional to the number of elements. The default.
@@ -248,6 +248,9 @@ typedef struct shx_solver_def {
   double tolerance;
   // 0.
   uint64_t reserved[4];
+  // SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
+  // 1e-12 to 1e-2. Default 1e-8.
+  double reference_tolerance;
 } shx_solver_def;
 
 // A right-handed pose in the world: where a root or a cross-section sits and how it is turned.

@@ -78,6 +78,7 @@ fn values_out_of_range_are_named() {
         ("/newton", json!({"tolerance": 0}), "newton.tolerance", "0"),
         ("/newton", json!(7), "newton", "7"),
         ("/reference_tolerance", json!(-1e-8), "reference_tolerance", "-1e-8"),
+        ("/reference_tolerance", json!(1.0), "reference_tolerance", "1"),
         ("/solver", json!("lu"), "solver", "\"lu\""),
         ("/strands", json!({}), "strands", "{}"),
         ("/strands/0", json!(17), "strands[0]", "17"),
@@ -129,7 +130,6 @@ fn what_this_version_does_not_have_is_said() {
     let directory = directory("absent");
     for (pointer, value, key, shown) in [
         ("/precision", json!("f32"), "precision", "unsupported in this version"),
-        ("/integrator", json!("reference"), "integrator", "unsupported in this version"),
         ("/hair_contact", json!(true), "hair_contact", "not in this version"),
         ("/colliders", json!([{"shape": "sphere"}]), "colliders[0]", "not in this version"),
         ("/attachments", json!([{"strand": 0}]), "attachments[0]", "not in this version"),

@@ -8,7 +8,6 @@ use superhelix::math::frame::Frame;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{ParallelFor, SolverOptions, StrandDef, Workers};
 use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
 
 fn strand(k: usize) -> StrandDef {
     let count = 1 + k % 7;
@@ -81,7 +80,7 @@ fn any_number_of_workers_gives_the_same_bits() {
     assert_eq!(expected, GOLDEN, "0x{expected:016x}");
 }
 
-const GOLDEN: u64 = 0xb632_1436_7f88_bb4c;
+const GOLDEN: u64 = 0xb0db_1d7f_2f97_fcaa;
 
 #[test]
 fn removed_strands_stay_removed_and_the_others_keep_their_identifiers() {
@@ -233,12 +232,8 @@ fn bad_calls_name_the_argument_and_change_nothing() {
         assert!(failure.is_some(), "call {k} was accepted");
     }
     assert_eq!(solver.state_hash(), hash);
-    for (workers, integrator) in
-        [(Workers::Pool(1), None), (Workers::Pool(100_000), None), (Workers::Serial, Some(Integrator::Reference))]
-    {
-        let mut options = SolverOptions { workers, ..SolverOptions::default() };
-        options.step.integrator = integrator.unwrap_or_default();
-        assert!(Solver::new(options).is_err());
+    for workers in [Workers::Pool(1), Workers::Pool(100_000)] {
+        assert!(Solver::new(SolverOptions { workers, ..SolverOptions::default() }).is_err());
     }
 }
 

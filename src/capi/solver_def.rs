@@ -21,7 +21,7 @@ pub const SHX_INTEGRATOR_LINEARLY_IMPLICIT: u32 = 1;
 pub const SHX_INTEGRATOR_IMPLICIT_EULER: u32 = 2;
 /// Two-step backward differences: second order in the step for the price of implicit Euler. The default.
 pub const SHX_INTEGRATOR_SECOND_ORDER: u32 = 3;
-/// High order with error control. Not in this version: SHX_ERROR_UNSUPPORTED.
+/// Order 5 with error control, in steps of its own: meets reference_tolerance. Slow: to measure the others by.
 pub const SHX_INTEGRATOR_REFERENCE: u32 = 4;
 
 /// Elimination from tip to root: cost proportional to the number of elements. The default.
@@ -76,6 +76,9 @@ pub struct shx_solver_def {
     pub tolerance: f64,
     /// 0.
     pub reserved: [u64; 4],
+    /// SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
+    /// 1e-12 to 1e-2. Default 1e-8.
+    pub reference_tolerance: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, pointers and nullable functions only.
@@ -101,13 +104,14 @@ unsafe impl Versioned for shx_solver_def {
             exact_hessian: u32::from(options.step.exact_hessian),
             tolerance: options.step.tolerance,
             reserved: [0; 4],
+            reference_tolerance: options.step.reference_tolerance,
         }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_solver_def>() == 152);
+    assert!(size_of::<shx_solver_def>() == 160);
     assert!(offset_of!(shx_solver_def, parallel_for) == 56 && offset_of!(shx_solver_def, log_level) == 88);
     assert!(offset_of!(shx_solver_def, linear_solver) == 96 && offset_of!(shx_solver_def, tolerance) == 112);
 };
@@ -167,6 +171,7 @@ impl shx_solver_def {
                 max_iterations: self.max_iterations,
                 tolerance: self.tolerance,
                 exact_hessian: check_flag("def.exact_hessian", self.exact_hessian)?,
+                reference_tolerance: self.reference_tolerance,
             },
             workers,
         };

@@ -212,7 +212,7 @@ fn rates(times: &[f64], frames: &[Frame]) -> Vec<(Vector3<f64>, Vector3<f64>)> {
 }
 
 /// The matrix that takes the rate of a rotation vector to the angular velocity in the turning axes.
-fn right_jacobian(turn: &Vector3<f64>) -> Matrix3<f64> {
+pub(crate) fn right_jacobian(turn: &Vector3<f64>) -> Matrix3<f64> {
     let entire = Stumpff::at(turn.norm_squared());
     let cross = turn.cross_matrix();
     Matrix3::identity() - cross * entire.c2 + cross * cross * entire.c3

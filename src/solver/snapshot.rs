@@ -108,6 +108,7 @@ impl Writer {
         self.u32(step.max_iterations);
         self.u32(u32::from(step.exact_hessian));
         self.f64(step.tolerance);
+        self.f64(step.reference_tolerance);
     }
 
     /// The identifiers.
@@ -328,6 +329,7 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         max_iterations: reader.u32()?,
         exact_hessian: reader.flag()?,
         tolerance: reader.f64()?,
+        reference_tolerance: reader.f64()?,
     };
     step.check("its options").map_err(|error| Error::Snapshot { reason: error.to_string() })?;
     let mark = reader.u32()? as u16;

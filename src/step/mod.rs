@@ -1,9 +1,13 @@
 //! Time integration of one strand.
 
+pub mod dynamics;
 pub mod equilibrium;
 pub mod linearly_implicit;
 pub mod newton;
 pub mod options;
+pub mod radau;
+pub mod reference;
+pub mod root_path;
 pub mod stages;
 pub mod state;
 pub mod tableau;
@@ -66,9 +70,8 @@ pub fn take(
         Integrator::ImplicitEuler => {
             stages::take(&tableau::IMPLICIT_EULER, model, state, root_at, h, surroundings, options, rules, workspace)
         }
-        Integrator::SecondOrder | Integrator::Reference => {
-            stages::two_step(model, state, root_at, h, surroundings, options, rules, workspace)
-        }
+        Integrator::SecondOrder => stages::two_step(model, state, root_at, h, surroundings, options, rules, workspace),
+        Integrator::Reference => reference::take(model, state, root_at, h, surroundings, options, rules, workspace),
     };
     if outcome.quarantined || !state.is_finite() {
         state.clone_from(&workspace.rolled_back);

@@ -8,7 +8,7 @@
 #define SIZE(type, size) ASSERT(sizeof(type) == (size))
 #define AT(type, field, offset) ASSERT(offsetof(type, field) == (offset))
 
-SIZE(shx_solver_def, 152);
+SIZE(shx_solver_def, 160);
 AT(shx_solver_def, struct_size, 0);
 AT(shx_solver_def, worker_count, 4);
 AT(shx_solver_def, gravity, 8);
@@ -25,6 +25,7 @@ AT(shx_solver_def, max_iterations, 104);
 AT(shx_solver_def, exact_hessian, 108);
 AT(shx_solver_def, tolerance, 112);
 AT(shx_solver_def, reserved, 120);
+AT(shx_solver_def, reference_tolerance, 152);
 
 SIZE(shx_frame, 56);
 AT(shx_frame, origin, 0);

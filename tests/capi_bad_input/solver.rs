@@ -47,7 +47,11 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_create", "def", "precision = 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.precision = 0; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "precision = 9", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.precision = 9; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "precision = u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.precision = u32::MAX; shx_solver_create(&raw const def, s.out()) });
-    case!(cases, "shx_solver_create", "def", "integrator = 4", SHX_ERROR_UNSUPPORTED, |s| { let mut def = solver_def(); def.integrator = 4; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "integrator = 4", SHX_OK, |s| { let mut def = solver_def(); def.integrator = 4; let mut solver = null_mut(); let result = shx_solver_create(&raw const def, &raw mut solver); shx_solver_destroy(solver); result });
+    case!(cases, "shx_solver_create", "def", "reference_tolerance = 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.reference_tolerance = 0.0; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "reference_tolerance = 1", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.reference_tolerance = 1.0; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "reference_tolerance = 1e-13", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.reference_tolerance = 1e-13; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "reference_tolerance = f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.reference_tolerance = f64::NAN; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "precision = 2", SHX_ERROR_UNSUPPORTED, |s| { let mut def = solver_def(); def.precision = 2; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "max_iterations = 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.max_iterations = 0; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "max_iterations = 10_001", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.max_iterations = 10_001; shx_solver_create(&raw const def, s.out()) });

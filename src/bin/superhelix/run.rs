@@ -45,7 +45,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     // The solver has the last word on what it can do: its complaints about the scene are the scene's.
     let complain = |error: superhelix::error::Error| match error {
         superhelix::error::Error::InvalidArgument { .. } | superhelix::error::Error::Unsupported { .. } => {
-            Failure::scene(path, &scene::in_words_of_the_scene(error, scene.options.step.integrator))
+            Failure::scene(path, &scene::in_words_of_the_scene(error))
         }
         other => Failure::from(other),
     };

@@ -159,7 +159,6 @@ fn read(document: &Value) -> Result<Scene, Complaint> {
     {
         return Err(precision.complain("\"f64\": \"f32\" is unsupported in this version"));
     }
-    scene.or("reference_tolerance", 1e-8, Node::positive)?;
     if scene.or("hair_contact", false, Node::boolean)? {
         return Err(Complaint::new("hair_contact", "is true; contact between hairs is not in this version"));
     }
@@ -191,6 +190,7 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
     let integrator = scene.or("integrator", Integrator::default(), |node| node.choice(&INTEGRATORS))?;
     let linear_solver = scene.or("solver", LinearSolver::default(), |node| node.choice(&LINEAR_SOLVERS))?;
     let mut step = StepOptions { integrator, linear_solver, ..StepOptions::default() };
+    step.reference_tolerance = scene.or("reference_tolerance", step.reference_tolerance, Node::positive)?;
     if let Some(newton) = scene.get("newton") {
         let newton = newton.object(&["max_iterations", "tolerance"])?;
         step.max_iterations = newton.or("max_iterations", step.max_iterations, |node| Ok(node.whole(1..=10_000)? as u32))?;
@@ -203,12 +203,12 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
         step,
         workers: if threads == 1 { Workers::Serial } else { Workers::Pool(threads) },
     };
-    options.check("scene").map_err(|error| in_words_of_the_scene(error, integrator))?;
+    options.check("scene").map_err(in_words_of_the_scene)?;
     Ok(options)
 }
 
 /// The solver names its own fields: the same complaint in the keys of a scene.
-pub fn in_words_of_the_scene(error: Error, integrator: Integrator) -> Complaint {
+pub fn in_words_of_the_scene(error: Error) -> Complaint {
     let key = |argument: &str| {
         let argument =
             argument.split_once('.').map_or(argument, |(first, rest)| if first.contains('[') { argument } else { rest });
@@ -228,19 +228,6 @@ pub fn in_words_of_the_scene(error: Error, integrator: Integrator) -> Complaint 
         key
     };
     match error {
-        Error::Unsupported { argument, value, hint } if argument.ends_with(".integrator") => {
-            let name = INTEGRATORS
-                .iter()
-                .find(|(_, candidate)| *candidate == integrator)
-                .map_or(value, |(name, _)| format!("\"{name}\""));
-            let _ = hint; // it lists the names that Rust has
-            Complaint::new(
-                key(&argument),
-                format!(
-                    "is {name}, which is unsupported in this version; use \"second_order\", \"implicit_euler\" or \"linearly_implicit\""
-                ),
-            )
-        }
         Error::Unsupported { argument, value, hint } => {
             Complaint::new(key(&argument), format!("is {value}, which is unsupported in this version: {hint}"))
         }
@@ -301,7 +288,7 @@ fn read_strand(node: &Node) -> Result<SceneStrand, Complaint> {
         definition.root = motion.at(0.0);
         (definition.root_velocity, definition.root_angular_velocity) = motion.velocity(0.0);
     }
-    definition.check(&node.key).map_err(|error| in_words_of_the_scene(error, Integrator::default()))?;
+    definition.check(&node.key).map_err(in_words_of_the_scene)?;
     Ok(SceneStrand { definition, motion })
 }
 
@@ -349,7 +336,7 @@ fn read_freedoms(node: &Node) -> Result<Freedoms, Complaint> {
 }
 
 fn read_frame(key: &str, origin: [f64; 3], rotation: [f64; 4]) -> Result<Frame, Complaint> {
-    Frame::from_arrays(key, origin, rotation).map_err(|error| in_words_of_the_scene(error, Integrator::default()))
+    Frame::from_arrays(key, origin, rotation).map_err(in_words_of_the_scene)
 }
 
 fn read_motion(node: &Node) -> Result<PoseSpline, Complaint> {

@@ -1,0 +1,329 @@
+//! The reference integrator: Radau IIA of order 5 in the curvatures with step doubling. Every step is taken once whole and once in two
+//! halves; the difference tells the error of the halves, which are kept, and the size of the next step.
+//!
+//! The error is measured at the quadrature points, in units of the strand's length: how far positions are off, plus how far the
+//! velocities being off would carry them in the strand's own time. A step of h seconds may err by `reference_tolerance`·h, and by rounding.
+
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+
+use super::dynamics::{Dynamics, Rows};
+use super::options::StepOptions;
+use super::radau::{self, Motion, Step};
+use super::root_path::RootPath;
+use super::state::{StrandState, rotation_matrix};
+use super::workspace::Workspace;
+use super::{StrandOutcome, Surroundings, newton, stages, tableau};
+use crate::math::frame::Frame;
+use crate::math::quadrature::Rules;
+use crate::math::vector::Vec3;
+use crate::rod::strand::StrandModel;
+use crate::rod::velocity::{self, RootMotion};
+
+/// Attempts within one call before the strand is given up: what is left of the call is taken by implicit Euler and reported.
+const MAX_ATTEMPTS: u32 = 100_000;
+/// Rejections in a row before the same: each makes the step smaller by a half at least.
+const MAX_REJECTIONS: u32 = 60;
+/// What rounding puts into the position of a point, in units of the length: no step is asked to err by less.
+const ROUNDING: f64 = 2e-15;
+/// Newton's error in units of the error allowed.
+const NEWTON_SHARE: f64 = 1e-2;
+/// What a step is made smaller by than the error asks for.
+const SAFETY: f64 = 0.8;
+/// Bounds of the change of size from step to step.
+const SHRINK: f64 = 0.2;
+const GROW: f64 = 4.0;
+/// The longest time, s, over which a velocity's error is counted.
+const LONGEST_TIME: f64 = 1.0;
+/// Times over which it is, the strand's own and shorter ones: 4¹² spans the modes of any hair.
+const TIMES_TRIED: u32 = 12;
+/// A root's velocity that differs by this much of the speeds at hand has jumped.
+const JUMP: f64 = 1e-8;
+
+/// Takes one strand through `h` seconds; see [`super::take`].
+#[allow(clippy::too_many_arguments)]
+pub fn take(
+    model: &StrandModel,
+    state: &mut StrandState,
+    root_at: &dyn Fn(f64) -> Frame,
+    h: f64,
+    surroundings: &Surroundings,
+    options: &StepOptions,
+    rules: &Rules,
+    workspace: &mut Workspace,
+) -> StrandOutcome {
+    let mut run = Run {
+        model,
+        surroundings,
+        options,
+        rules,
+        outcome: StrandOutcome { converged: true, ..Default::default() },
+        attempts: 0,
+    };
+    let mut motion = start(model, state);
+    let mut known = Known {
+        velocities: state.velocities.clone(),
+        rule: state.rule,
+        linear: state.root_velocity.into(),
+        angular: state.root_angular_velocity.into(),
+    };
+    let Some(pieces) = RootPath::pieces(root_at, h) else {
+        // A root that jumps about is not to be followed to any tolerance.
+        let outcome = stages::take(&tableau::IMPLICIT_EULER, model, state, root_at, h, surroundings, options, rules, workspace);
+        return StrandOutcome { converged: false, ..outcome };
+    };
+    for path in &pieces {
+        run.meet_jump(path, &mut motion, &known);
+        let end = run.along(path, &mut motion);
+        if run.outcome.quarantined {
+            return run.outcome;
+        }
+        let rule = rules.next_for_angle(known.rule, model.largest_angle(&motion.curvatures));
+        let dynamics = Dynamics { model, rule: rules.rule(rule), surroundings, path };
+        known = run.know(&dynamics, rule, &motion, end);
+        if end < path.end {
+            // The best that is left: the strand as far as it came, and a forgiving step over the rest.
+            publish(state, &motion, &known, root_at(end));
+            let rest = |seconds: f64| root_at(end + seconds);
+            let last =
+                stages::take(&tableau::IMPLICIT_EULER, model, state, &rest, h - end, surroundings, options, rules, workspace);
+            run.outcome.iterations += last.iterations;
+            run.outcome.quarantined |= last.quarantined;
+            return run.outcome;
+        }
+    }
+    publish(state, &motion, &known, root_at(h));
+    if let Some(path) = pieces.last() {
+        let dynamics = Dynamics { model, rule: rules.rule(state.rule), surroundings, path };
+        let (kinematics, forces) = dynamics.point_forces(path.end, &motion.curvatures, &motion.rates, &motion.accelerations);
+        (state.wrench_force, state.wrench_torque) = newton::wrench(&kinematics, &forces);
+    }
+    let rule = rules.rule(state.rule);
+    workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
+    run.outcome
+}
+
+/// What a strand was last seen to do.
+struct Known {
+    velocities: Vec<Vec3<f64>>,
+    rule: usize,
+    linear: Vec3<f64>,
+    angular: Vec3<f64>,
+}
+
+/// The strand at the call's start; frozen curvatures are natural and do not move.
+fn start(model: &StrandModel, state: &StrandState) -> Motion {
+    let mut motion = Motion {
+        curvatures: state.curvatures.clone(),
+        rates: state.rates.clone(),
+        accelerations: vec![[0.0; 3]; model.element_count()],
+    };
+    for element in 0..model.element_count() {
+        for axis in (0..3).filter(|axis| !model.freedoms.contains(*axis)) {
+            motion.curvatures[element][axis] = model.natural[element][axis];
+            motion.rates[element][axis] = 0.0;
+        }
+    }
+    motion
+}
+
+/// Makes a motion the strand's state.
+fn publish(state: &mut StrandState, motion: &Motion, known: &Known, root: Frame) {
+    state.curvatures.clone_from(&motion.curvatures);
+    state.rates.clone_from(&motion.rates);
+    state.velocities.clone_from(&known.velocities);
+    state.rule = known.rule;
+    state.root = root;
+    state.root_velocity = known.linear.into();
+    state.root_angular_velocity = known.angular.into();
+}
+
+/// One call.
+struct Run<'a> {
+    model: &'a StrandModel,
+    surroundings: &'a Surroundings,
+    options: &'a StepOptions,
+    rules: &'a Rules,
+    outcome: StrandOutcome,
+    attempts: u32,
+}
+
+impl Run<'_> {
+    /// Goes along a smooth piece as far as the tolerance can be met; gives back how far that is.
+    fn along(&mut self, path: &RootPath, motion: &mut Motion) -> f64 {
+        let time_scale = self.time_scale();
+        let mut t = path.start;
+        let mut wanted = path.end - path.start;
+        let mut rejections = 0;
+        while t < path.end {
+            let left = path.end - t;
+            // Two even steps rather than a long and a tiny one.
+            let last = wanted >= 0.99 * left;
+            let h = if last { left } else { wanted.min(0.5 * left) };
+            self.attempts += 1;
+            let rule = self.fine_rule(&motion.curvatures);
+            let dynamics = Dynamics { model: self.model, rule: self.rules.rule(rule), surroundings: self.surroundings, path };
+            let allowed = self.options.reference_tolerance * h + ROUNDING;
+            match self.doubled(&dynamics, motion, t, h, allowed, time_scale) {
+                Some((next, error)) => {
+                    let ratio = error / allowed;
+                    let factor = (SAFETY * ratio.powf(-1.0 / f64::from(radau::ORDER))).clamp(SHRINK, GROW);
+                    if ratio <= 1.0 {
+                        *motion = next;
+                        t = if last { path.end } else { t + h };
+                        // Right after a rejection a step that grows is likely to be rejected again.
+                        wanted = h * if rejections > 0 { factor.min(1.0) } else { factor };
+                        rejections = 0;
+                        continue;
+                    }
+                    wanted = h * factor.min(0.5);
+                }
+                None => wanted = 0.25 * h,
+            }
+            rejections += 1;
+            if rejections > MAX_REJECTIONS || self.attempts > MAX_ATTEMPTS || t + wanted == t {
+                self.outcome.converged = false;
+                return t;
+            }
+        }
+        path.end
+    }
+
+    /// One step in two halves, and its error by the whole step, in units of the length.
+    fn doubled(
+        &mut self,
+        dynamics: &Dynamics,
+        from: &Motion,
+        t: f64,
+        h: f64,
+        allowed: f64,
+        time_scale: f64,
+    ) -> Option<(Motion, f64)> {
+        let derivatives = dynamics.derivatives(t, &from.curvatures, &from.rates, &from.accelerations);
+        let newton_tolerance = NEWTON_SHARE * allowed;
+        let mut solve = |step: &Step, from: &Motion, t: f64| {
+            let solved = step.solve(dynamics, from, t, newton_tolerance, time_scale, self.options.max_iterations);
+            self.outcome.iterations += solved.iterations;
+            self.outcome.residual = solved.residual;
+            solved.motion
+        };
+        let whole = solve(&Step::new(&derivatives, h), from, t)?;
+        let half = Step::new(&derivatives, 0.5 * h);
+        let middle = solve(&half, from, t)?;
+        let end = solve(&half, &middle, t + 0.5 * h)?;
+        let distance = self.distance(dynamics, &derivatives.inertia, t + h, &whole, &end, time_scale);
+        // The halves are 2⁵ times nearer to the truth than the whole.
+        let error = distance / (2.0_f64.powi(radau::ORDER) - 1.0);
+        error.is_finite().then_some((end, error))
+    }
+
+    /// How far two motions are apart, in units of the length: as they are, and where the difference of their rates would carry them.
+    ///
+    /// A mode of frequency Ω that is off by a velocity v goes off by v/Ω, one that friction holds by less. Without taking modes apart: an
+    /// implicit Euler step of τ turns v into vτ/(1 + Ω²τ²), whose largest value over τ is v/2Ω. The times tried go down from the strand's
+    /// own by factors of 4.
+    fn distance(&self, dynamics: &Dynamics, inertia: &Mat<f64>, t: f64, one: &Motion, other: &Motion, time_scale: f64) -> f64 {
+        let (kinematics, _) = dynamics.kinematics(t, &one.curvatures);
+        let (second, _) = dynamics.kinematics(t, &other.curvatures);
+        let mut apart: Vec<f64> =
+            kinematics.points.iter().zip(&second.points).map(|(a, b)| (a.position - b.position).norm_squared().sqrt()).collect();
+        let size = dynamics.size();
+        let lengths = &self.model.lengths;
+        let off = Mat::from_fn(size, 1, |i, _| {
+            let (element, axis) = dynamics.freedom(i);
+            (one.rates[element][axis] - other.rates[element][axis]) * lengths[element]
+        });
+        let momenta = inertia * off;
+        let mut carried = vec![0.0_f64; apart.len()];
+        let mut time = time_scale;
+        for _ in 0..TIMES_TRIED {
+            let mut matrix = inertia.clone();
+            for i in 0..size {
+                let (element, axis) = dynamics.freedom(i);
+                matrix[(i, i)] += time * (self.model.dissipation[axis] + time * self.model.stiffness[axis]) / lengths[element];
+            }
+            let Ok(factor) = matrix.llt(Side::Lower) else { return f64::NAN };
+            let way = factor.solve(&momenta);
+            let mut change = vec![[0.0; 3]; lengths.len()];
+            for i in 0..size {
+                let (element, axis) = dynamics.freedom(i);
+                change[element][axis] = time * way[(i, 0)] / lengths[element];
+            }
+            velocity::for_each_point(&kinematics, &change, &RootMotion::still(), |p, moved, _| {
+                carried[p] = carried[p].max(moved.norm_squared().sqrt());
+            });
+            time *= 0.25;
+        }
+        let mut worst = 0.0_f64;
+        for (apart, carried) in apart.iter_mut().zip(&carried) {
+            *apart += carried;
+            // A number that is not one must not be lost in max().
+            worst = if *apart <= worst { worst } else { *apart };
+        }
+        worst / self.model.length()
+    }
+
+    /// The strand's own time: how long a wrong velocity goes on before stiffness or weight turn it round.
+    fn time_scale(&self) -> f64 {
+        let length = self.model.length();
+        let stiffness = self.model.stiffness[1].min(self.model.stiffness[2]);
+        let gravity = self.surroundings.gravity.norm_squared().sqrt();
+        let squared_frequency = 12.4 * stiffness / (self.model.linear_density * length.powi(4)) + 1.5 * gravity / length;
+        (1.0 / squared_frequency.sqrt()).min(LONGEST_TIME)
+    }
+
+    /// A rule two sizes finer than a step of the other integrators uses: the inertia's error stays below any tolerance.
+    fn fine_rule(&self, curvatures: &Rows) -> usize {
+        let angle = self.model.largest_angle(curvatures);
+        (self.rules.for_angle(1.1 * angle) + 2).min(self.rules.count() - 1)
+    }
+
+    /// Where the root's velocity jumps, the strand is struck through its clamp: rates change so that no generalised momentum does.
+    fn meet_jump(&self, path: &RootPath, motion: &mut Motion, known: &Known) {
+        let dynamics = Dynamics { model: self.model, rule: self.rules.rule(known.rule), surroundings: self.surroundings, path };
+        let (kinematics, root) = dynamics.kinematics(path.start, &motion.curvatures);
+        let length = self.model.length();
+        let speed = |v: Vec3<f64>| v.norm_squared().sqrt();
+        let jump = speed(root.velocity - known.linear) + length * speed(root.angular_velocity - known.angular);
+        let fastest = known.velocities.iter().map(|v| speed(*v)).fold(0.0, f64::max);
+        let present = speed(root.velocity) + length * speed(root.angular_velocity) + speed(known.linear);
+        if jump <= JUMP * (present + fastest + length) {
+            return;
+        }
+        let mut change = known.velocities.clone();
+        let unmoved = RootMotion { acceleration: Vec3::zero(), angular_acceleration: Vec3::zero(), ..root };
+        velocity::for_each_point(&kinematics, &motion.rates, &unmoved, |p, v, _| change[p] -= v);
+        let momenta = dynamics.point_momenta(change.into_iter());
+        let rhs = dynamics.gather(&kinematics, &momenta);
+        let mut matrix = dynamics.inertia(&kinematics);
+        let size = dynamics.size();
+        let trace: f64 = (0..size).map(|i| matrix[(i, i)]).sum();
+        let stiffness = |i: usize| {
+            let (element, axis) = dynamics.freedom(i);
+            self.model.stiffness[axis] / self.model.lengths[element]
+        };
+        let stiffness_trace: f64 = (0..size).map(stiffness).sum();
+        // What has no inertia has no momentum: a trace of stiffness keeps its rate as it is.
+        for i in 0..size {
+            matrix[(i, i)] += 1e-14 * trace * stiffness(i) / stiffness_trace;
+        }
+        let rhs = Mat::from_fn(size, 1, |i, _| rhs[i]);
+        let found = match matrix.llt(Side::Lower) {
+            Ok(factor) => factor.solve(&rhs),
+            Err(_) => matrix.partial_piv_lu().solve(&rhs),
+        };
+        for i in 0..size {
+            let (element, axis) = dynamics.freedom(i);
+            motion.rates[element][axis] += found[(i, 0)] / self.model.lengths[element];
+        }
+        motion.accelerations.fill([0.0; 3]);
+    }
+
+    /// What can be seen of the strand at the end of a piece.
+    fn know(&self, dynamics: &Dynamics, rule: usize, motion: &Motion, t: f64) -> Known {
+        let (kinematics, root) = dynamics.kinematics(t, &motion.curvatures);
+        let mut velocities = vec![Vec3::zero(); kinematics.points.len()];
+        velocity::for_each_point(&kinematics, &motion.rates, &root, |p, v, _| velocities[p] = v);
+        Known { velocities, rule, linear: root.velocity, angular: root.angular_velocity }
+    }
+}
