@@ -1,0 +1,143 @@
+//! What accuracy costs: errors against trajectories that are as good as exact, and processor time, over integrator, step, elements,
+//! iteration cap, tolerance and freedoms, in six scenes with four types of hair. The tables and figures of docs/tradeoff.md.
+//!
+//! `cargo run --profile demo --example tradeoff -- sweep docs/figures` measures everything: `tradeoff.csv` and `tradeoff_truth.csv`
+//! (about a quarter of an hour of processor time). `check docs/figures` compares the trajectories with those of the reference integrator:
+//! `tradeoff_check.csv`. `table docs/figures` writes src/study/measured.rs from `tradeoff.csv`.
+
+mod hair;
+mod measure;
+mod path;
+mod reference;
+mod scene;
+mod setting;
+mod table;
+mod walk;
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::path::Path as FilePath;
+use std::time::Instant;
+
+use hair::Hair;
+use measure::{Measured, measure};
+use reference::Truth;
+use scene::Scene;
+use setting::{Setting, integrator_name};
+use walk::Walk;
+
+fn cases() -> impl Iterator<Item = (Scene, Hair)> {
+    Scene::ALL.into_iter().flat_map(|scene| Hair::ALL.into_iter().map(move |hair| (scene, hair)))
+}
+
+fn write(directory: &FilePath, name: &str, text: &str) {
+    let path = directory.join(name);
+    std::fs::write(&path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    println!("written: {}", path.display());
+}
+
+/// Three digits are what such numbers are good for.
+fn short(value: f64) -> String {
+    format!("{value:.2e}").replace("e0", "")
+}
+
+fn line(scene: Scene, hair: Hair, setting: &Setting, measured: &Measured) -> String {
+    let errors = measured.error.map_or(",,".to_string(), |error| {
+        [error.tip, error.tip_most, error.shape].map(short).join(",")
+    });
+    format!(
+        "{},{},{},{},{},{},{},{:e},{},{errors},{},{:.2},{:.3},{}\n",
+        scene.name(),
+        hair.name(),
+        setting.preset.map_or("", |preset| preset.name()),
+        integrator_name(setting.integrator),
+        setting.rate,
+        setting.elements,
+        setting.cap,
+        setting.tolerance,
+        setting.freedoms_name(),
+        short(measured.cost),
+        measured.iterations,
+        measured.unconverged,
+        measured.blown_up.map_or(String::new(), |time| format!("{time:.3}")),
+    )
+}
+
+fn sweep(directory: &FilePath) {
+    let walk = Walk::read();
+    let mut csv = String::from(
+        "scene,hair,preset,integrator,rate,elements,cap,tolerance,freedoms,tip,tip_most,shape,us_per_second,iterations,unconverged,blown_up_s\n",
+    );
+    let mut truths = String::from("scene,hair,elements,frames,tip_uncertainty,shape_uncertainty,step_halving,seconds\n");
+    for (scene, hair) in cases() {
+        let began = Instant::now();
+        let truth = Truth::of(scene, hair, &walk);
+        let length = scene.length(hair.length());
+        writeln!(
+            truths,
+            "{},{},{},{},{},{},{},{:.1}",
+            scene.name(),
+            hair.name(),
+            reference::elements(hair),
+            truth.frames,
+            short(truth.uncertainty.tip),
+            short(truth.uncertainty.shape),
+            short(truth.steps.tip),
+            began.elapsed().as_secs_f64()
+        )
+        .expect("a string");
+        let (prepared, mut strands) = (began.elapsed().as_secs_f64(), HashMap::new());
+        for setting in Setting::all(hair.natural(), length) {
+            let def = strands
+                .entry((setting.elements, setting.freedoms))
+                .or_insert_with(|| reference::strand(scene, hair, &walk, setting.elements, setting.freedoms));
+            csv += &line(scene, hair, &setting, &measure(scene, &walk, &setting, def, &truth));
+        }
+        println!(
+            "{:14} {:9} {} frames, trajectories {prepared:.1} s, settings {:.1} s",
+            scene.name(),
+            hair.name(),
+            truth.frames,
+            began.elapsed().as_secs_f64() - prepared
+        );
+    }
+    write(directory, "tradeoff.csv", &csv);
+    write(directory, "tradeoff_truth.csv", &truths);
+}
+
+/// The reference integrator beside the trajectories that stand for it, with as many elements as dense matrices allow.
+fn check(directory: &FilePath) {
+    let walk = Walk::read();
+    let mut csv = String::from("scene,hair,elements,tolerance,tip,tip_most,shape,reference_s,extrapolated_s\n");
+    for (scene, hair) in cases() {
+        for elements in reference::checked_elements(scene) {
+            let tolerance = 1e-6;
+            let began = Instant::now();
+            let exact = reference::radau(scene, hair, &walk, elements, tolerance);
+            let reference_s = began.elapsed().as_secs_f64();
+            let (path, _) = reference::extrapolated(scene, hair, &walk, elements, reference::RATE);
+            let extrapolated_s = began.elapsed().as_secs_f64() - reference_s;
+            let apart = path.distance(&exact, exact.frames.len(), scene.length(hair.length()));
+            let numbers = [apart.tip, apart.tip_most, apart.shape].map(short).join(",");
+            let row =
+                format!("{},{},{elements},{tolerance:e},{numbers},{reference_s:.1},{extrapolated_s:.1}", scene.name(), hair.name());
+            println!("{row}");
+            csv += &(row + "\n");
+            write(directory, "tradeoff_check.csv", &csv);
+        }
+    }
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words[..] {
+        ["sweep", directory] => sweep(FilePath::new(directory)),
+        ["check", directory] => check(FilePath::new(directory)),
+        ["table", directory] => table::write(FilePath::new(directory)),
+        _ => {
+            eprintln!("usage: tradeoff sweep|check|table DIRECTORY");
+            std::process::exit(2);
+        }
+    }
+}
