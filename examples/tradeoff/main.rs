@@ -23,7 +23,9 @@ use hair::Hair;
 use measure::{Measured, measure};
 use reference::Truth;
 use scene::Scene;
+use nalgebra::Vector3;
 use setting::{Setting, integrator_name};
+use superhelix::study::settings::HairShape;
 use walk::Walk;
 
 fn cases() -> impl Iterator<Item = (Scene, Hair)> {
@@ -87,10 +89,11 @@ fn sweep(directory: &FilePath) {
         )
         .expect("a string");
         let (prepared, mut strands) = (began.elapsed().as_secs_f64(), HashMap::new());
-        for setting in Setting::all(hair.natural(), length) {
+        let shape = HairShape { curvature: Vector3::from(hair.natural()).norm(), length };
+        for setting in Setting::all(&shape) {
             let def = strands
                 .entry((setting.elements, setting.freedoms))
-                .or_insert_with(|| reference::strand(scene, hair, &walk, setting.elements, setting.freedoms));
+                .or_insert_with(|| reference::strand(scene, hair, &walk, setting.elements as usize, setting.freedoms));
             csv += &line(scene, hair, &setting, &measure(scene, &walk, &setting, def, &truth));
         }
         println!(

@@ -3,11 +3,15 @@
 use superhelix::rod::freedoms::Freedoms;
 use superhelix::step::options::{Integrator, StepOptions};
 use superhelix::study::presets::Preset;
+use superhelix::study::settings::HairShape;
 
 /// Steps a second. A sixth of a second is a whole number of every one of them, so that wind may change there; 960 stands for a thousand.
 pub const RATES: [u32; 7] = [24, 30, 60, 120, 240, 480, 960];
 /// Elements a strand.
-pub const ELEMENTS: [usize; 9] = [1, 2, 3, 5, 8, 12, 20, 32, 50];
+pub const ELEMENTS: [u32; 9] = [1, 2, 3, 5, 8, 12, 20, 32, 50];
+
+/// Newton's tolerance where nothing else is said, rad.
+pub const TOLERANCE: f64 = 1e-3;
 
 /// One setting of all knobs.
 #[derive(Debug, Clone, Copy)]
@@ -19,7 +23,7 @@ pub struct Setting {
     /// Steps a second.
     pub rate: u32,
     /// Elements a strand.
-    pub elements: usize,
+    pub elements: u32,
     /// Newton iterations a step at most.
     pub cap: u32,
     /// Newton's tolerance, rad.
@@ -39,14 +43,14 @@ pub fn integrator_name(integrator: Integrator) -> &'static str {
 }
 
 impl Setting {
-    fn plain(integrator: Integrator, rate: u32, elements: usize) -> Self {
+    fn plain(integrator: Integrator, rate: u32, elements: u32) -> Self {
         let StepOptions { max_iterations, .. } = StepOptions::default();
-        Self { preset: None, integrator, rate, elements, cap: max_iterations, tolerance: 1e-3, freedoms: Freedoms::ALL }
+        Self { preset: None, integrator, rate, elements, cap: max_iterations, tolerance: TOLERANCE, freedoms: Freedoms::ALL }
     }
 
     /// Everything that is tried on a type of hair. The whole product of integrator, steps and elements; caps, tolerances and freedoms
     /// on slices of it, in second order; the presets.
-    pub fn all(natural: [f64; 3], length: f64) -> Vec<Self> {
+    pub fn all(hair: &HairShape) -> Vec<Self> {
         let mut settings = Vec::new();
         for integrator in [Integrator::LinearlyImplicit, Integrator::ImplicitEuler, Integrator::SecondOrder] {
             for rate in RATES {
@@ -66,14 +70,14 @@ impl Setting {
             }
         }
         for preset in Preset::ALL {
-            let chosen = preset.settings();
+            let recipe = preset.recipe();
             settings.push(Self {
                 preset: Some(preset),
-                integrator: chosen.step.integrator,
-                rate: (1.0 / chosen.longest_step).round() as u32,
-                elements: chosen.elements(natural, length) as usize,
-                cap: chosen.step.max_iterations,
-                tolerance: chosen.step.tolerance,
+                integrator: recipe.step.integrator,
+                rate: (1.0 / recipe.longest_step).round() as u32,
+                elements: recipe.elements(hair).expect("a number of elements"),
+                cap: recipe.step.max_iterations,
+                tolerance: recipe.step.tolerance,
                 freedoms: Freedoms::ALL,
             });
         }

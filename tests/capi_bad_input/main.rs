@@ -8,6 +8,7 @@ mod fit;
 mod roots;
 mod sampling;
 mod scene;
+mod settings;
 mod shape;
 mod solver;
 mod strands;
@@ -21,6 +22,7 @@ use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
+use superhelix::capi::settings::*;
 use superhelix::capi::shape::*;
 use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
@@ -82,6 +84,15 @@ fn new_fit() -> shx_fit {
     }
 }
 
+fn new_settings() -> shx_settings {
+    let mut settings = std::mem::MaybeUninit::uninit();
+    // SAFETY: room for one structure, which the call fills.
+    unsafe {
+        assert_eq!(shx_settings_init(settings.as_mut_ptr(), size_of::<shx_settings>()), SHX_OK);
+        settings.assume_init()
+    }
+}
+
 /// Restores every truncation of a real image and the image with each byte damaged in turn; gives SHX_ERROR_SNAPSHOT when all of them
 /// were refused, the first other result otherwise.
 fn damaged_images(s: &mut Scene) -> shx_result {
@@ -119,6 +130,7 @@ fn table() -> Vec<Case> {
         shape::cases,
         sampling::cases,
         fit::cases,
+        settings::cases,
         curves::cases,
     ] {
         add(&mut cases);

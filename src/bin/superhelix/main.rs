@@ -15,6 +15,7 @@ mod resolution;
 mod result;
 mod run;
 mod scene;
+mod settings;
 mod simulate;
 mod simulate_report;
 mod timeline;
@@ -38,6 +39,7 @@ enum Command {
     Simulate(Box<simulate::SimulateArguments>),
     Info(info::InfoArguments),
     Picture(picture::PictureArguments),
+    Settings(settings::SettingsArguments),
 }
 
 /// Prints a command's answer. A reader that has gone away is no failure of ours.
@@ -65,6 +67,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Info(arguments) => info::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
+        Command::Settings(arguments) => settings::run(arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
