@@ -89,7 +89,7 @@ def panel(axes, cases, truth):
     ceiling, floor = 2.0, 1e-4
     for integrator, (colour, label) in INTEGRATORS.items():
         dots = [row for row in cases if row["integrator"] == integrator and row["shape"] is not None and not row["preset"]]
-        axes.scatter([row["us_per_second"] for row in dots], [min(row["shape"], ceiling) for row in dots], s=4, color=colour, alpha=0.35,
+        axes.scatter([row["us_per_second"] for row in dots], [min(row["shape"], ceiling) for row in dots], s=5, color=colour, alpha=0.5,
                      linewidths=0, label=label, rasterized=True)
     best = front(cases)
     axes.plot([row["us_per_second"] for row in best], [row["shape"] for row in best], color="black", linewidth=0.9,
@@ -121,7 +121,10 @@ def legend(figure, axes):
     for panel_axes in axes:
         for handle, label in zip(*panel_axes.get_legend_handles_labels()):
             seen.setdefault(label, handle)
-    figure.legend(seen.values(), seen.keys(), loc="lower center", ncols=4, fontsize=8)
+    figure.legend(seen.values(), seen.keys(), loc="lower center", ncols=4, fontsize=8, markerscale=1.0)
+    for handle in figure.legends[0].legend_handles[:3]:
+        handle.set_sizes([25])
+        handle.set_alpha(1)
 
 
 def save(figure, name, bottom):
@@ -170,19 +173,20 @@ def slices(data):
                 other = row["tolerance"] == 1e-3 if key == "cap" else row["cap"] == 50
                 return row[key] == value and row["rate"] == rate and row["freedoms"] == "all" and other
             points = [(value, *spread(gather(lambda row: wanted(row, value)))) for value in values]
-            axes.plot([p[0] for p in points], [p[1] for p in points], "o-", color=colour, markersize=3.5, linewidth=1.2, label=f"error, h = 1/{rate}")
-            axes.plot([p[0] for p in points], [p[2] for p in points], ":", color=colour, linewidth=0.9)
+            axes.plot([p[0] for p in points], [p[2] for p in points], "o-", color=colour, markersize=3.5, linewidth=1.2,
+                      label=f"error, h = 1/{rate}: nine tenths are below")
             axes.plot([p[0] for p in points], [p[3] for p in points], "s--", color=colour, markersize=3, linewidth=0.9, markerfacecolor="white",
-                      label=f"cost, h = 1/{rate}")
+                      label=f"cost, h = 1/{rate}: median")
             table += [(key, value, rate, *point) for value, *point in points]
         axes.set_xscale("log")
-        axes.set_yscale("log")
+        axes.set_ylim(0, 2.6)
         axes.axhline(1, color="grey", linewidth=0.8)
         axes.set_xlabel(label)
-        axes.legend(fontsize=6.5)
-    left.set_ylabel("of the same without")
-    left.set_title("median; dotted: a tenth is worse", fontsize=8.5)
-    middle.set_title("beside 10⁻³ rad", fontsize=8.5)
+        axes.legend(fontsize=6.5, loc="upper right")
+    left.set_xticks([1, 2, 4, 8], ["1", "2", "4", "8"])
+    left.minorticks_off()
+    left.set_title("an iteration cap, beside none", fontsize=8.5)
+    middle.set_title("a tolerance, beside 10⁻³ rad", fontsize=8.5)
     middle.invert_xaxis()
     shown = [("bend", "#1f5fa8", "twist frozen"), ("bend1", "#c7622b", "one bending alone")]
     for freedoms, colour, label in shown:
@@ -190,13 +194,17 @@ def slices(data):
             for hair in HAIRS:
                 pairs = gather(lambda row: row["freedoms"] == freedoms and row["rate"] == rate and row["hair"] == hair)
                 table.append(("freedoms", f"{freedoms}, {hair}", rate, *spread(pairs)))
-        points = gather(lambda row: row["freedoms"] == freedoms and row["rate"] in rates)
-        right.scatter([cost for _, cost, _ in points], [min(error or 1e3, 1e3) for error, _, _ in points], s=8, color=colour, alpha=0.5, linewidths=0, label=label)
+        place = [index + (-0.18 if freedoms == "bend" else 0.18) for index in range(len(HAIRS))]
+        for rate, alpha in zip(rates, (0.45, 0.7, 1.0)):
+            heights = [next(line[3] for line in table if line[:3] == ("freedoms", f"{freedoms}, {hair}", rate)) for hair in HAIRS]
+            offsets = [at + 0.11 * (rates.index(rate) - 1) for at in place]
+            right.bar(offsets, [height - 1 for height in heights], bottom=1, width=0.1, color=colour, alpha=alpha,
+                      label=f"{label}, h = 1/{rate}")
     right.set_yscale("log")
+    right.set_xticks(range(len(HAIRS)), HAIRS)
     right.axhline(1, color="grey", linewidth=0.8)
-    right.set_xlabel("cost beside all freedoms")
-    right.set_title("error beside all freedoms", fontsize=8.5)
-    right.legend(fontsize=7)
+    right.set_title("median error beside all freedoms", fontsize=8.5)
+    right.legend(fontsize=6.5)
     save(figure, "tradeoff_slices.png", 0)
     return table
 

@@ -21,9 +21,9 @@ use std::time::Instant;
 
 use hair::Hair;
 use measure::{Measured, measure};
+use nalgebra::Vector3;
 use reference::Truth;
 use scene::Scene;
-use nalgebra::Vector3;
 use setting::{Setting, integrator_name};
 use superhelix::study::settings::HairShape;
 use walk::Walk;
@@ -44,9 +44,7 @@ fn short(value: f64) -> String {
 }
 
 fn line(scene: Scene, hair: Hair, setting: &Setting, measured: &Measured) -> String {
-    let errors = measured.error.map_or(",,".to_string(), |error| {
-        [error.tip, error.tip_most, error.shape].map(short).join(",")
-    });
+    let errors = measured.error.map_or(",,".to_string(), |error| [error.tip, error.tip_most, error.shape].map(short).join(","));
     format!(
         "{},{},{},{},{},{},{},{:e},{},{errors},{},{:.2},{:.3},{}\n",
         scene.name(),
@@ -122,8 +120,11 @@ fn check(directory: &FilePath) {
             let extrapolated_s = began.elapsed().as_secs_f64() - reference_s;
             let apart = path.distance(&exact, exact.frames.len(), scene.length(hair.length()));
             let numbers = [apart.tip, apart.tip_most, apart.shape].map(short).join(",");
-            let row =
-                format!("{},{},{elements},{tolerance:e},{numbers},{reference_s:.1},{extrapolated_s:.1}", scene.name(), hair.name());
+            let row = format!(
+                "{},{},{elements},{tolerance:e},{numbers},{reference_s:.1},{extrapolated_s:.1}",
+                scene.name(),
+                hair.name()
+            );
             println!("{row}");
             csv += &(row + "\n");
             write(directory, "tradeoff_check.csv", &csv);

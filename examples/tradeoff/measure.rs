@@ -1,8 +1,7 @@
 //! One setting in one scene: how far off, and what it costs.
 
-use std::time::Instant;
-
 use nalgebra::Vector3;
+use rustix::time::{ClockId, clock_gettime};
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::step::options::StepOptions;
@@ -15,7 +14,7 @@ use crate::walk::Walk;
 
 /// Strands that are stepped side by side, on one thread, for what a call costs to be shared as in a groom.
 const STRANDS: usize = 3;
-/// A step's time is the least of this many runs: what else the machine did is in the others.
+/// A step's time is the least of this many runs: what else the machine did to its caches is in the others.
 const RUNS: usize = 5;
 /// Runs are not repeated beyond this many seconds: long ones average by themselves.
 const PATIENCE: f64 = 0.15;
@@ -44,6 +43,12 @@ struct Run {
     blown_up: Option<f64>,
 }
 
+/// What this thread has had of a processor, s: what others had of it is not in it.
+fn processor_time() -> f64 {
+    let now = clock_gettime(ClockId::ThreadCPUTime);
+    now.tv_sec as f64 + 1e-9 * now.tv_nsec as f64
+}
+
 fn run(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef) -> Run {
     let step = StepOptions {
         integrator: setting.integrator,
@@ -64,10 +69,10 @@ fn run(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef) -> Run {
     for number in 1..=(DURATION * f64::from(setting.rate)).round() as u32 {
         let t = h * f64::from(number);
         solver.set_wind(scene.wind(t - h)).expect("a wind");
-        let began = Instant::now();
+        let began = processor_time();
         solver.set_root_frames(&ids, &[scene.root(walk, t); STRANDS], h).expect("roots");
         let report = solver.step(h, 1).expect("a step");
-        all.seconds.push(began.elapsed().as_secs_f64());
+        all.seconds.push(processor_time() - began);
         all.iterations += report.mean_iterations;
         all.unconverged += report.unconverged;
         let mut points = [Vector3::zeros(); POINTS];
@@ -97,10 +102,10 @@ fn run(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef) -> Run {
 
 /// Measures a setting; `def` is the strand that it starts with.
 pub fn measure(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef, truth: &Truth) -> Measured {
-    let began = Instant::now();
+    let began = processor_time();
     let mut first = run(scene, walk, setting, def);
     for _ in 1..RUNS {
-        if began.elapsed().as_secs_f64() > PATIENCE {
+        if processor_time() - began > PATIENCE {
             break;
         }
         let again = run(scene, walk, setting, def);

@@ -47,7 +47,8 @@ pub fn write(directory: &Path) {
         format!("({error}, {cost})")
     };
     let lengths = Hair::ALL.map(|hair| hair.length().to_string()).join(", ");
-    let curvatures = Hair::ALL.map(|hair| hair.natural().iter().map(|k| k * k).sum::<f64>().sqrt()).map(|k| format!("{k:.1}")).join(", ");
+    let curvatures =
+        Hair::ALL.map(|hair| hair.natural().iter().map(|k| k * k).sum::<f64>().sqrt()).map(|k| format!("{k:.1}")).join(", ");
     let mut text = format!(
         "//! Errors and costs as `make tradeoff` measured them; made by it from docs/figures/tradeoff.csv. Types of hair: straight, wavy, curly,
 //! fuzzy, those of Bertails et al. 2006, appendix B. Scenes: the bits of [`Scenes`](super::suggestion::Scenes). `docs/tradeoff.md` says how.

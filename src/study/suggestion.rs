@@ -77,7 +77,8 @@ fn candidates(kind: usize, scenes: Scenes) -> Vec<Candidate> {
     for (step, rate) in measured::RATES.into_iter().enumerate().rev() {
         for (fineness, elements) in measured::ELEMENTS.into_iter().enumerate().rev() {
             let worst = |of: fn(&Price) -> f32| {
-                let most = scenes.indices().map(|scene| of(&measured::SECOND_ORDER[kind][scene][step][fineness])).fold(0.0, f32::max);
+                let most =
+                    scenes.indices().map(|scene| of(&measured::SECOND_ORDER[kind][scene][step][fineness])).fold(0.0, f32::max);
                 f64::from(most)
             };
             let finer = candidates.iter().filter(|finer| finer.elements >= elements).map(|finer| finer.error);
@@ -120,7 +121,8 @@ pub fn suggest_settings(target_error: f64, scenes: Scenes, hair: &HairShape, fra
         let rate = f64::from(candidate.rate);
         let substeps = settings::substeps(frame_time, 1.0 / rate)?;
         let elements = settings::elements(hair, (f64::from(candidate.elements) * longer).ceil())?;
-        let cost = candidate.cost * f64::from(substeps) / (frame_time * rate) * f64::from(elements) / f64::from(candidate.elements);
+        let cost =
+            candidate.cost * f64::from(substeps) / (frame_time * rate) * f64::from(elements) / f64::from(candidate.elements);
         if chosen.is_none_or(|chosen| chosen.cost.is_none_or(|least| cost < least)) {
             let step =
                 StepOptions { integrator: Integrator::SecondOrder, tolerance: measured::TOLERANCE, ..StepOptions::default() };

@@ -74,7 +74,8 @@ struct Answer {
 
 /// Runs the command.
 pub fn run(arguments: &SettingsArguments) -> Result<(), Failure> {
-    let curvature = arguments.curl_radius.map_or(0.0, |radius| 1.0 / radius.hypot(arguments.curl_step / (2.0 * std::f64::consts::PI)));
+    let curvature =
+        arguments.curl_radius.map_or(0.0, |radius| 1.0 / radius.hypot(arguments.curl_step / (2.0 * std::f64::consts::PI)));
     let hair = HairShape { curvature, length: arguments.length };
     let frame_time = 1.0 / arguments.fps;
     let error = arguments.error.or(arguments.error_mm.map(|mm| 1e-3 * mm / arguments.length));
