@@ -111,8 +111,8 @@ fn check(directory: &FilePath) {
     let walk = Walk::read();
     let mut csv = String::from("scene,hair,elements,tolerance,tip,tip_most,shape,reference_s,extrapolated_s\n");
     for (scene, hair) in cases() {
-        for elements in reference::checked_elements(scene) {
-            let tolerance = 1e-6;
+        for elements in reference::checked_elements(scene, hair) {
+            let tolerance = 1e-5;
             let began = Instant::now();
             let exact = reference::radau(scene, hair, &walk, elements, tolerance);
             let reference_s = began.elapsed().as_secs_f64();

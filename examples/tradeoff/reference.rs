@@ -84,12 +84,10 @@ pub fn radau(scene: Scene, hair: Hair, walk: &Walk, elements: usize, tolerance: 
     follow(scene, hair, walk, elements, &options, FRAMES)
 }
 
-/// How many elements the reference integrator is asked to bear in a scene: more where it can take long steps.
-pub fn checked_elements(scene: Scene) -> Vec<usize> {
-    match scene {
-        Scene::CalmSway | Scene::StiffBristle => vec![8, 64],
-        _ => vec![8],
-    }
+/// How many elements the reference integrator is asked to bear: as many as the trajectories have wherever that takes it minutes.
+pub fn checked_elements(scene: Scene, hair: Hair) -> Vec<usize> {
+    let cheap = matches!(scene, Scene::CalmSway | Scene::CurlyBounce | Scene::StiffBristle);
+    if cheap || hair == Hair::Wavy { vec![8, 64] } else { vec![8] }
 }
 
 /// By second order at `rate` and at twice as many steps a second, extrapolated; and how far the two are apart in lengths.

@@ -29,7 +29,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_settings_from_preset", "frame_time", "f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut settings = new_settings(); shx_settings_from_preset(SHX_PRESET_BALANCED, 100.0, 0.2, f64::NAN, &raw mut settings) });
     case!(cases, "shx_settings_from_preset", "frame_time", "f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut settings = new_settings(); shx_settings_from_preset(SHX_PRESET_BALANCED, 100.0, 0.2, f64::INFINITY, &raw mut settings) });
     case!(cases, "shx_settings_from_preset", "frame_time", "f64::NEG_INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut settings = new_settings(); shx_settings_from_preset(SHX_PRESET_BALANCED, 100.0, 0.2, f64::NEG_INFINITY, &raw mut settings) });
-    case!(cases, "shx_settings_from_preset", "out_settings", "null", SHX_ERROR_NULL_ARGUMENT, |s| { shx_settings_from_preset(SHX_PRESET_BALANCED, 100.0, 0.2, 1.0 / 30.0, null_mut()) });
+    case!(cases, "shx_settings_from_preset", "out_settings", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_settings_from_preset(SHX_PRESET_BALANCED, 100.0, 0.2, 1.0 / 30.0, null_mut()));
     case!(cases, "shx_settings_from_preset", "out_settings", "struct_size 0", SHX_ERROR_STRUCT_SIZE, |s| { let mut settings = new_settings(); settings.struct_size = 0; shx_settings_from_preset(SHX_PRESET_BALANCED, 100.0, 0.2, 1.0 / 30.0, &raw mut settings) });
     case!(cases, "shx_settings_suggest", "target_error", "0.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut settings = new_settings(); shx_settings_suggest(0.0, SHX_SCENE_ALL, 100.0, 0.2, 1.0 / 30.0, &raw mut settings) });
     case!(cases, "shx_settings_suggest", "target_error", "-0.1", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut settings = new_settings(); shx_settings_suggest(-0.1, SHX_SCENE_ALL, 100.0, 0.2, 1.0 / 30.0, &raw mut settings) });
@@ -58,6 +58,6 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_settings_suggest", "frame_time", "f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut settings = new_settings(); shx_settings_suggest(0.1, SHX_SCENE_ALL, 100.0, 0.2, f64::NAN, &raw mut settings) });
     case!(cases, "shx_settings_suggest", "frame_time", "f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut settings = new_settings(); shx_settings_suggest(0.1, SHX_SCENE_ALL, 100.0, 0.2, f64::INFINITY, &raw mut settings) });
     case!(cases, "shx_settings_suggest", "frame_time", "f64::NEG_INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut settings = new_settings(); shx_settings_suggest(0.1, SHX_SCENE_ALL, 100.0, 0.2, f64::NEG_INFINITY, &raw mut settings) });
-    case!(cases, "shx_settings_suggest", "out_settings", "null", SHX_ERROR_NULL_ARGUMENT, |s| { shx_settings_suggest(0.1, SHX_SCENE_ALL, 100.0, 0.2, 1.0 / 30.0, null_mut()) });
+    case!(cases, "shx_settings_suggest", "out_settings", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_settings_suggest(0.1, SHX_SCENE_ALL, 100.0, 0.2, 1.0 / 30.0, null_mut()));
     case!(cases, "shx_settings_suggest", "out_settings", "struct_size 0", SHX_ERROR_STRUCT_SIZE, |s| { let mut settings = new_settings(); settings.struct_size = 0; shx_settings_suggest(0.1, SHX_SCENE_ALL, 100.0, 0.2, 1.0 / 30.0, &raw mut settings) });
 }

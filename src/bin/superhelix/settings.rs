@@ -14,7 +14,7 @@ use crate::simulate::{not_negative, positive};
 ///
 /// The error is the root mean square distance of a strand's points from where they should be, in units of its length.
 #[derive(Debug, Args)]
-#[command(group = ArgGroup::new("choice").required(true).args(["preset", "error", "error_mm"]))]
+#[command(allow_negative_numbers = true, group = ArgGroup::new("choice").required(true).args(["preset", "error", "error_mm"]))]
 pub struct SettingsArguments {
     /// A preset: preview, balanced or accurate.
     #[arg(long, value_name = "NAME", value_parser = preset)]
