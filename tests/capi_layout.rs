@@ -41,7 +41,7 @@ fn every_size_and_offset_is_as_published() {
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
-        shx_settings: 48 { struct_size: 0, integrator: 4, max_iterations: 8, substeps: 12, element_count: 16, reserved: 20, tolerance: 24, error: 32, cost: 40 }
+        shx_settings: 56 { struct_size: 0, integrator: 4, max_iterations: 8, substeps: 12, element_count: 16, max_subdivisions: 20, tolerance: 24, error_tolerance: 32, error: 40, cost: 48 }
         shx_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");

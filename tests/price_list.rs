@@ -53,6 +53,7 @@ fn is_plain_second_order(row: &Row) -> bool {
         && row["preset"].is_empty()
         && row["cap"] == "50"
         && row["tolerance"].parse() == Ok(measured::TOLERANCE)
+        && row["error_tolerance"] == "0e0"
         && row["freedoms"] == "all"
 }
 

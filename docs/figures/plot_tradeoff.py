@@ -35,7 +35,7 @@ def number(text):
 def read():
     data = rows("tradeoff.csv")
     for row in data:
-        for key in ("tip", "tip_most", "shape", "us_per_second", "iterations", "unconverged", "blown_up_s", "tolerance"):
+        for key in ("tip", "tip_most", "shape", "us_per_second", "iterations", "unconverged", "blown_up_s", "tolerance", "error_tolerance"):
             row[key] = number(row[key])
         for key in ("rate", "elements", "cap"):
             row[key] = int(row[key])
@@ -51,7 +51,7 @@ def is_papers(row):
 
 
 def is_plain(row):
-    return not row["preset"] and row["cap"] == 50 and row["tolerance"] == 1e-3 and row["freedoms"] == "all"
+    return not row["preset"] and row["cap"] == 50 and row["tolerance"] == 1e-3 and row["error_tolerance"] == 0 and row["freedoms"] == "all"
 
 
 def front(candidates):
@@ -80,6 +80,8 @@ def named(row):
         extras += f" cap {row['cap']}"
     if row["tolerance"] != 1e-3 and not row["preset"]:
         extras += f" tol {row['tolerance']:g}"
+    if row["error_tolerance"] and not row["preset"]:
+        extras += f" adaptive {row['error_tolerance']:g}"
     if row["freedoms"] != "all":
         extras += f" {row['freedoms']}"
     return f"{short}{row['rate']}×{row['elements']}{extras}" + (f" ({row['preset']})" if row["preset"] else "")
@@ -171,7 +173,7 @@ def slices(data):
         for rate, colour in zip(rates, ["#7a4a9e", "#1f5fa8", "#3d8f53"]):
             def wanted(row, value):
                 other = row["tolerance"] == 1e-3 if key == "cap" else row["cap"] == 50
-                return row[key] == value and row["rate"] == rate and row["freedoms"] == "all" and other
+                return row[key] == value and row["rate"] == rate and row["freedoms"] == "all" and row["error_tolerance"] == 0 and other
             points = [(value, *spread(gather(lambda row: wanted(row, value)))) for value in values]
             axes.plot([p[0] for p in points], [p[2] for p in points], "o-", color=colour, markersize=3.5, linewidth=1.2,
                       label=f"error, h = 1/{rate}: nine tenths are below")
@@ -188,6 +190,11 @@ def slices(data):
     left.set_title("an iteration cap, beside none", fontsize=8.5)
     middle.set_title("a tolerance, beside 10⁻³ rad", fontsize=8.5)
     middle.invert_xaxis()
+    for value in [1e-2, 3e-3, 1e-3, 3e-4]:
+        for rate in [24, 30, 60]:
+            pairs = gather(lambda row: row["error_tolerance"] == value and row["rate"] == rate)
+            if pairs:
+                table.append(("adaptive", f"{value:g}", rate, *spread(pairs)))
     shown = [("bend", "#1f5fa8", "twist frozen"), ("bend1", "#c7622b", "one bending alone")]
     for freedoms, colour, label in shown:
         for rate in rates:
@@ -250,11 +257,12 @@ def front_table(data):
                 count["cap"] += row["cap"] < 50
                 count["loose"] += row["tolerance"] > 1e-3
                 count["tight"] += row["tolerance"] < 1e-3
+                count["adaptive"] += row["error_tolerance"] > 0
                 count["frozen"] += row["freedoms"] != "all"
     put(lines, "fronts")
     put([f"Of {total} settings on the 24 fronts, {decent} err by less than a tenth of the length. Of these, {count['second_order']} are of second order, "
          f"{count['implicit_euler']} implicit Euler, {count['linearly_implicit']} the papers' step; {count['cap']} have a cap below 50, {count['loose']} a tolerance "
-         f"above 10⁻³ rad, {count['tight']} below; {count['frozen']} have frozen freedoms."], "members")
+         f"above 10⁻³ rad, {count['tight']} below; {count['adaptive']} have adaptive steps; {count['frozen']} have frozen freedoms."], "members")
 
 
 def preset_table(data):

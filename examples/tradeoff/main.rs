@@ -46,7 +46,7 @@ fn short(value: f64) -> String {
 fn line(scene: Scene, hair: Hair, setting: &Setting, measured: &Measured) -> String {
     let errors = measured.error.map_or(",,".to_string(), |error| [error.tip, error.tip_most, error.shape].map(short).join(","));
     format!(
-        "{},{},{},{},{},{},{},{:e},{},{errors},{},{:.2},{:.3},{}\n",
+        "{},{},{},{},{},{},{},{:e},{:e},{},{errors},{},{:.2},{:.3},{}\n",
         scene.name(),
         hair.name(),
         setting.preset.map_or("", |preset| preset.name()),
@@ -55,6 +55,7 @@ fn line(scene: Scene, hair: Hair, setting: &Setting, measured: &Measured) -> Str
         setting.elements,
         setting.cap,
         setting.tolerance,
+        setting.error_tolerance,
         setting.freedoms_name(),
         short(measured.cost),
         measured.iterations,
@@ -66,7 +67,7 @@ fn line(scene: Scene, hair: Hair, setting: &Setting, measured: &Measured) -> Str
 fn sweep(directory: &FilePath) {
     let walk = Walk::read();
     let mut csv = String::from(
-        "scene,hair,preset,integrator,rate,elements,cap,tolerance,freedoms,tip,tip_most,shape,us_per_second,iterations,unconverged,blown_up_s\n",
+        "scene,hair,preset,integrator,rate,elements,cap,tolerance,error_tolerance,freedoms,tip,tip_most,shape,us_per_second,iterations,unconverged,blown_up_s\n",
     );
     let mut truths = String::from("scene,hair,elements,frames,tip_uncertainty,shape_uncertainty,step_halving,seconds\n");
     for (scene, hair) in cases() {

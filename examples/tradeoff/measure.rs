@@ -54,6 +54,8 @@ fn run(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef) -> Run {
         integrator: setting.integrator,
         max_iterations: setting.cap,
         tolerance: setting.tolerance,
+        max_subdivisions: setting.subdivisions,
+        error_tolerance: setting.error_tolerance,
         ..StepOptions::default()
     };
     let options = SolverOptions { gravity: Vector3::from(GRAVITY), step, ..SolverOptions::default() };

@@ -13,7 +13,7 @@ use superhelix::step::equilibrium::EquilibriumOptions;
 use superhelix::step::options::{Integrator, StepOptions};
 use superhelix::step::state::{StrandState, rotation_matrix};
 use superhelix::step::workspace::Workspace;
-use superhelix::step::{self, Surroundings};
+use superhelix::step::{self, Setting, Surroundings};
 
 use crate::hair::Hair;
 use crate::path::{Distance, FRAMES, POINTS, Path, Shape};
@@ -64,7 +64,8 @@ fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &Step
         let from = h * f64::from(call);
         let root_at = |elapsed: f64| scene.root(walk, from + elapsed);
         let surroundings = Surroundings { gravity: Vector3::from(GRAVITY).into(), wind: scene.wind(from).into() };
-        let outcome = step::take(&model, &mut state, &root_at, h, &surroundings, options, &rules, &mut workspace);
+        let setting = Setting { model: &model, surroundings: &surroundings, options, rules: &rules };
+        let outcome = step::take(&setting, &mut state, &root_at, h, &mut workspace);
         assert!(outcome.converged && !outcome.quarantined, "{} {} at {from} s: {outcome:?}", scene.name(), hair.name());
         if (call + 1) % (rate / FRAMES) == 0 {
             let rule = rules.rule(state.rule);

@@ -28,6 +28,10 @@ pub struct Setting {
     pub cap: u32,
     /// Newton's tolerance, rad.
     pub tolerance: f64,
+    /// How often a step that does not converge, or errs by more than `error_tolerance`, is halved.
+    pub subdivisions: u32,
+    /// The error that a step may add, in lengths; 0: not looked at.
+    pub error_tolerance: f64,
     /// Curvatures that may change.
     pub freedoms: Freedoms,
 }
@@ -44,12 +48,22 @@ pub fn integrator_name(integrator: Integrator) -> &'static str {
 
 impl Setting {
     fn plain(integrator: Integrator, rate: u32, elements: u32) -> Self {
-        let StepOptions { max_iterations, .. } = StepOptions::default();
-        Self { preset: None, integrator, rate, elements, cap: max_iterations, tolerance: TOLERANCE, freedoms: Freedoms::ALL }
+        let StepOptions { max_iterations, max_subdivisions, .. } = StepOptions::default();
+        Self {
+            preset: None,
+            integrator,
+            rate,
+            elements,
+            cap: max_iterations,
+            tolerance: TOLERANCE,
+            subdivisions: max_subdivisions,
+            error_tolerance: 0.0,
+            freedoms: Freedoms::ALL,
+        }
     }
 
-    /// Everything that is tried on a type of hair. The whole product of integrator, steps and elements; caps, tolerances and freedoms
-    /// on slices of it, in second order; the presets.
+    /// Everything that is tried on a type of hair. The whole product of integrator, steps and elements; caps, tolerances, freedoms and
+    /// adaptive steps on slices of it, in second order; the presets.
     pub fn all(hair: &HairShape) -> Vec<Self> {
         let mut settings = Vec::new();
         for integrator in [Integrator::LinearlyImplicit, Integrator::ImplicitEuler, Integrator::SecondOrder] {
@@ -60,13 +74,20 @@ impl Setting {
         for rate in [24, 30, 60, 240] {
             for elements in [3, 5, 8, 12, 20] {
                 let plain = Self::plain(Integrator::SecondOrder, rate, elements);
-                settings.extend([1, 2, 4, 8].map(|cap| Self { cap, ..plain }));
+                // A cap that saves work: what it leaves undone is left, not taken in parts.
+                settings.extend([1, 2, 4, 8].map(|cap| Self { cap, subdivisions: 0, ..plain }));
                 let bending = Freedoms::BEND1.union(Freedoms::BEND2);
                 settings.extend([Freedoms::BEND1, bending].map(|freedoms| Self { freedoms, ..plain }));
             }
             for elements in [8, 20] {
                 let plain = Self::plain(Integrator::SecondOrder, rate, elements);
                 settings.extend([1e-1, 1e-2, 1e-4, 1e-6].map(|tolerance| Self { tolerance, ..plain }));
+            }
+        }
+        for rate in [24, 30, 60] {
+            for elements in [5, 8, 12, 20, 32] {
+                let plain = Self::plain(Integrator::SecondOrder, rate, elements);
+                settings.extend([1e-2, 3e-3, 1e-3, 3e-4].map(|error_tolerance| Self { error_tolerance, subdivisions: 5, ..plain }));
             }
         }
         for preset in Preset::ALL {
@@ -78,6 +99,8 @@ impl Setting {
                 elements: recipe.elements(hair).expect("a number of elements"),
                 cap: recipe.step.max_iterations,
                 tolerance: recipe.step.tolerance,
+                subdivisions: recipe.step.max_subdivisions,
+                error_tolerance: recipe.step.error_tolerance,
                 freedoms: Freedoms::ALL,
             });
         }

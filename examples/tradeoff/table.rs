@@ -26,6 +26,7 @@ fn prices(directory: &Path) -> Prices {
         let plain = field("integrator") == "second_order"
             && field("cap") == "50"
             && field("tolerance") == format!("{TOLERANCE:e}")
+            && field("error_tolerance") == "0e0"
             && field("freedoms") == "all";
         let key = match field("preset") {
             "" if plain => format!("{} {}", field("rate"), field("elements")),

@@ -34,8 +34,8 @@ pub const SHX_SCENE_WIND_GUST: u32 = 32;
 pub const SHX_SCENE_ALL: u32 = 63;
 
 /// Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
-/// integrator, max_iterations and tolerance into a shx_solver_def, element_count into a shx_strand_def, and step each frame in
-/// substeps.
+/// integrator, max_iterations, max_subdivisions, tolerance and error_tolerance into a shx_solver_def, element_count into a
+/// shx_strand_def, and step each frame in substeps.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_settings {
@@ -49,10 +49,12 @@ pub struct shx_settings {
     pub substeps: u32,
     /// Helical elements of a strand.
     pub element_count: u32,
-    /// 0.
-    pub reserved: u32,
+    /// How often a strand's substep may be halved.
+    pub max_subdivisions: u32,
     /// Newton's tolerance, rad.
     pub tolerance: f64,
+    /// The error that a substep may add before it is halved, in units of the strand's length; 0: not looked at.
+    pub error_tolerance: f64,
     /// Root mean square distance of the strand's points from where they should be, in units of its length, over two seconds in the
     /// worst of the measured scenes. Negative: hair of that kind was not measured.
     pub error: f64,
@@ -73,8 +75,9 @@ unsafe impl Versioned for shx_settings {
             max_iterations: step.max_iterations,
             substeps: 1,
             element_count: 0,
-            reserved: 0,
+            max_subdivisions: step.max_subdivisions,
             tolerance: step.tolerance,
+            error_tolerance: step.error_tolerance,
             error: -1.0,
             cost: -1.0,
         }
@@ -82,7 +85,7 @@ unsafe impl Versioned for shx_settings {
 }
 
 const _: () = {
-    assert!(size_of::<shx_settings>() == 48);
+    assert!(size_of::<shx_settings>() == 56);
     assert!(offset_of!(shx_settings, element_count) == 16 && offset_of!(shx_settings, tolerance) == 24);
 };
 
@@ -93,7 +96,9 @@ impl shx_settings {
             max_iterations: settings.step.max_iterations,
             substeps: settings.substeps,
             element_count: settings.elements,
+            max_subdivisions: settings.step.max_subdivisions,
             tolerance: settings.step.tolerance,
+            error_tolerance: settings.step.error_tolerance,
             error: settings.error.unwrap_or(-1.0),
             cost: settings.cost.unwrap_or(-1.0),
             ..Self::defaults()

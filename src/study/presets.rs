@@ -51,7 +51,7 @@ impl Preset {
     /// What it is made of.
     pub fn recipe(self) -> Recipe {
         let (rate, tolerance, max_iterations, fewest_elements, elements_per_turn) = match self {
-            Preset::Preview => (30.0, 1e-2, 8, 3, 2.0),
+            Preset::Preview => (30.0, 1e-2, 8, 4, 3.0),
             Preset::Balanced => (120.0, 1e-3, 50, 8, 4.0),
             Preset::Accurate => (480.0, 1e-4, 50, 20, 8.0),
         };
