@@ -447,8 +447,8 @@ typedef struct shx_fit {
 } shx_fit;
 
 // Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
-// integrator, max_iterations and tolerance into a shx_solver_def, element_count into a shx_strand_def, and step each frame in
-// substeps.
+// integrator, max_iterations, max_subdivisions, tolerance and error_tolerance into a shx_solver_def, element_count into a
+// shx_strand_def, and step each frame in substeps.
 typedef struct shx_settings {
   // Set by shx_settings_init.
   uint32_t struct_size;
@@ -460,10 +460,12 @@ typedef struct shx_settings {
   uint32_t substeps;
   // Helical elements of a strand.
   uint32_t element_count;
-  // 0.
-  uint32_t reserved;
+  // How often a strand's substep may be halved.
+  uint32_t max_subdivisions;
   // Newton's tolerance, rad.
   double tolerance;
+  // The error that a substep may add before it is halved, in units of the strand's length; 0: not looked at.
+  double error_tolerance;
   // Root mean square distance of the strand's points from where they should be, in units of its length, over two seconds in the
   // worst of the measured scenes. Negative: hair of that kind was not measured.
   double error;
