@@ -348,8 +348,8 @@ typedef struct shx_step_report {
   double mean_iterations;
   // Largest condition number met; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
   double max_condition;
-  // The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length;
-  // 0 where the solver has no error_tolerance.
+  // The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length
+  // (0 where the solver has no error_tolerance).
   double max_error;
 } shx_step_report;
 
