@@ -53,11 +53,14 @@ impl Minimum {
 
 /// The inverse of a positive definite matrix, scaled before it is judged; `None` where rounding leaves nothing of it.
 fn inverse_of_positive(matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    if matrix.is_empty() {
+        return None;
+    }
     let scale = matrix.diagonal().map(f64::sqrt);
     let scaled = DMatrix::from_fn(matrix.nrows(), matrix.nrows(), |i, j| matrix[(i, j)] / (scale[i] * scale[j]));
     let smallest = scaled.clone().symmetric_eigenvalues().min();
     // Parameters that cannot be told apart.
-    if matrix.nrows() > 0 && smallest < 1e-12 {
+    if smallest < 1e-12 {
         return None;
     }
     let inverse = scaled.cholesky()?.inverse();
