@@ -15,9 +15,7 @@ use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 use crate::math::pose_spline::PoseSpline;
-use crate::study::friction_fit::{
-    Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction,
-};
+use crate::study::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
 use crate::study::recording::{Observable, Recording, RootMotion};
 
 /// The distance from root to tip, m.

@@ -21,12 +21,8 @@ pub enum Measured {
     Angle,
 }
 
-const MEASURED: [(&str, Measured); 4] = [
-    ("span_m", Measured::Span),
-    ("depth_m", Measured::Depth),
-    ("offset_m", Measured::Offset),
-    ("angle_rad", Measured::Angle),
-];
+const MEASURED: [(&str, Measured); 4] =
+    [("span_m", Measured::Span), ("depth_m", Measured::Depth), ("offset_m", Measured::Offset), ("angle_rad", Measured::Angle)];
 const ROOT: [&str; 3] = ["root_x_m", "root_y_m", "root_z_m"];
 
 /// A recorded curve, as the file has it.
@@ -103,7 +99,10 @@ mod tests {
     #[test]
     fn tables_with_and_without_the_root_are_read() {
         let curve = RecordedCurve::read_from_bytes("a", b"time_s, span_m\n0,0.1\r\n0.5,2e-1\n\n").unwrap();
-        assert_eq!((curve.times, curve.values, curve.measured, curve.root), (vec![0.0, 0.5], vec![0.1, 0.2], Measured::Span, None));
+        assert_eq!(
+            (curve.times, curve.values, curve.measured, curve.root),
+            (vec![0.0, 0.5], vec![0.1, 0.2], Measured::Span, None)
+        );
         let text = b"time_s,angle_rad,root_x_m,root_y_m,root_z_m\n-1,0.1,1,2,3\n";
         let curve = RecordedCurve::read_from_bytes("a", text).unwrap();
         assert_eq!((curve.measured, curve.root), (Measured::Angle, Some(vec![Vector3::new(1.0, 2.0, 3.0)])));

@@ -97,7 +97,7 @@ pub enum Start {
     /// its root.
     #[default]
     Settled = 1,
-    /// With the initial curvatures and rates of its definition.
+    /// With the initial curvatures and rates of its definition. (The root's pose and velocity are those of its motion in either case.)
     AsDefined = 2,
 }
 
@@ -287,7 +287,8 @@ fn sum((_, residuals): &Point) -> f64 {
 }
 
 fn nothing_finite(options: &FrictionFitOptions) -> Error {
-    let ranges: Vec<_> = options.sought.iter().map(|sought| format!("{} {:?}", sought.coefficient.name(), sought.range)).collect();
+    let ranges: Vec<_> =
+        options.sought.iter().map(|sought| format!("{} {:?}", sought.coefficient.name(), sought.range)).collect();
     Error::invalid("options.sought", ranges.join(", "), "a range or guess with which simulations stay finite")
 }
 
@@ -369,12 +370,12 @@ impl<'a> Search<'a> {
         let square = residuals.norm_squared();
         let variance = square / (count - unknowns) as f64;
         let covariance = minimum.covariance();
-        let mut finer = self.curves(&[parameters.clone()], 0.5 * self.options.time_step)?;
+        let mut finer = self.curves(std::slice::from_ref(parameters), 0.5 * self.options.time_step)?;
         let shift = match &finer.swap_remove(0) {
             Some(finer) => -&covariance * (minimum.jacobian.transpose() * (self.residual(finer) - residuals)),
             None => DVector::from_element(parameters.len(), f64::NAN),
         };
-        let best = self.curves(&[parameters.clone()], self.options.time_step)?.swap_remove(0);
+        let best = self.curves(std::slice::from_ref(parameters), self.options.time_step)?.swap_remove(0);
         let Some(mut best) = best else { return Err(nothing_finite(self.options)) };
         let offset = if self.options.fit_offset {
             self.recorded.iter().zip(&best.values).map(|(recorded, value)| recorded - value).sum::<f64>() / count as f64
@@ -401,8 +402,10 @@ impl<'a> Search<'a> {
                 Verdict::Determined
             };
             let excluded = |at: &&Point| at.1.is_some() && sum(at) - square > EXCLUDED * EXCLUDED * variance;
-            let below = line().filter(excluded).map(|(at, _)| at[k]).filter(|at| *at < parameters[k]).fold(f64::NEG_INFINITY, f64::max);
-            let above = line().filter(excluded).map(|(at, _)| at[k]).filter(|at| *at > parameters[k]).fold(f64::INFINITY, f64::min);
+            let below =
+                line().filter(excluded).map(|(at, _)| at[k]).filter(|at| *at < parameters[k]).fold(f64::NEG_INFINITY, f64::max);
+            let above =
+                line().filter(excluded).map(|(at, _)| at[k]).filter(|at| *at > parameters[k]).fold(f64::INFINITY, f64::min);
             FittedCoefficient {
                 coefficient: sought.coefficient,
                 verdict,

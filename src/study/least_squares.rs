@@ -75,14 +75,9 @@ pub type Evaluate<'a> = dyn FnMut(&[Vec<f64>]) -> Result<Vec<Option<DVector<f64>
 ///
 /// # Errors
 /// What `evaluate` gives.
-pub fn minimise(
-    start: &[f64],
-    bounds: &[[f64; 2]],
-    max_iterations: u32,
-    evaluate: &mut Evaluate<'_>,
-) -> Result<Option<Minimum>> {
+pub fn minimise(start: &[f64], bounds: &[[f64; 2]], max_iterations: u32, evaluate: &mut Evaluate<'_>) -> Result<Option<Minimum>> {
     let mut parameters = start.to_vec();
-    let Some(mut residuals) = evaluate(&[parameters.clone()])?.swap_remove(0) else { return Ok(None) };
+    let Some(mut residuals) = evaluate(std::slice::from_ref(&parameters))?.swap_remove(0) else { return Ok(None) };
     let mut damping = 0.0;
     let mut jacobian = DMatrix::zeros(residuals.len(), parameters.len());
     for _ in 0..max_iterations {
@@ -92,7 +87,9 @@ pub fn minimise(
         let variance = residuals.norm_squared() / (residuals.len().saturating_sub(parameters.len()).max(1)) as f64;
         let free: Vec<usize> = (0..parameters.len())
             .filter(|k| normal[(*k, *k)] > 0.0)
-            .filter(|k| !(parameters[*k] <= bounds[*k][0] && slope[*k] > 0.0 || parameters[*k] >= bounds[*k][1] && slope[*k] < 0.0))
+            .filter(|k| {
+                !(parameters[*k] <= bounds[*k][0] && slope[*k] > 0.0 || parameters[*k] >= bounds[*k][1] && slope[*k] < 0.0)
+            })
             .collect();
         loop {
             let next = step(&parameters, bounds, &free, &normal, &slope, damping);
@@ -101,7 +98,7 @@ pub fn minimise(
             if way.amax() < SHORTEST || promised < INSIGNIFICANT * variance {
                 return Ok(Some(Minimum { parameters, residuals, jacobian, converged: true }));
             }
-            if let Some(found) = evaluate(&[next.clone()])?.swap_remove(0)
+            if let Some(found) = evaluate(std::slice::from_ref(&next))?.swap_remove(0)
                 && found.norm_squared() < residuals.norm_squared()
             {
                 (parameters, residuals) = (next, found);

@@ -26,7 +26,9 @@ impl Observable {
     /// The number for a chord (m), or why there is none: `down` is ĝ, if there is gravity.
     pub(super) fn measure(self, down: Option<Vector3<f64>>) -> Result<impl Fn(Vector3<f64>) -> f64> {
         let need_down = || {
-            down.ok_or_else(|| Error::invalid("options.solver.gravity", "zero", "gravity, which a depth or an angle is measured by"))
+            down.ok_or_else(|| {
+                Error::invalid("options.solver.gravity", "zero", "gravity, which a depth or an angle is measured by")
+            })
         };
         let (along, down, kind) = match self {
             Observable::Span => (Vector3::zeros(), Vector3::zeros(), 0),

@@ -57,7 +57,8 @@ impl<'a> Replay<'a> {
         };
         let first = times.partition_point(|time| *time < begin + options.discard);
         let start = begin - options.lead_in;
-        if !((end - start) / options.time_step <= MOST_STEPS) {
+        let steps = (end - start) / options.time_step;
+        if steps.is_nan() || steps > MOST_STEPS {
             let expected = format!("a step of which {MOST_STEPS} make up the recording ({} s with lead_in) at most", end - start);
             return Err(Error::invalid("options.time_step", options.time_step, expected));
         }

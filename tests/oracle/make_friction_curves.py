@@ -1,10 +1,10 @@
 """Makes tests/data/friction/: recorded curves of the oracle, with noise, from which friction is fitted (tests/friction_fit.rs).
 
-usage: python make_friction_curves.py      (numpy, scipy; about ten minutes)
+usage: python make_friction_curves.py      (numpy, scipy; about a quarter of an hour)
 
 Each case is a scene file (NAME.scene.json: the strand, with the true coefficients) and curves NAME_NOISE.csv: time, value, the
-root's position. Noise is normal and independent from sample to sample, its seed is the case's number; its standard deviation is
-NOISE (permille of the mean span). The strand starts at rest in its equilibrium, found here by scipy, never by the engine.
+root's position. Noise is normal and independent from sample to sample, its seed the case's number and NOISE; its standard deviation
+is NOISE in thousandths of the span at rest (of a radian for angles). The strand starts at rest in its equilibrium, found here by scipy, never by the engine.
 true.json has the true values, and how far the noise-free curve moved when the oracle's step was halved.
 """
 import json
@@ -68,19 +68,19 @@ def observe(rod, q, t, kind):
 CASES = {
     "curl_shaken": dict(
         N=3, L=0.15, a=(50e-6, 50e-6), E=1.5e9, gamma=1e-10, mu=0.0, drag=5e-6, qn=(6.0, 40.0, 0.0),
-        root=oscillation(0.01, 3.0), kind="span_m", seconds=2.0, rate=60, noise=(5, 20), fitted=["internal_friction"]),
+        root=oscillation(0.01, 3.0), kind="span_m", seconds=2.0, rate=60, noise=(0, 5, 20), fitted=["internal_friction"]),
     "curl_shaken_viscous": dict(
         N=2, L=0.12, a=(55e-6, 45e-6), E=2e9, gamma=0.0, mu=0.01, drag=5e-6, qn=(3.0, 30.0, 10.0),
-        root=oscillation(0.01, 4.0), kind="span_m", seconds=1.5, rate=60, noise=(5,), fitted=["viscosity"]),
+        root=oscillation(0.01, 4.0), kind="span_m", seconds=1.5, rate=60, noise=(0, 5), fitted=["viscosity"]),
     "pendulum": dict(
         N=2, L=0.2, a=(50e-6, 50e-6), E=1e9, gamma=2e-12, mu=0.0, drag=8e-6, qn=(0.0, 0.0, 0.0),
-        root=shift(0.06, 0.3, 0.08), kind="offset_m", seconds=3.0, rate=60, noise=(5, 20), fitted=["air_drag"]),
+        root=shift(0.06, 0.3, 0.08), kind="offset_m", seconds=3.0, rate=60, noise=(0, 5, 20), fitted=["air_drag"]),
     "curl_swung": dict(
         N=2, L=0.15, a=(50e-6, 50e-6), E=1.5e9, gamma=5e-11, mu=0.0, drag=1.5e-5, qn=(0.0, 25.0, 0.0),
-        root=shift(0.08, 0.25, 0.05), kind="angle_rad", seconds=2.5, rate=60, noise=(5,), fitted=["internal_friction", "air_drag"]),
+        root=shift(0.08, 0.25, 0.05), kind="angle_rad", seconds=2.5, rate=60, noise=(0, 5), fitted=["internal_friction", "air_drag"]),
     "straight_shaken": dict(
         N=1, L=0.15, a=(50e-6, 50e-6), E=1.5e9, gamma=1e-10, mu=0.0, drag=5e-6, qn=(0.0, 0.0, 0.0),
-        root=oscillation(0.01, 3.0), kind="span_m", seconds=1.0, rate=60, noise=(5,), fitted=[]),
+        root=oscillation(0.01, 3.0), kind="span_m", seconds=1.0, rate=60, noise=(0, 5), fitted=[]),
 }
 
 
@@ -106,7 +106,7 @@ def main():
                   root=case["root"])
         q0 = rest(rod)
         coarse, fine = curve(rod, q0, case, 4), curve(rod, q0, case, 8)
-        span = case["L"] if case["N"] == 1 else np.mean([np.linalg.norm(rod.tip(q0)[0] - rod.root(0.0)[0])])
+        span = np.linalg.norm(rod.tip(q0)[0] - rod.root(0.0)[0])
         true[name] = dict(internal_friction=case["gamma"], viscosity=case["mu"], air_drag=case["drag"], fitted=case["fitted"],
                           step_halving_error=float(np.max(np.abs(fine - coarse))), span_m=float(span), noise={})
         with open(os.path.join(OUT, f"{name}.scene.json"), "w") as file:
@@ -124,7 +124,7 @@ def main():
                 for k, value in enumerate(noisy):
                     t = k / case["rate"]
                     x, y, z = case["root"](t)[0]
-                    file.write(f"{t:.9f},{value:.7f},{x:.9f},{y:.9f},{z:.9f}\n")
+                    file.write(f"{t:.9f},{value:.10f},{x:.9f},{y:.9f},{z:.9f}\n")
     with open(os.path.join(OUT, "true.json"), "w") as file:
         json.dump(true, file, indent=1)
         file.write("\n")

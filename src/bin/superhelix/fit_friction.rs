@@ -1,6 +1,7 @@
 //! `superhelix fit-friction`: friction coefficients from a recorded curve.
 
 use std::fs;
+use std::io::Write;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -14,6 +15,7 @@ use superhelix::math::pose_spline::PoseSpline;
 use superhelix::study::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
 use superhelix::study::recording::{Observable, Recording, RootMotion};
 
+use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
 use crate::scene::{self, Scene};
 
@@ -152,12 +154,7 @@ pub fn run(arguments: &FitFrictionArguments) -> Result<(), Failure> {
     let motion = motion(arguments, &curve, strand)?;
     let recording =
         Recording { times: curve.times.clone(), values: curve.values.clone(), observable: observable(arguments, &curve)? };
-    let mut definition = strand.definition.clone();
-    if strand.motion.is_none() {
-        // The scene's strand starts at rest; how the root moves is the recording's matter.
-        definition.root_velocity = Vector3::zeros();
-    }
-    let fit = fit_friction(&definition, &recording, &motion, &options).map_err(in_words_of_the_command_line)?;
+    let fit = fit_friction(&strand.definition, &recording, &motion, &options).map_err(in_words_of_the_command_line)?;
     if let Some(out) = &arguments.out {
         write_curve(out, &recording, &fit)?;
     }
@@ -168,4 +165,212 @@ pub fn run(arguments: &FitFrictionArguments) -> Result<(), Failure> {
         in_words(&answer)
     };
     crate::print_line(&text)
+}
+
+/// Three numbers of a flag.
+fn triple(flag: &str, numbers: &[f64]) -> Result<Vector3<f64>, Failure> {
+    match numbers {
+        [x, y, z] if numbers.iter().all(|number| number.is_finite()) => Ok(Vector3::new(*x, *y, *z)),
+        _ => Err(Failure::Other(format!("--{flag} is {numbers:?}; expected three finite numbers: X,Y,Z"))),
+    }
+}
+
+fn options(arguments: &FitFrictionArguments, scene: &Scene) -> Result<FrictionFitOptions, Failure> {
+    let mut sought: Vec<Sought> = Vec::new();
+    for name in &arguments.coefficients {
+        let (coefficient, range, flag) = match name {
+            CoefficientName::InternalFriction => {
+                (Coefficient::InternalFriction, &arguments.internal_friction_range, "internal-friction-range")
+            }
+            CoefficientName::Viscosity => (Coefficient::Viscosity, &arguments.viscosity_range, "viscosity-range"),
+            CoefficientName::AirDrag => (Coefficient::AirDrag, &arguments.air_drag_range, "air-drag-range"),
+        };
+        let range = match range.as_deref() {
+            None => coefficient.usual_range(),
+            Some([low, high]) => [*low, *high],
+            Some(other) => return Err(Failure::Other(format!("--{flag} is {other:?}; expected two numbers: LOW,HIGH"))),
+        };
+        sought.push(Sought { coefficient, range, guess: None });
+    }
+    for (name, range, flag) in [
+        (CoefficientName::InternalFriction, &arguments.internal_friction_range, "internal-friction-range"),
+        (CoefficientName::Viscosity, &arguments.viscosity_range, "viscosity-range"),
+        (CoefficientName::AirDrag, &arguments.air_drag_range, "air-drag-range"),
+    ] {
+        if range.is_some() && !arguments.coefficients.contains(&name) {
+            return Err(Failure::Other(format!("--{flag} is given; expected --fit of that coefficient with it")));
+        }
+    }
+    Ok(FrictionFitOptions {
+        solver: scene.options.clone(),
+        sought,
+        start: match arguments.start {
+            StartName::Settled => Start::Settled,
+            StartName::AsDefined => Start::AsDefined,
+        },
+        lead_in: arguments.lead_in,
+        discard: arguments.discard,
+        time_step: scene.time_step,
+        grid_points: arguments.grid_points,
+        fit_offset: arguments.offset,
+        ..FrictionFitOptions::of(&[])
+    })
+}
+
+fn observable(arguments: &FitFrictionArguments, curve: &RecordedCurve) -> Result<Observable, Failure> {
+    let direction = match (&arguments.direction, curve.measured) {
+        (Some(numbers), Measured::Offset | Measured::Angle) => triple("direction", numbers)?,
+        (Some(_), Measured::Span | Measured::Depth) => {
+            return Err(Failure::Other("--direction is given; expected it with offset_m or angle_rad only".into()));
+        }
+        (None, Measured::Offset | Measured::Angle) => {
+            let what = if curve.measured == Measured::Offset { "offset_m" } else { "angle_rad" };
+            return Err(Failure::Other(format!("--direction is missing; the curve's {what} is measured along one")));
+        }
+        (None, Measured::Span | Measured::Depth) => Vector3::zeros(),
+    };
+    Ok(match curve.measured {
+        Measured::Span => Observable::Span,
+        Measured::Depth => Observable::Depth,
+        Measured::Offset => Observable::Offset(direction),
+        Measured::Angle => Observable::Angle(direction),
+    })
+}
+
+/// How the root moved: the flags', the curve's or the scene's word, and only one of them.
+fn motion(arguments: &FitFrictionArguments, curve: &RecordedCurve, strand: &scene::SceneStrand) -> Result<RootMotion, Failure> {
+    let given = [
+        (arguments.amplitude.is_some(), "--amplitude"),
+        (arguments.motion.is_some(), "--motion"),
+        (curve.root.is_some(), "the curve's root_x_m"),
+        (strand.motion.is_some(), "the scene's root_motion"),
+    ];
+    let given: Vec<_> = given.iter().filter(|(given, _)| *given).map(|(_, name)| *name).collect();
+    if given.len() > 1 {
+        return Err(Failure::Other(format!("the root's motion is given by {}; expected one of them", given.join(" and "))));
+    }
+    if let (Some(amplitude), Some(frequency)) = (arguments.amplitude, arguments.frequency) {
+        let direction = arguments.oscillation_direction.as_deref().map(|numbers| triple("oscillation-direction", numbers));
+        return Ok(RootMotion::Oscillation { amplitude, frequency, phase: arguments.phase, direction: direction.transpose()? });
+    }
+    if let Some(path) = &arguments.motion {
+        return Ok(RootMotion::Recorded(Motion::read(path, None)?.spline().clone()));
+    }
+    if let Some(root) = &curve.root {
+        let rotation = strand.definition.root.rotation;
+        let frames = root.iter().map(|origin| Frame { origin: *origin, rotation }).collect();
+        return Ok(RootMotion::Recorded(PoseSpline::new(curve.times.clone(), frames)?));
+    }
+    Ok(strand.motion.clone().map_or(RootMotion::Still, RootMotion::Recorded))
+}
+
+/// The study names its own arguments: the same errors in the names of flags and files.
+fn in_words_of_the_command_line(error: Error) -> Failure {
+    let Error::InvalidArgument { argument, value, expected } = error else { return Failure::from(error) };
+    let rename = |from: &str, to: &str| argument.strip_prefix(from).map(|rest| format!("{to}{}", rest.replace('_', "-")));
+    let named = match argument.as_str() {
+        "options.time_step" => Some("the scene's time_step".to_string()),
+        "options.sought" => Some("the range of".to_string()),
+        "strand" => Some("the scene's strand".to_string()),
+        _ => None,
+    };
+    let named = named
+        .or_else(|| rename("options.sought", "--fit"))
+        .or_else(|| argument.strip_prefix("options.solver.").map(|rest| format!("the scene's {rest}")))
+        .or_else(|| rename("options.", "--"))
+        .or_else(|| rename("motion.direction", "--oscillation-direction"))
+        .or_else(|| rename("motion.", "--"))
+        .or_else(|| rename("recording.direction", "--direction"))
+        .or_else(|| argument.strip_prefix("recording.").map(|rest| format!("the curve's {rest}")));
+    Failure::Other(format!("{} is {value}; expected {expected}", named.unwrap_or(argument)))
+}
+
+fn write_curve(path: &std::path::Path, recording: &Recording, fit: &FrictionFit) -> Result<(), Failure> {
+    let mut out = AtomicFile::create(path)?;
+    let mut text = String::from("time_s,recorded,fitted\n");
+    for (index, fitted) in fit.curve.iter().enumerate() {
+        let sample = fit.first_compared + index;
+        text += &format!("{},{},{fitted}\n", recording.times[sample], recording.values[sample]);
+    }
+    out.write_all(text.as_bytes()).map_err(|error| Failure::file(path, format!("cannot be written: {error}")))?;
+    out.commit()
+}
+
+fn answer(arguments: &FitFrictionArguments, curve: &RecordedCurve, fit: &FrictionFit) -> Answer {
+    let finite = |number: f64| number.is_finite().then_some(number);
+    let fitted = fit.coefficients.iter().map(|found| FittedAnswer {
+        name: found.coefficient.name(),
+        unit: found.coefficient.unit(),
+        verdict: match found.verdict {
+            Verdict::Determined => "determined",
+            Verdict::Undetermined => "undetermined",
+            Verdict::AtLowerEnd => "at_lower_end",
+            Verdict::AtUpperEnd => "at_upper_end",
+        },
+        value: found.value,
+        standard_error: finite(found.standard_error),
+        step_shift: finite(found.step_shift),
+        excluded_below: (found.excluded[0] > 0.0).then_some(found.excluded[0]),
+        excluded_above: finite(found.excluded[1]),
+    });
+    Answer {
+        version: 1,
+        curve: arguments.curve.display().to_string(),
+        coefficients: fitted.collect(),
+        converged: fit.converged,
+        rms_residual: fit.rms_residual,
+        noise: fit.noise,
+        residual_unit: if curve.measured == Measured::Angle { "rad" } else { "m" },
+        residual_correlation: fit.residual_correlation,
+        offset: fit.offset,
+        samples: curve.times.len(),
+        compared: fit.curve.len(),
+        simulations: fit.simulations,
+        unconverged: fit.unconverged,
+    }
+}
+
+fn in_words(answer: &Answer) -> String {
+    let mut text = String::new();
+    for found in &answer.coefficients {
+        let FittedAnswer { name, unit, value, .. } = found;
+        let share = found.standard_error.map_or("no".into(), |error| format!("{:.2} %", 100.0 * error / value));
+        text += &match found.verdict {
+            "determined" => format!("{name}: {value:.4e} {unit}, standard error {share}\n"),
+            "undetermined" => format!("{name}: not determined by this curve (best {value:.2e} {unit}, standard error {share})\n"),
+            end => {
+                let end = if end == "at_lower_end" { "lower" } else { "upper" };
+                format!("{name}: the best is the {end} end of the range, {value:.4e} {unit}: widen the range\n")
+            }
+        };
+        text += &match (found.excluded_below, found.excluded_above) {
+            (None, None) => "  no value of the grid is excluded\n".to_string(),
+            (below, above) => {
+                let both: Vec<_> = below.into_iter().chain(above).map(|value| format!("{value:.1e}")).collect();
+                format!("  the nearest values of the grid that the curve excludes: {}\n", both.join(" and "))
+            }
+        };
+        if let Some(shift) = found.step_shift {
+            text += &format!("  half the time step would change it by {:.2} %\n", 100.0 * shift);
+        }
+    }
+    let unit = answer.residual_unit;
+    text += &format!(
+        "residual {:.3e} {unit} rms over {} of {} samples, noise {:.3e} {unit}, correlation from one to the next {:.2}\n",
+        answer.rms_residual, answer.compared, answer.samples, answer.noise, answer.residual_correlation
+    );
+    if answer.offset != 0.0 {
+        text += &format!("offset {:.3e} {unit}\n", answer.offset);
+    }
+    if answer.residual_correlation > 0.5 {
+        text += "the residuals follow one another: the model misses something, and the standard errors are too small\n";
+    }
+    if !answer.converged {
+        text += "the search did not end at a minimum: these are the best values found\n";
+    }
+    text += &format!("{} simulations", answer.simulations);
+    if answer.unconverged > 0 {
+        text += &format!("; {} steps of the best curve did not converge", answer.unconverged);
+    }
+    text
 }
