@@ -486,7 +486,7 @@ typedef struct shx_friction_def {
   uint32_t max_iterations;
   // 0.
   uint32_t reserved0;
-  // The root oscillates about the strand's pose, by amplitude sin(2 pi frequency t + phase) along oscillation_direction: m. Default 0.
+  // The root is at amplitude * sin(2 pi frequency t + phase) from the strand's pose, along oscillation_direction; m. Default 0.
   double oscillation_amplitude;
   // Hz; above zero, or 0 (default): it does not oscillate.
   double oscillation_frequency;
@@ -816,13 +816,14 @@ SHX_API shx_result shx_friction_def_init(shx_friction_def *def, size_t size);
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 SHX_API shx_result shx_friction_report_init(shx_friction_report *report, size_t size);
 
-// Fits friction coefficients of a strand to a recorded curve, as paper 000 (section 4.2) chooses them: the internal friction from the
-// span of a curl that is shaken up and down, the air drag from a pendulum that comes to rest. The recording (count times, s,
-// strictly increasing, and as many values; at least two more compared than unknowns) is simulated with the strand, and the squared
-// difference is minimised over the coefficients' logarithms; those sought are not looked at in the strand. solver gives gravity,
-// wind, the integrator and worker_count; null: all defaults; its log is not used. docs/friction_fit.md says how to record.
-// The outcome goes to out_report. out_curve is null or holds count doubles: the best curve, from value first_compared on, goes to
-// its first places. Takes some 20 simulations of the recording for one coefficient, 90 for two.
+// Fits friction coefficients of a strand to a recorded curve, as Bertails et al. 2006 (section 4.2) choose them: the internal
+// friction from the span of a curl that is shaken up and down, the air drag from a pendulum that comes to rest. The recording
+// (count times, s, strictly increasing, and as many values; at least two more compared than unknowns) is simulated with the
+// strand, and the squared difference is minimised over the coefficients' logarithms; the strand's own values of those sought make
+// no difference. solver gives gravity, wind, the integrator and worker_count; null: all defaults; its log is not used.
+// docs/friction_fit.md says how to record. The outcome goes to out_report. out_curve is null or holds count doubles: the best
+// curve, from value first_compared on, goes to its first places. Takes some 20 simulations of the recording for one coefficient,
+// 120 for two.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a strand that finds no rest, or a range
 // in which no simulation stays finite), SHX_ERROR_UNSUPPORTED (parallel_for). A coefficient that the recording does not determine
 // is no error: see verdict. Any thread.

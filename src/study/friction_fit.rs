@@ -140,11 +140,12 @@ impl FrictionFitOptions {
         }
     }
 
-    /// Checks every value but those of `solver`; `argument` is the name put before the field in the message.
+    /// Checks every value; `argument` is the name put before the field in the message.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a value out of range.
     pub fn check(&self, argument: &str) -> Result<()> {
+        self.solver.check(&format!("{argument}.solver"))?;
         if self.sought.is_empty() {
             return Err(Error::invalid(format!("{argument}.sought"), "empty", "one to three coefficients"));
         }
