@@ -1,14 +1,15 @@
 """Makes tests/data/friction/: recorded curves of the oracle, with noise, from which friction is fitted (tests/friction_fit.rs).
 
-usage: python make_friction_curves.py      (numpy, scipy; about a quarter of an hour)
+usage: python make_friction_curves.py [NAME ...]      (numpy, scipy; about a quarter of an hour for all)
 
 Each case is a scene file (NAME.scene.json: the strand, with the true coefficients) and curves NAME_NOISE.csv: time, value, the
 root's position. Noise is normal and independent from sample to sample, its seed the case's number and NOISE; its standard deviation
-is NOISE in thousandths of the span at rest (of a radian for angles). The strand starts at rest in its equilibrium, found here by scipy, never by the engine.
-true.json has the true values, and how far the noise-free curve moved when the oracle's step was halved.
+is NOISE in thousandths of the span at rest (of a radian for angles). The strand starts at rest in its equilibrium, found here by
+scipy, never by the engine. true.json has the true values, and how far the noise-free curve moved when the oracle's step was halved.
 """
 import json
 import os
+import sys
 
 import numpy as np
 from scipy.optimize import fsolve, minimize
@@ -62,7 +63,7 @@ def rest(rod):
 
 def observe(rod, q, t, kind):
     chord = rod.tip(q, t)[0] - rod.root(t)[0]
-    return {"span_m": np.linalg.norm(chord), "offset_m": chord[0], "angle_rad": np.arctan2(chord[0], -chord[2])}[kind]
+    return {"span_m": np.linalg.norm(chord), "depth_m": -chord[2], "offset_m": chord[0], "angle_rad": np.arctan2(chord[0], -chord[2])}[kind]
 
 
 CASES = {
@@ -81,6 +82,10 @@ CASES = {
     "straight_shaken": dict(
         N=1, L=0.15, a=(50e-6, 50e-6), E=1.5e9, gamma=1e-10, mu=0.0, drag=5e-6, qn=(0.0, 0.0, 0.0),
         root=oscillation(0.01, 3.0), kind="span_m", seconds=1.0, rate=60, noise=(0, 5), fitted=[]),
+    # Written down from 2 s on, when it has forgotten how it began.
+    "curl_shaken_long": dict(
+        N=1, L=0.1, a=(50e-6, 50e-6), E=1.5e9, gamma=4e-10, mu=0.0, drag=1e-5, qn=(4.0, 30.0, 0.0),
+        root=oscillation(0.01, 3.0), kind="depth_m", seconds=3.5, since=2.0, rate=60, noise=(0, 5), fitted=["internal_friction"]),
 }
 
 
@@ -100,8 +105,11 @@ def scene(case):
 
 def main():
     os.makedirs(OUT, exist_ok=True)
-    true = {}
+    true_path = os.path.join(OUT, "true.json")
+    true = json.load(open(true_path)) if sys.argv[1:] else {}
     for number, (name, case) in enumerate(CASES.items()):
+        if sys.argv[1:] and name not in sys.argv[1:]:
+            continue
         rod = Rod(case["L"], case["N"], *case["a"], case["E"], 0.48, 1300, case["gamma"], case["mu"], case["drag"], case["qn"],
                   root=case["root"])
         q0 = rest(rod)
@@ -121,11 +129,11 @@ def main():
             true[name]["noise"][file_name] = deviation
             with open(os.path.join(OUT, file_name), "w") as file:
                 file.write(f"time_s,{case['kind']},root_x_m,root_y_m,root_z_m\n")
-                for k, value in enumerate(noisy):
+                for k, value in list(enumerate(noisy))[round(case.get("since", 0) * case["rate"]):]:
                     t = k / case["rate"]
                     x, y, z = case["root"](t)[0]
                     file.write(f"{t:.9f},{value:.10f},{x:.9f},{y:.9f},{z:.9f}\n")
-    with open(os.path.join(OUT, "true.json"), "w") as file:
+    with open(true_path, "w") as file:
         json.dump(true, file, indent=1)
         file.write("\n")
 
