@@ -60,7 +60,7 @@ impl RecordedCurve {
         let Some((line, header)) = text.next_line()? else {
             return Err(Error::file(name, format_args!("is empty; {expected}")));
         };
-        let columns: Vec<&str> = header.split(',').map(str::trim).collect();
+        let columns: Vec<&str> = header.split(',').take(6).map(str::trim).collect();
         let measured = columns.get(1).and_then(|column| MEASURED.iter().find(|(name, _)| name == column));
         let has_root = columns.len() == 5 && columns[2..] == ROOT;
         let (Some((_, measured)), true) = (measured, columns[0] == "time_s" && (has_root || columns.len() == 2)) else {
@@ -68,12 +68,12 @@ impl RecordedCurve {
         };
         let (mut times, mut values, mut root) = (Vec::new(), Vec::new(), Vec::new());
         while let Some((line, content)) = text.next_full_line()? {
-            let words: Vec<&str> = content.split(',').collect();
-            if words.len() != columns.len() {
-                return Err(text.error(line, format_args!("{} numbers; expected {}: {header}", words.len(), columns.len())));
+            let count = content.split(',').count();
+            if count != columns.len() {
+                return Err(text.error(line, format_args!("{count} numbers; expected {}: {header}", columns.len())));
             }
             let mut row = [0.0; 5];
-            for ((value, word), column) in row.iter_mut().zip(&words).zip(&columns) {
+            for ((value, word), column) in row.iter_mut().zip(content.split(',')).zip(&columns) {
                 *value = number(&text, line, column, word.trim())?;
             }
             if let Some(before) = times.last()
@@ -83,7 +83,9 @@ impl RecordedCurve {
             }
             times.push(row[0]);
             values.push(row[1]);
-            root.push(Vector3::new(row[2], row[3], row[4]));
+            if has_root {
+                root.push(Vector3::new(row[2], row[3], row[4]));
+            }
         }
         if times.is_empty() {
             return Err(Error::file(name, "has no samples under its header"));

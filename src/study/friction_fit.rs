@@ -252,7 +252,7 @@ pub struct FrictionFit {
 
 /// Fits friction coefficients of a strand to a recorded curve. The strand's own values of the coefficients sought make no difference.
 ///
-/// Takes as long as some 20 simulations of the recording for one coefficient, and the grid makes it some 120 for two.
+/// Takes as long as some 20 simulations of the recording for one coefficient, and the grid makes it some 120 for two. Any thread.
 ///
 /// # Errors
 /// [`Error::InvalidArgument`] for a strand, recording, motion or options that cannot be used, fewer samples than can tell (two more
