@@ -105,7 +105,7 @@ pub enum RootMotion {
     },
     /// Through recorded poses, which replace that of the definition; held before the first and after the last. The rotation is the
     /// spline's; the position is the cubic spline with continuous acceleration ([`PointSpline`]) through the same points, because
-    /// jumps of the acceleration would shake the strand: with 15 samples a period they shift a fitted viscosity by a tenth.
+    /// jumps of the acceleration would shake the strand: with 15 samples a period they shift a fitted viscosity by 11 %.
     Recorded(PoseSpline),
 }
 
