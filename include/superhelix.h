@@ -208,7 +208,7 @@
 // The strand starts with the initial curvatures and rates of its definition.
 #define SHX_FRICTION_START_AS_DEFINED 2
 
-// This coefficient was not fitted; value is the strand's own.
+// This coefficient was not fitted; value is the strand's own, the other numbers are 0.
 #define SHX_VERDICT_NOT_FITTED 0
 
 // The recording says what the coefficient is.

@@ -39,7 +39,7 @@ pub const SHX_FRICTION_START_SETTLED: u32 = 1;
 /// The strand starts with the initial curvatures and rates of its definition.
 pub const SHX_FRICTION_START_AS_DEFINED: u32 = 2;
 
-/// This coefficient was not fitted; value is the strand's own.
+/// This coefficient was not fitted; value is the strand's own, the other numbers are 0.
 pub const SHX_VERDICT_NOT_FITTED: u32 = 0;
 /// The recording says what the coefficient is.
 pub const SHX_VERDICT_DETERMINED: u32 = 1;

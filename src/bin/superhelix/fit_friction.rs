@@ -334,10 +334,13 @@ fn in_words(answer: &Answer) -> String {
     let mut text = String::new();
     for found in &answer.coefficients {
         let FittedAnswer { name, unit, value, .. } = found;
-        let share = found.standard_error.map_or("no".into(), |error| format!("{:.2} %", 100.0 * error / value));
+        let share = match found.standard_error {
+            Some(error) => format!("standard error {:.2} %", 100.0 * error / value),
+            None => "the curve does not change with it".into(),
+        };
         text += &match found.verdict {
-            "determined" => format!("{name}: {value:.4e} {unit}, standard error {share}\n"),
-            "undetermined" => format!("{name}: not determined by this curve (best {value:.2e} {unit}, standard error {share})\n"),
+            "determined" => format!("{name}: {value:.4e} {unit}, {share}\n"),
+            "undetermined" => format!("{name}: not determined by this curve (best {value:.2e} {unit}; {share})\n"),
             end => {
                 let end = if end == "at_lower_end" { "lower" } else { "upper" };
                 format!("{name}: the best is the {end} end of the range, {value:.4e} {unit}: widen the range\n")
@@ -351,7 +354,9 @@ fn in_words(answer: &Answer) -> String {
             }
         };
         if let Some(shift) = found.step_shift {
-            text += &format!("  half the time step would change it by {:.2} %\n", 100.0 * shift);
+            let matters = found.standard_error.is_some_and(|error| shift.abs() > error / value);
+            let advice = if matters { ", more than its standard error: take a smaller time_step" } else { "" };
+            text += &format!("  half the time step would change it by {:.2} %{advice}\n", 100.0 * shift);
         }
     }
     let unit = answer.residual_unit;
