@@ -5,6 +5,7 @@
 mod curves;
 mod definitions;
 mod fit;
+mod friction_fit;
 mod roots;
 mod sampling;
 mod scene;
@@ -20,6 +21,7 @@ use scene::{Scene, UNTOUCHED, strand};
 use superhelix::capi::curves::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
+use superhelix::capi::friction_fit::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
 use superhelix::capi::settings::*;
@@ -131,6 +133,7 @@ fn table() -> Vec<Case> {
         sampling::cases,
         fit::cases,
         settings::cases,
+        friction_fit::cases,
         curves::cases,
     ] {
         add(&mut cases);

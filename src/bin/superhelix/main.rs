@@ -2,6 +2,7 @@
 
 mod atomic_file;
 mod failure;
+mod fit_friction;
 mod groom_statistics;
 mod groom_strands;
 mod head;
@@ -40,6 +41,7 @@ enum Command {
     Info(info::InfoArguments),
     Picture(picture::PictureArguments),
     Settings(settings::SettingsArguments),
+    FitFriction(Box<fit_friction::FitFrictionArguments>),
 }
 
 /// Prints a command's answer. A reader that has gone away is no failure of ours.
@@ -68,6 +70,7 @@ fn main() -> ExitCode {
         Command::Info(arguments) => info::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
         Command::Settings(arguments) => settings::run(arguments),
+        Command::FitFriction(arguments) => fit_friction::run(arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
