@@ -210,6 +210,7 @@
 
 // All of them.
 #define SHX_SCENE_ALL 63
+
 // ---- Fitting friction ----------------------------------------------------------------------------------------------
 
 // The distance from root to tip, m.
@@ -517,6 +518,7 @@ typedef struct shx_settings {
   // docs/tradeoff.md. Negative: not measured.
   double cost;
 } shx_settings;
+
 // What to fit and how. Fill with shx_friction_def_init, then set at least coefficients. What is pointed to is read during the call
 // and not kept.
 typedef struct shx_friction_def {
@@ -898,6 +900,7 @@ SHX_API shx_result shx_settings_from_preset(uint32_t preset, double curvature, d
 // settings reached, which the error's text says, and a curvature above all that were measured). Any thread.
 SHX_API shx_result shx_settings_suggest(double target_error, uint32_t scenes, double curvature, double length,
     double frame_time, shx_settings *out_settings);
+
 // ---- Fitting friction to recorded curves ---------------------------------------------------------------------------
 
 // Fills a definition with the defaults. size is sizeof(shx_friction_def).
