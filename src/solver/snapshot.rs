@@ -5,6 +5,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
+use super::Solver;
 use super::id::{Slot, SlotMap, StrandId};
 use super::report::Energies;
 use super::strand::{Strand, Tally};
@@ -379,4 +380,37 @@ pub(super) fn write(
         writer.strand(strand);
     }
     wrap(&writer.0)
+}
+
+impl Solver {
+    /// The whole state as bytes, to be given to [`Solver::restore`]: options that act on results, identifiers, strands.
+    pub fn snapshot(&self) -> Vec<u8> {
+        write(self.options.gravity, self.options.wind, &self.options.step, &self.slots, &self.strands)
+    }
+
+    /// Goes back to a snapshot, of this solver or another: strands, identifiers and options become those of the image; the workers stay.
+    ///
+    /// # Errors
+    /// [`Error::Snapshot`] for an image that is truncated, damaged or of another version.
+    pub fn restore(&mut self, image: &[u8]) -> Result<()> {
+        let image = read(image, &self.rules)?;
+        self.options.gravity = image.gravity;
+        self.options.wind = image.wind;
+        self.options.step = image.step;
+        let later = std::mem::replace(&mut self.slots, image.slots);
+        self.slots.remember(&later);
+        self.strands = image.strands;
+        Ok(())
+    }
+
+    /// A number that differs when the state differs: options that act on results and every strand, not the identifiers. The same on
+    /// every machine and for any number of workers.
+    pub fn state_hash(&self) -> u64 {
+        let mut writer = Writer::default();
+        writer.options(self.options.gravity, self.options.wind, &self.options.step);
+        for strand in &self.strands {
+            writer.strand(strand);
+        }
+        fnv1a(&writer.0)
+    }
 }
