@@ -376,6 +376,44 @@ typedef struct shx_output {
   uint32_t reserved;
 } shx_output;
 
+// How shx_solver_settle searches. Fill with shx_settle_def_init, then change what you need.
+typedef struct shx_settle_def {
+  // Set by shx_settle_def_init.
+  uint32_t struct_size;
+  // Steps of the search at most, 1 to 100000. Default 300.
+  uint32_t max_steps;
+  // At rest when no moment is out of balance by more than this, relative to rho S |g| L^2 plus 1e-4 (1/L + the largest natural
+  // curvature) times the largest stiffness; above zero. Default 1e-10.
+  double tolerance;
+  // 1 (default): find the smallest eigenvalue and leave states that are not stable; costs the cube of the number of elements.
+  // 0: where symmetry holds a strand on an unstable state it stays there.
+  uint32_t check_stability;
+  // 0.
+  uint32_t reserved;
+} shx_settle_def;
+
+// How the searches of a shx_solver_settle ended, all its strands together. Fill with shx_settle_report_init once; each call
+// overwrites it.
+typedef struct shx_settle_report {
+  // Set by shx_settle_report_init.
+  uint32_t struct_size;
+  // Strands whose search ended before its tolerance, or in a state that is not stable. They are left, at rest, in the best shape
+  // that was found.
+  uint32_t unconverged;
+  // Strands among them whose smallest eigenvalue is below zero (beyond rounding).
+  uint32_t unstable;
+  // Unstable states that were left on the way.
+  uint32_t saddles;
+  // Newton iterations of all strands.
+  uint64_t iterations;
+  // Largest residual of a strand, relative as shx_settle_def.tolerance says.
+  double max_residual;
+  // Smallest eigenvalue of a strand (see shx_solver_settle); not a number without check_stability or without strands.
+  double smallest_eigenvalue;
+  // Wall-clock time of the call, s.
+  double seconds;
+} shx_settle_report;
+
 // How strands are sampled. Fill with shx_sample_def_init.
 typedef struct shx_sample_def {
   // Set by shx_sample_def_init.
@@ -584,6 +622,31 @@ SHX_API shx_result shx_solver_get_curvatures(const shx_solver *solver, shx_stran
 // elements, a number that is not finite, a frozen freedom). Alone with the solver.
 SHX_API shx_result shx_solver_set_curvatures(shx_solver *solver, shx_strand_id id, const double *curvatures,
     const double *rates, size_t count);
+
+// ---- Static rest ---------------------------------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_settle_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_settle_def_init(shx_settle_def *def, size_t size);
+
+// Prepares a report. size is sizeof(shx_settle_report).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_settle_report_init(shx_settle_report *report, size_t size);
+
+// Puts count strands at rest in their static equilibrium under the solver's gravity, each searched for downhill from its present
+// shape with its root held where it is; wind is not felt, roots on their way stop. Clears a quarantine. def may be null (all
+// defaults), report may be null. Each output holds count values or is null:
+// out_status: SHX_OK, or SHX_UNCONVERGED for a strand that found no stable rest; it is left, at rest, in the best shape found.
+// out_eigenvalues: the smallest eigenvalue of the static Hessian against the elastic stiffness: 1 where gravity does nothing (a
+// little more for strands that it holds everywhere), 0 at the border of stability, below it unstable; not a number without
+// check_stability.
+// out_residuals: the largest moment out of balance, relative as shx_settle_def.tolerance says.
+// Where several stable states exist, the one found is not promised to be the lowest. The work is shared among the solver's own
+// threads; a parallel_for is not used.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_settle(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_settle_def *def, shx_settle_report *report, shx_result *out_status, double *out_eigenvalues,
+    double *out_residuals);
 
 // ---- Sampling ------------------------------------------------------------------------------------------------------
 

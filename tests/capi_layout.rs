@@ -7,6 +7,7 @@ use std::mem::{offset_of, size_of};
 use superhelix::capi::{
     fit::shx_fit,
     sampling::shx_sample_def,
+    settle::{shx_settle_def, shx_settle_report},
     solver::shx_step_report,
     solver_def::shx_solver_def,
     strand_def::shx_strand_def,
@@ -40,6 +41,8 @@ fn every_size_and_offset_is_as_published() {
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
+        shx_settle_def: 24 { struct_size: 0, max_steps: 4, tolerance: 8, check_stability: 16, reserved: 20 }
+        shx_settle_report: 48 { struct_size: 0, unconverged: 4, unstable: 8, saddles: 12, iterations: 16, max_residual: 24, smallest_eigenvalue: 32, seconds: 40 }
         shx_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");

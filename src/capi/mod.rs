@@ -24,6 +24,7 @@ pub mod log;
 pub mod parallel;
 pub mod roots;
 pub mod sampling;
+pub mod settle;
 pub mod shape;
 pub mod solver;
 pub mod solver_def;

@@ -86,7 +86,8 @@ impl Solver {
 
     /// Puts strands at rest in their static equilibrium under the solver's gravity, each searched for from its present shape with its
     /// root held where it is; wind is not felt. Clears a quarantine. Each strand's report comes in the order of `ids`: one that did
-    /// not converge is left, at rest, in the best shape that was found.
+    /// not converge is left, at rest, in the best shape that was found. A host's task system is not used: the dense eigenvalue
+    /// kernels leave memory behind on the threads that run them.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for options out of range.
@@ -95,7 +96,7 @@ impl Solver {
         let indices = self.indices(ids)?;
         let mut settled: Vec<_> = indices.iter().map(|index| (*index, Vec::new(), Equilibrium::default())).collect();
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
-        self.crew.for_each(&mut settled, |(index, curvatures, found), workspace| {
+        self.crew.for_each_on_own(&mut settled, |(index, curvatures, found), workspace| {
             let Strand { model, state, .. } = &strands[*index];
             (*curvatures, *found) =
                 equilibrium::search(model, state.curvatures.clone(), &state.root, gravity, options, rules, workspace);

@@ -75,6 +75,13 @@ pub struct Equilibrium {
     pub saddles: u32,
 }
 
+impl Equilibrium {
+    /// Whether the smallest eigenvalue was found, and is negative beyond rounding.
+    pub fn is_unstable(&self) -> bool {
+        self.smallest_eigenvalue.is_some_and(|eigenvalue| eigenvalue < -NEUTRAL)
+    }
+}
+
 /// An eigenvalue below minus this is negative and not rounding: a mode that a symmetry leaves neutral has 0.
 const NEUTRAL: f64 = 1e-9;
 /// How far a saddle is left along its eigenvector: the elements' rotations sum to this, rad.

@@ -91,6 +91,23 @@ AT(shx_sample_def, struct_size, 0);
 AT(shx_sample_def, points_per_strand, 4);
 AT(shx_sample_def, origin, 8);
 
+SIZE(shx_settle_def, 24);
+AT(shx_settle_def, struct_size, 0);
+AT(shx_settle_def, max_steps, 4);
+AT(shx_settle_def, tolerance, 8);
+AT(shx_settle_def, check_stability, 16);
+AT(shx_settle_def, reserved, 20);
+
+SIZE(shx_settle_report, 48);
+AT(shx_settle_report, struct_size, 0);
+AT(shx_settle_report, unconverged, 4);
+AT(shx_settle_report, unstable, 8);
+AT(shx_settle_report, saddles, 12);
+AT(shx_settle_report, iterations, 16);
+AT(shx_settle_report, max_residual, 24);
+AT(shx_settle_report, smallest_eigenvalue, 32);
+AT(shx_settle_report, seconds, 40);
+
 SIZE(shx_fit, 88);
 AT(shx_fit, struct_size, 0);
 AT(shx_fit, reserved, 4);

@@ -8,6 +8,7 @@ mod fit;
 mod roots;
 mod sampling;
 mod scene;
+mod settle;
 mod shape;
 mod solver;
 mod strands;
@@ -21,6 +22,7 @@ use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
+use superhelix::capi::settle::*;
 use superhelix::capi::shape::*;
 use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
@@ -117,6 +119,7 @@ fn table() -> Vec<Case> {
         strands::cases,
         roots::cases,
         shape::cases,
+        settle::cases,
         sampling::cases,
         fit::cases,
         curves::cases,
