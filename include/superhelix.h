@@ -623,6 +623,24 @@ SHX_API shx_result shx_solver_get_curvatures(const shx_solver *solver, shx_stran
 SHX_API shx_result shx_solver_set_curvatures(shx_solver *solver, shx_strand_id id, const double *curvatures,
     const double *rates, size_t count);
 
+// ---- Level of detail -----------------------------------------------------------------------------------------------
+
+// Puts count living strands on element_count elements each (1 to 100000), as they are: for level of detail by distance. Shape,
+// velocities and energies stay as well as that many elements can. A multiple of a strand's present number splits every element and
+// is exact; a divisor joins neighbours; anything else keeps the grading of their lengths. The natural shape that the strand was made
+// with, or that was set last, is remembered: nothing of it is lost by going back and forth. Ids stay; roots on their way go on.
+// out_distances: how far each strand's curve has moved at most, m; count numbers, or null.
+// It costs what a few steps cost. Time stands still.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_set_element_count(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    uint32_t element_count, double *out_distances);
+
+// The same for one strand with elements of given lengths: count numbers from root to tip, m, each above zero; they sum to the
+// strand's length (within 1e-9 of it). out_distance may be null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_set_element_lengths(shx_solver *solver, shx_strand_id id, const double *lengths,
+    size_t count, double *out_distance);
+
 // ---- Static rest ---------------------------------------------------------------------------------------------------
 
 // Fills a definition with the defaults. size is sizeof(shx_settle_def).

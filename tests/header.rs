@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 18] = [
     "version",
     "errors",
     "types",
@@ -17,6 +17,7 @@ const SOURCES: [&str; 17] = [
     "strands",
     "roots",
     "shape",
+    "level_of_detail",
     "settle",
     "sampling",
     "state",
@@ -25,7 +26,7 @@ const SOURCES: [&str; 17] = [
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 20] = [
+const SECTIONS: [(&str, &str); 21] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -41,6 +42,7 @@ const SECTIONS: [(&str, &str); 20] = [
     ("SHX_API shx_result shx_solver_add_strands(", "Strands"),
     ("SHX_API shx_result shx_solver_set_root_frames(", "Roots"),
     ("SHX_API shx_result shx_solver_set_natural_curvatures(", "Curvatures"),
+    ("SHX_API shx_result shx_solver_set_element_count(", "Level of detail"),
     ("SHX_API shx_result shx_settle_def_init(", "Static rest"),
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
     ("SHX_API shx_result shx_solver_snapshot(", "State"),

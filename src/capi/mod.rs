@@ -20,6 +20,7 @@ pub mod errors;
 pub mod fit;
 mod floating_point;
 pub mod guard;
+pub mod level_of_detail;
 pub mod log;
 pub mod parallel;
 pub mod roots;

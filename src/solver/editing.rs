@@ -41,7 +41,8 @@ impl Solver {
         Ok(())
     }
 
-    /// Changes a strand's natural curvatures; a frozen freedom goes to its new value in the next step.
+    /// Changes a strand's natural curvatures; a frozen freedom goes to its new value in the next step. What
+    /// [`Solver::set_element_count`] remembers of the shape before is forgotten.
     ///
     /// # Errors
     /// [`Error::InvalidId`]; [`Error::InvalidArgument`] for a wrong count or a number that is not finite.
@@ -50,6 +51,7 @@ impl Solver {
         let strand = &mut self.strands[index];
         check_rows("curvatures", rows, strand.model.element_count())?;
         strand.model.natural.copy_from_slice(rows);
+        strand.authored = None;
         strand.energies.elastic = strand.model.elastic_energy(&strand.state.curvatures);
         Ok(())
     }

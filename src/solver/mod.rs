@@ -3,6 +3,7 @@
 pub mod definition;
 mod editing;
 pub mod id;
+mod level_of_detail;
 mod population;
 mod reading;
 pub mod report;

@@ -5,6 +5,7 @@
 mod curves;
 mod definitions;
 mod fit;
+mod level_of_detail;
 mod roots;
 mod sampling;
 mod scene;
@@ -20,6 +21,7 @@ use scene::{Scene, UNTOUCHED, strand};
 use superhelix::capi::curves::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
+use superhelix::capi::level_of_detail::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
 use superhelix::capi::settle::*;
@@ -120,6 +122,7 @@ fn table() -> Vec<Case> {
         roots::cases,
         shape::cases,
         settle::cases,
+        level_of_detail::cases,
         sampling::cases,
         fit::cases,
         curves::cases,
