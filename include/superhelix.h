@@ -440,6 +440,44 @@ typedef struct shx_fit {
   double max_error;
 } shx_fit;
 
+// What shx_suggest_elements is asked for. Fill with shx_suggest_def_init, then change what you need.
+typedef struct shx_suggest_def {
+  // Set by shx_suggest_def_init.
+  uint32_t struct_size;
+  // Elements at most, 1 to 1000. Default 100.
+  uint32_t max_elements;
+  // The error allowed, m; above zero. At rest: of the point that is farthest off. In motion: root mean square over time and
+  // arclength. Default 1e-3.
+  double tolerance;
+  // Gravity, m/s^2. Default (0, 0, -9.81).
+  double gravity[3];
+  // A motion of the root to be judged by: motion_count poses, motion_interval seconds apart. The strand starts at rest in the
+  // first, and a step is taken to each of the others. Null (default): judged at rest only.
+  const shx_frame *motion;
+  // Poses of motion: 0 (default), or 2 or more.
+  uint64_t motion_count;
+  // Seconds from one pose to the next; 1e-9 or more. Default 1/60.
+  double motion_interval;
+} shx_suggest_def;
+
+// What shx_suggest_elements found. Prepare with shx_suggestion_init.
+typedef struct shx_suggestion {
+  // Set by shx_suggestion_init.
+  uint32_t struct_size;
+  // The least number of elements that meets the tolerance, or the most allowed.
+  uint32_t element_count;
+  // 1 if it meets the tolerance and no element turns by more than pi/2, 0 otherwise.
+  uint32_t met;
+  // 0.
+  uint32_t reserved;
+  // Estimated error at rest of the point that is farthest off, m.
+  double rest_error;
+  // Estimated root mean square error over the motion, m; not a number without one, or where the error at rest was too large.
+  double motion_error;
+  // The largest angle by which an element turns in the natural shape or at rest, rad.
+  double turn;
+} shx_suggestion;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -517,7 +555,9 @@ SHX_API shx_result shx_solver_memory_usage(const shx_solver *solver, uint64_t *o
 // ---- Strands -------------------------------------------------------------------------------------------------------
 
 // Adds count strands, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_strand_def)).
-// out_ids receives count ids, in the order of the definitions.
+// out_ids receives count ids, in the order of the definitions. Strands with elements that turn by more than pi/2 in the shape that they
+// start with are added all the same, and one message of level SHX_LOG_WARN says how many: a helix cannot bend its own axis, and
+// tight coils need about four elements a turn (shx_solver_strand_turns, shx_suggest_elements).
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].length"),
 // SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
 SHX_API shx_result shx_solver_add_strands(shx_solver *solver, const shx_strand_def *defs, size_t def_stride,
@@ -562,6 +602,12 @@ SHX_API shx_result shx_solver_strand_status(const shx_solver *solver, const shx_
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
 SHX_API shx_result shx_solver_strand_iterations(const shx_solver *solver, const shx_strand_id *ids, size_t count,
     uint32_t *out_iterations);
+
+// The largest angle by which an element of each of count strands turns, in its natural or its present shape, rad, into out_turns.
+// Above pi/2 a strand moves too stiffly: give it more elements.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_turns(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    double *out_turns);
 
 // Energies of each of count strands, J: kinetic, elastic, and of gravity measured from the world's origin. Each output holds
 // count numbers or is null.
@@ -734,6 +780,24 @@ SHX_API shx_result shx_fit_polyline(const shx_input *polyline, uint32_t element_
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
 SHX_API shx_result shx_fit_natural_curvatures(const shx_strand_def *def, const double *curvatures, size_t count,
     const double gravity[3], double *out_natural);
+
+// ---- Choosing the number of elements -------------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_suggest_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_suggest_def_init(shx_suggest_def *def, size_t size);
+
+// Prepares a shx_suggestion. size is sizeof(shx_suggestion).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_suggestion_init(shx_suggestion *suggestion, size_t size);
+
+// The least number of elements for which a strand meets a tolerance, into *out_suggestion. demand may be null: all defaults. The
+// natural curvatures of strand, on any number of elements, stand for a continuous shape: give them as finely as you have them, or one
+// element for a uniform curl. The error is measured by settling the strand on N and on four times as many elements (and, with a motion, by
+// simulating it on N and 2N); elements that turn by more than pi/2 are not considered. Some tens of milliseconds at rest.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also: the strand finds no rest). Any thread.
+SHX_API shx_result shx_suggest_elements(const shx_strand_def *strand, const shx_suggest_def *demand,
+    shx_suggestion *out_suggestion);
 
 // ---- Groom files and caches ----------------------------------------------------------------------------------------
 

@@ -11,6 +11,7 @@ use superhelix::capi::{
     solver::shx_step_report,
     solver_def::shx_solver_def,
     strand_def::shx_strand_def,
+    suggest::{shx_suggest_def, shx_suggestion},
     types::{shx_frame, shx_input, shx_output, shx_strand_id},
 };
 
@@ -43,6 +44,8 @@ fn every_size_and_offset_is_as_published() {
         shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
         shx_settle_def: 24 { struct_size: 0, max_steps: 4, tolerance: 8, check_stability: 16, reserved: 20 }
         shx_settle_report: 48 { struct_size: 0, unconverged: 4, unstable: 8, saddles: 12, iterations: 16, max_residual: 24, smallest_eigenvalue: 32, seconds: 40 }
+        shx_suggest_def: 64 { struct_size: 0, max_elements: 4, tolerance: 8, gravity: 16, motion: 40, motion_count: 48, motion_interval: 56 }
+        shx_suggestion: 40 { struct_size: 0, element_count: 4, met: 8, reserved: 12, rest_error: 16, motion_error: 24, turn: 32 }
         shx_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");

@@ -143,7 +143,8 @@ fn the_split_strand_goes_on_as_discretisation_lets_it() {
         let mut coarse = Scene::swinging(count, [10.0, 20.0, 5.0]);
         let mut fine = coarse.copy();
         assert!(fine.put_on(2 * count).exact);
-        (coarse.steps(6), fine.steps(6));
+        coarse.steps(6);
+        fine.steps(6);
         apart(&coarse, &fine).0
     });
     println!("split in two, six steps on: {errors:?} m");

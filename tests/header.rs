@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 18] = [
+const SOURCES: [&str; 19] = [
     "version",
     "errors",
     "types",
@@ -22,11 +22,12 @@ const SOURCES: [&str; 18] = [
     "sampling",
     "state",
     "fit",
+    "suggest",
     "curves",
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 21] = [
+const SECTIONS: [(&str, &str); 22] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -47,6 +48,7 @@ const SECTIONS: [(&str, &str); 21] = [
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
     ("SHX_API shx_result shx_solver_snapshot(", "State"),
     ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
+    ("SHX_API shx_result shx_suggest_def_init(", "Choosing the number of elements"),
     ("SHX_API shx_result shx_curves_read(", "Groom files and caches"),
 ];
 

@@ -32,6 +32,7 @@ pub mod solver_def;
 pub mod state;
 pub mod strand_def;
 pub mod strands;
+pub mod suggest;
 mod thread;
 pub mod types;
 pub mod version;

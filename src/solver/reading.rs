@@ -4,6 +4,7 @@ use super::Solver;
 use super::id::StrandId;
 use super::report::{Energies, StrandStatus, Wrench};
 use super::sampling::{Sample, Sampler};
+use super::strand::Strand;
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 
@@ -14,6 +15,16 @@ impl Solver {
     /// [`Error::InvalidId`].
     pub fn element_lengths(&self, id: StrandId) -> Result<&[f64]> {
         Ok(&self.strand("id", id)?.model.lengths)
+    }
+
+    /// The largest angle Ωℓ by which an element turns, in the natural or the present shape, rad. Above π/2 a strand moves too stiffly: a helix
+    /// cannot bend its own axis.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn largest_turn(&self, id: StrandId) -> Result<f64> {
+        let Strand { model, state, .. } = self.strand("id", id)?;
+        Ok(model.largest_angle(&model.natural).max(model.largest_angle(&state.curvatures)))
     }
 
     /// The host's own number for a strand.

@@ -2,3 +2,4 @@
 
 pub mod branch;
 mod branch_system;
+pub mod elements;

@@ -13,6 +13,7 @@ mod settle;
 mod shape;
 mod solver;
 mod strands;
+mod suggest;
 
 use std::collections::BTreeSet;
 use std::ptr::{null, null_mut};
@@ -31,6 +32,7 @@ use superhelix::capi::solver_def::*;
 use superhelix::capi::state::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
+use superhelix::capi::suggest::*;
 use superhelix::capi::types::*;
 
 /// One line of the table.
@@ -123,6 +125,7 @@ fn table() -> Vec<Case> {
         shape::cases,
         settle::cases,
         level_of_detail::cases,
+        suggest::cases,
         sampling::cases,
         fit::cases,
         curves::cases,

@@ -9,6 +9,7 @@ use superhelix::files::curves::Curves;
 use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
 use superhelix::math::frame::Frame;
+use superhelix::rod::turning::coarse_strands;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, Workers};
 use superhelix::solver::id::StrandId;
@@ -264,7 +265,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     bar.finish_and_clear();
     let (cache_frames, picture) = film.finish(arguments, &strands, scale)?;
 
-    let turns = resolution::coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
+    let turns = coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
     let answer = SimulateReport {
         version: 1,
         groom: arguments.groom.display().to_string(),
