@@ -2,7 +2,7 @@
 //! iteration cap, tolerance and freedoms, in six scenes with four types of hair. The tables and figures of docs/tradeoff.md.
 //!
 //! `cargo run --profile demo --example tradeoff -- sweep docs/figures` measures everything: `tradeoff.csv` and `tradeoff_truth.csv`
-//! (about a quarter of an hour of processor time). `check docs/figures` compares the trajectories with those of the reference integrator:
+//! (about a quarter of an hour of processor time; times are those of the thread, so that two threads may share it). `check docs/figures` compares the trajectories with those of the reference integrator:
 //! `tradeoff_check.csv`. `table docs/figures` writes src/study/measured.rs from `tradeoff.csv`.
 
 mod hair;
@@ -15,8 +15,9 @@ mod table;
 mod walk;
 
 use std::collections::HashMap;
-use std::fmt::Write as _;
 use std::path::Path as FilePath;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use hair::Hair;
@@ -64,44 +65,63 @@ fn line(scene: Scene, hair: Hair, setting: &Setting, measured: &Measured) -> Str
     )
 }
 
-fn sweep(directory: &FilePath) {
+/// One scene and hair: its rows of both tables.
+fn price(scene: Scene, hair: Hair, walk: &Walk) -> (String, String) {
+    let began = Instant::now();
+    let truth = Truth::of(scene, hair, walk);
+    let length = scene.length(hair.length());
+    let row = format!(
+        "{},{},{},{},{},{},{}\n",
+        scene.name(),
+        hair.name(),
+        reference::elements(hair),
+        truth.frames,
+        short(truth.uncertainty.tip),
+        short(truth.uncertainty.shape),
+        short(truth.steps.tip),
+    );
+    let (prepared, mut strands, mut rows) = (began.elapsed().as_secs_f64(), HashMap::new(), String::new());
+    let shape = HairShape { curvature: Vector3::from(hair.natural()).norm(), length };
+    for setting in Setting::all(&shape) {
+        let def = strands
+            .entry((setting.elements, setting.freedoms))
+            .or_insert_with(|| reference::strand(scene, hair, walk, setting.elements as usize, setting.freedoms));
+        rows += &line(scene, hair, &setting, &measure(scene, walk, &setting, def, &truth));
+    }
+    let seconds = began.elapsed().as_secs_f64() - prepared;
+    println!(
+        "{:14} {:9} {} frames, trajectories {prepared:.1} s, settings {seconds:.1} s",
+        scene.name(),
+        hair.name(),
+        truth.frames
+    );
+    (rows, row)
+}
+
+fn sweep(directory: &FilePath, threads: usize) {
     let walk = Walk::read();
+    let cases: Vec<_> = cases().collect();
+    let next = AtomicUsize::new(0);
+    let done: Mutex<Vec<_>> = Mutex::default();
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some((scene, hair)) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let rows = price(*scene, *hair, &walk);
+                    done.lock().expect("no panic").push((*scene as usize, *hair as usize, rows));
+                }
+            });
+        }
+    });
+    let mut done = done.into_inner().expect("no panic");
+    done.sort_by_key(|(scene, hair, _)| (*scene, *hair));
     let mut csv = String::from(
         "scene,hair,preset,integrator,rate,elements,cap,tolerance,error_tolerance,freedoms,tip,tip_most,shape,us_per_second,iterations,unconverged,blown_up_s\n",
     );
-    let mut truths = String::from("scene,hair,elements,frames,tip_uncertainty,shape_uncertainty,step_halving,seconds\n");
-    for (scene, hair) in cases() {
-        let began = Instant::now();
-        let truth = Truth::of(scene, hair, &walk);
-        let length = scene.length(hair.length());
-        writeln!(
-            truths,
-            "{},{},{},{},{},{},{},{:.1}",
-            scene.name(),
-            hair.name(),
-            reference::elements(hair),
-            truth.frames,
-            short(truth.uncertainty.tip),
-            short(truth.uncertainty.shape),
-            short(truth.steps.tip),
-            began.elapsed().as_secs_f64()
-        )
-        .expect("a string");
-        let (prepared, mut strands) = (began.elapsed().as_secs_f64(), HashMap::new());
-        let shape = HairShape { curvature: Vector3::from(hair.natural()).norm(), length };
-        for setting in Setting::all(&shape) {
-            let def = strands
-                .entry((setting.elements, setting.freedoms))
-                .or_insert_with(|| reference::strand(scene, hair, &walk, setting.elements as usize, setting.freedoms));
-            csv += &line(scene, hair, &setting, &measure(scene, &walk, &setting, def, &truth));
-        }
-        println!(
-            "{:14} {:9} {} frames, trajectories {prepared:.1} s, settings {:.1} s",
-            scene.name(),
-            hair.name(),
-            truth.frames,
-            began.elapsed().as_secs_f64() - prepared
-        );
+    let mut truths = String::from("scene,hair,elements,frames,tip_uncertainty,shape_uncertainty,step_halving\n");
+    for (_, _, (rows, truth)) in done {
+        csv += &rows;
+        truths += &truth;
     }
     write(directory, "tradeoff.csv", &csv);
     write(directory, "tradeoff_truth.csv", &truths);
@@ -137,11 +157,12 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words[..] {
-        ["sweep", directory] => sweep(FilePath::new(directory)),
+        ["sweep", directory] => sweep(FilePath::new(directory), 1),
+        ["sweep", directory, threads] => sweep(FilePath::new(directory), threads.parse().expect("a number of threads")),
         ["check", directory] => check(FilePath::new(directory)),
         ["table", directory] => table::write(FilePath::new(directory)),
         _ => {
-            eprintln!("usage: tradeoff sweep|check|table DIRECTORY");
+            eprintln!("usage: tradeoff sweep DIRECTORY [THREADS] | check DIRECTORY | table DIRECTORY");
             std::process::exit(2);
         }
     }

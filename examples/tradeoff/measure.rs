@@ -12,12 +12,16 @@ use crate::scene::{DURATION, GRAVITY, Scene};
 use crate::setting::Setting;
 use crate::walk::Walk;
 
-/// Strands that are stepped side by side, on one thread, for what a call costs to be shared as in a groom.
-const STRANDS: usize = 3;
+/// Strands that are stepped side by side, on one thread, for what a call costs to be shared as in a groom: one where a step costs enough
+/// itself.
+fn strands(elements: u32) -> usize {
+    if elements >= 12 { 1 } else { 3 }
+}
+
 /// A step's time is the least of this many runs: what else the machine did to its caches is in the others.
 const RUNS: usize = 5;
 /// Runs are not repeated beyond this many seconds: long ones average by themselves.
-const PATIENCE: f64 = 0.15;
+const PATIENCE: f64 = 0.05;
 
 /// What came out.
 #[derive(Debug, Clone, Copy)]
@@ -58,9 +62,10 @@ fn run(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef) -> Run {
         error_tolerance: setting.error_tolerance,
         ..StepOptions::default()
     };
+    let strands = strands(setting.elements);
     let options = SolverOptions { gravity: Vector3::from(GRAVITY), step, ..SolverOptions::default() };
     let mut solver = Solver::new(options).expect("a solver");
-    let ids = solver.add_strands(&vec![def.clone(); STRANDS]).expect("strands");
+    let ids = solver.add_strands(&vec![def.clone(); strands]).expect("strands");
     let length = def.length();
     let arclengths: [f64; POINTS] = std::array::from_fn(|point| length * (point + 1) as f64 / POINTS as f64);
     let h = 1.0 / f64::from(setting.rate);
@@ -71,8 +76,9 @@ fn run(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef) -> Run {
     for number in 1..=(DURATION * f64::from(setting.rate)).round() as u32 {
         let t = h * f64::from(number);
         solver.set_wind(scene.wind(t - h)).expect("a wind");
+        let root = scene.root(walk, t);
         let began = processor_time();
-        solver.set_root_frames(&ids, &[scene.root(walk, t); STRANDS], h).expect("roots");
+        solver.set_root_frames(&ids, &vec![root; strands], h).expect("roots");
         let report = solver.step(h, 1).expect("a step");
         all.seconds.push(processor_time() - began);
         all.iterations += report.mean_iterations;
@@ -116,12 +122,13 @@ pub fn measure(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef, tr
         }
     }
     let steps = first.seconds.len() as f64;
-    let strand_seconds = STRANDS as f64 * steps / f64::from(setting.rate);
+    let strand_count = strands(setting.elements) as f64;
+    let strand_seconds = strand_count * steps / f64::from(setting.rate);
     Measured {
         error: first.blown_up.is_none().then(|| first.path.distance(&truth.path, truth.frames, def.length())),
         blown_up: first.blown_up,
         cost: 1e6 * first.seconds.iter().sum::<f64>() / strand_seconds,
         iterations: first.iterations / steps,
-        unconverged: f64::from(first.unconverged) / (STRANDS as f64 * steps),
+        unconverged: f64::from(first.unconverged) / (strand_count * steps),
     }
 }

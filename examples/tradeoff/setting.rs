@@ -85,9 +85,13 @@ impl Setting {
             }
         }
         for rate in [24, 30, 60] {
-            for elements in [5, 8, 12, 20, 32] {
+            for elements in [8, 20] {
                 let plain = Self::plain(Integrator::SecondOrder, rate, elements);
-                settings.extend([1e-2, 3e-3, 1e-3, 3e-4].map(|error_tolerance| Self { error_tolerance, subdivisions: 5, ..plain }));
+                settings.extend([1e-2, 3e-3, 1e-3, 3e-4].map(|error_tolerance| Self {
+                    error_tolerance,
+                    subdivisions: 5,
+                    ..plain
+                }));
             }
         }
         for preset in Preset::ALL {

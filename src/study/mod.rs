@@ -1,5 +1,9 @@
-//! Studies on top of the solver: what a measurement says about a strand; what settings cost and what they are good for.
+//! Studies on top of the solver: what is asked of strands beside their motion, what a measurement says about them, what settings cost and
+//! are good for.
 
+pub mod branch;
+mod branch_system;
+pub mod elements;
 pub mod friction_fit;
 pub mod least_squares;
 pub mod measured;

@@ -6,13 +6,16 @@ mod curves;
 mod definitions;
 mod fit;
 mod friction_fit;
+mod level_of_detail;
 mod roots;
 mod sampling;
 mod scene;
 mod settings;
+mod settle;
 mod shape;
 mod solver;
 mod strands;
+mod suggest;
 
 use std::collections::BTreeSet;
 use std::ptr::{null, null_mut};
@@ -22,15 +25,18 @@ use superhelix::capi::curves::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
 use superhelix::capi::friction_fit::*;
+use superhelix::capi::level_of_detail::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
 use superhelix::capi::settings::*;
+use superhelix::capi::settle::*;
 use superhelix::capi::shape::*;
 use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
 use superhelix::capi::state::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
+use superhelix::capi::suggest::*;
 use superhelix::capi::types::*;
 
 /// One line of the table.
@@ -130,6 +136,9 @@ fn table() -> Vec<Case> {
         strands::cases,
         roots::cases,
         shape::cases,
+        settle::cases,
+        level_of_detail::cases,
+        suggest::cases,
         sampling::cases,
         fit::cases,
         settings::cases,

@@ -17,6 +17,7 @@ mod result;
 mod run;
 mod scene;
 mod settings;
+mod settled;
 mod simulate;
 mod simulate_report;
 mod timeline;
