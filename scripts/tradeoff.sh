@@ -5,11 +5,11 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 measure() {
-  cargo run --quiet --locked --profile demo --example tradeoff -- "$1" docs/figures
+  cargo run --quiet --locked --profile demo --example tradeoff -- "$1" docs/figures "${@:2}"
 }
 
 if [ "${TRADEOFF_MEASURE:-yes}" = yes ]; then
-  measure sweep
+  measure sweep 1
   measure check
 fi
 measure table

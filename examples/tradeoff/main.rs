@@ -1,8 +1,9 @@
 //! What accuracy costs: errors against trajectories that are as good as exact, and processor time, over integrator, step, elements,
 //! iteration cap, tolerance and freedoms, in six scenes with four types of hair. The tables and figures of docs/tradeoff.md.
 //!
-//! `cargo run --profile demo --example tradeoff -- sweep docs/figures` measures everything: `tradeoff.csv` and `tradeoff_truth.csv`
-//! (about a quarter of an hour of processor time; times are those of the thread, so that two threads may share it). `check docs/figures` compares the trajectories with those of the reference integrator:
+//! `cargo run --profile demo --example tradeoff -- sweep docs/figures 1` measures everything: `tradeoff.csv` and `tradeoff_truth.csv`
+//! (about a quarter of an hour of processor time; times are those of the thread, so that two threads may share it). `presets docs/figures 1` measures the
+//! presets anew. `check docs/figures` compares the trajectories with those of the reference integrator:
 //! `tradeoff_check.csv`. `table docs/figures` writes src/study/measured.rs from `tradeoff.csv`.
 
 mod hair;
@@ -66,7 +67,7 @@ fn line(scene: Scene, hair: Hair, setting: &Setting, measured: &Measured) -> Str
 }
 
 /// One scene and hair: its rows of both tables.
-fn price(scene: Scene, hair: Hair, walk: &Walk) -> (String, String) {
+fn price(scene: Scene, hair: Hair, walk: &Walk, wanted: fn(&Setting) -> bool) -> (String, String) {
     let began = Instant::now();
     let truth = Truth::of(scene, hair, walk);
     let length = scene.length(hair.length());
@@ -82,7 +83,7 @@ fn price(scene: Scene, hair: Hair, walk: &Walk) -> (String, String) {
     );
     let (prepared, mut strands, mut rows) = (began.elapsed().as_secs_f64(), HashMap::new(), String::new());
     let shape = HairShape { curvature: Vector3::from(hair.natural()).norm(), length };
-    for setting in Setting::all(&shape) {
+    for setting in Setting::all(&shape).into_iter().filter(wanted) {
         let def = strands
             .entry((setting.elements, setting.freedoms))
             .or_insert_with(|| reference::strand(scene, hair, walk, setting.elements as usize, setting.freedoms));
@@ -98,7 +99,8 @@ fn price(scene: Scene, hair: Hair, walk: &Walk) -> (String, String) {
     (rows, row)
 }
 
-fn sweep(directory: &FilePath, threads: usize) {
+/// All cases in their order, several threads at them.
+fn price_all(threads: usize, wanted: fn(&Setting) -> bool) -> Vec<(Scene, Hair, String, String)> {
     let walk = Walk::read();
     let cases: Vec<_> = cases().collect();
     let next = AtomicUsize::new(0);
@@ -107,24 +109,43 @@ fn sweep(directory: &FilePath, threads: usize) {
         for _ in 0..threads {
             scope.spawn(|| {
                 while let Some((scene, hair)) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let rows = price(*scene, *hair, &walk);
-                    done.lock().expect("no panic").push((*scene as usize, *hair as usize, rows));
+                    let (rows, truth) = price(*scene, *hair, &walk, wanted);
+                    done.lock().expect("no panic").push((*scene, *hair, rows, truth));
                 }
             });
         }
     });
     let mut done = done.into_inner().expect("no panic");
-    done.sort_by_key(|(scene, hair, _)| (*scene, *hair));
-    let mut csv = String::from(
-        "scene,hair,preset,integrator,rate,elements,cap,tolerance,error_tolerance,freedoms,tip,tip_most,shape,us_per_second,iterations,unconverged,blown_up_s\n",
-    );
+    done.sort_by_key(|(scene, hair, ..)| (*scene as usize, *hair as usize));
+    done
+}
+
+const HEAD: &str = "scene,hair,preset,integrator,rate,elements,cap,tolerance,error_tolerance,freedoms,tip,tip_most,shape,us_per_second,iterations,unconverged,blown_up_s\n";
+
+/// Everything.
+fn sweep(directory: &FilePath, threads: usize) {
+    let mut csv = HEAD.to_string();
     let mut truths = String::from("scene,hair,elements,frames,tip_uncertainty,shape_uncertainty,step_halving\n");
-    for (_, _, (rows, truth)) in done {
+    for (_, _, rows, truth) in price_all(threads, |_| true) {
         csv += &rows;
         truths += &truth;
     }
     write(directory, "tradeoff.csv", &csv);
     write(directory, "tradeoff_truth.csv", &truths);
+}
+
+/// The presets alone, in place of those in `tradeoff.csv`.
+fn presets(directory: &FilePath, threads: usize) {
+    let path = directory.join("tradeoff.csv");
+    let old = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    assert!(old.starts_with(HEAD), "{} has other columns: measure everything", path.display());
+    let mut csv = HEAD.to_string();
+    for (scene, hair, rows, _) in price_all(threads, |setting| setting.preset.is_some()) {
+        let kept = format!("{},{},,", scene.name(), hair.name());
+        csv.extend(old.lines().filter(|line| line.starts_with(&kept)).map(|line| format!("{line}\n")));
+        csv += &rows;
+    }
+    write(directory, "tradeoff.csv", &csv);
 }
 
 /// The reference integrator beside the trajectories that stand for it, with as many elements as dense matrices allow.
@@ -157,12 +178,12 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match words[..] {
-        ["sweep", directory] => sweep(FilePath::new(directory), 1),
         ["sweep", directory, threads] => sweep(FilePath::new(directory), threads.parse().expect("a number of threads")),
+        ["presets", directory, threads] => presets(FilePath::new(directory), threads.parse().expect("a number of threads")),
         ["check", directory] => check(FilePath::new(directory)),
         ["table", directory] => table::write(FilePath::new(directory)),
         _ => {
-            eprintln!("usage: tradeoff sweep DIRECTORY [THREADS] | check DIRECTORY | table DIRECTORY");
+            eprintln!("usage: tradeoff sweep|presets DIRECTORY THREADS, or check|table DIRECTORY");
             std::process::exit(2);
         }
     }

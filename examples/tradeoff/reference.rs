@@ -87,8 +87,8 @@ pub fn radau(scene: Scene, hair: Hair, walk: &Walk, elements: usize, tolerance: 
 
 /// How many elements the reference integrator is asked to bear: as many as the trajectories have wherever that takes it minutes.
 pub fn checked_elements(scene: Scene, hair: Hair) -> Vec<usize> {
-    let cheap = matches!(scene, Scene::CalmSway | Scene::CurlyBounce | Scene::StiffBristle);
-    if cheap || hair == Hair::Wavy { vec![8, 64] } else { vec![8] }
+    let cheap = matches!(scene, Scene::CalmSway | Scene::StiffBristle) || (scene, hair) == (Scene::CurlyBounce, Hair::Wavy);
+    if cheap { vec![8, 64] } else { vec![8] }
 }
 
 /// By second order at `rate` and at twice as many steps a second, extrapolated; and how far the two are apart in lengths.
