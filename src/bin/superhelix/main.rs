@@ -18,6 +18,7 @@ mod scene;
 mod settled;
 mod simulate;
 mod simulate_report;
+mod suggested;
 mod timeline;
 
 use std::io::Write;
