@@ -169,18 +169,8 @@ pub fn take(model: &StrandModel, state: &StrandState, new: &StrandModel, rules: 
     let strain: Vec<[f64; 3]> = difference(&state.curvatures, &model.natural);
     let mut curvatures = sum(&new.natural, &means(&old.borders, &strain, &new_borders), new);
     let rates = means(&old.borders, &state.rates, &new_borders);
-    let mut out = StrandState {
-        curvatures: Vec::new(),
-        rates,
-        velocities: Vec::new(),
-        rule: state.rule,
-        root: state.root,
-        root_velocity: state.root_velocity,
-        root_angular_velocity: state.root_angular_velocity,
-        wrench_force: state.wrench_force,
-        wrench_torque: state.wrench_torque,
-        past: Past::default(),
-    };
+    // Root, wrench and whatever else does not depend on elements stay.
+    let mut out = StrandState { curvatures: Vec::new(), rates, velocities: Vec::new(), past: Past::default(), ..state.clone() };
     let carried = means(&old.borders, &model.natural, &new_borders);
     let pairs = || new.natural.iter().flatten().zip(carried.iter().flatten());
     let same = pairs().all(|(a, b)| (a - b).abs() <= SAME_CURVATURE * (a.abs() + b.abs()));
