@@ -19,6 +19,7 @@ mod scene;
 mod settled;
 mod simulate;
 mod simulate_report;
+mod suggested;
 mod timeline;
 
 use std::io::Write;
