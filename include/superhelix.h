@@ -126,7 +126,8 @@
 // A call failed: the text that shx_last_error gives.
 #define SHX_LOG_ERROR 1
 
-// Something that the host should look at: strands rolled back or unconverged in a step, a parallel_for that missed items.
+// Something that the host should look at: strands rolled back or unconverged in a step, elements that turn too far, a parallel_for that
+// missed items.
 #define SHX_LOG_WARN 2
 
 // Once in a while: a solver was made.

@@ -95,7 +95,7 @@ const GROWTH: f64 = 3.0;
 /// The largest k, in units of the first: beyond it the pull ρS g k² drowns the digits of the positions.
 const LARGEST_STEP: f64 = 1e3;
 /// Newton's tolerance within a proximal step, rad.
-const NEWTON_TOLERANCE: f64 = 1e-8;
+const NEWTON_TOLERANCE: f64 = 1e-10;
 
 /// The shape in which a strand of this definition rests under gravity (m/s²), a row of curvatures an element, searched for from its
 /// initial shape with its root held where the definition has it.
@@ -166,7 +166,7 @@ pub fn search(
     for _ in 0..options.max_steps {
         rule_index = rules.next_for_angle(rule_index, model.largest_angle(&curvatures));
         let rule = rules.rule(rule_index);
-        let problem = Problem { root: &rotation, lengths: &model.lengths, axes: &axes[..free], rule };
+        let problem = Problem { root: &rotation, lengths: &model.lengths, axes: &axes[..free], rule, tension_at_start: true };
         workspace.kinematics.update(&rotation, &model.lengths, &curvatures, rule);
         draw_on(model, &rule.weights, gravity, k, workspace);
         workspace.curvatures.clone_from(&curvatures);

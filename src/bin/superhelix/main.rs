@@ -20,6 +20,7 @@ mod settings;
 mod settled;
 mod simulate;
 mod simulate_report;
+mod suggested;
 mod timeline;
 
 use std::io::Write;

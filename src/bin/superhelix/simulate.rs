@@ -108,6 +108,15 @@ pub struct SimulateArguments {
     /// Newton iterations a step at most. Default: 50, or the preset's.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     max_iterations: Option<u32>,
+    /// How often a strand's step may be halved where it does not converge or errs too much, 0 to 10. Default: 3, or the preset's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=10))]
+    max_subdivisions: Option<u32>,
+    /// The error that a step may add to a point's position, in lengths of the strand, before it is halved. Default: not looked at.
+    #[arg(long, value_name = "LENGTHS", value_parser = positive)]
+    error_tolerance: Option<f64>,
+    /// Integrator reference: the error allowed in positions, in lengths of the strand, a second; 1e-12 to 1e-2. Default: 1e-8.
+    #[arg(long, value_name = "LENGTHS", value_parser = positive)]
+    reference_tolerance: Option<f64>,
     /// Threads.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
     threads: u32,
@@ -376,6 +385,9 @@ impl Fineness {
         }
         step.integrator = arguments.integrator.unwrap_or(step.integrator);
         step.tolerance = arguments.tolerance.unwrap_or(step.tolerance);
+        step.max_subdivisions = arguments.max_subdivisions.unwrap_or(step.max_subdivisions);
+        step.error_tolerance = arguments.error_tolerance.unwrap_or(step.error_tolerance);
+        step.reference_tolerance = arguments.reference_tolerance.unwrap_or(step.reference_tolerance);
         step.max_iterations = arguments.max_iterations.unwrap_or(step.max_iterations);
         Ok(Self { step, substeps: arguments.substeps.unwrap_or(substeps), elements: arguments.elements.unwrap_or(elements) })
     }
