@@ -87,7 +87,9 @@ pub fn radau(scene: Scene, hair: Hair, walk: &Walk, elements: usize, tolerance: 
 
 /// How many elements the reference integrator is asked to bear: as many as the trajectories have wherever that takes it minutes.
 pub fn checked_elements(scene: Scene, hair: Hair) -> Vec<usize> {
-    let cheap = matches!(scene, Scene::CalmSway | Scene::StiffBristle) || (scene, hair) == (Scene::CurlyBounce, Hair::Wavy);
+    let cheap = matches!(scene, Scene::CalmSway | Scene::StiffBristle)
+        || hair == Hair::Fuzzy
+        || (hair == Hair::Wavy && matches!(scene, Scene::Walk | Scene::CurlyBounce));
     if cheap { vec![8, 64] } else { vec![8] }
 }
 
