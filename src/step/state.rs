@@ -10,7 +10,7 @@ use crate::rod::strand::StrandModel;
 use crate::rod::velocity::{self, RootMotion};
 
 /// The state of one strand at one time.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct StrandState {
     /// κ, a row an element.
     pub curvatures: Vec<[f64; 3]>,
@@ -38,7 +38,7 @@ pub struct StrandState {
 }
 
 /// What the two-step method remembers of the step before: the strand at its start.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Past {
     /// κ then.
     pub curvatures: Vec<[f64; 3]>,
@@ -50,6 +50,21 @@ pub struct Past {
     pub step: f64,
 }
 
+// Written out, because a derived clone_from allocates anew: the state is copied before every step.
+impl Clone for Past {
+    fn clone(&self) -> Self {
+        let Self { curvatures, velocities, root, step } = self;
+        Self { curvatures: curvatures.clone(), velocities: velocities.clone(), root: *root, step: *step }
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        let Self { curvatures, velocities, root, step } = source;
+        self.curvatures.clone_from(curvatures);
+        self.velocities.clone_from(velocities);
+        (self.root, self.step) = (*root, *step);
+    }
+}
+
 impl Default for Past {
     fn default() -> Self {
         Self { curvatures: Vec::new(), velocities: Vec::new(), root: Frame::default(), step: 0.0 }
@@ -59,6 +74,37 @@ impl Default for Past {
 /// The rotation matrix of a frame, for the kernels.
 pub fn rotation_matrix(frame: &Frame) -> Mat3<f64> {
     Mat3::from(frame.rotation.to_rotation_matrix().into_inner())
+}
+
+impl Clone for StrandState {
+    fn clone(&self) -> Self {
+        let mut clone = Self::default();
+        clone.clone_from(self);
+        clone
+    }
+
+    fn clone_from(&mut self, source: &Self) {
+        let Self {
+            curvatures,
+            rates,
+            velocities,
+            past,
+            rule,
+            root,
+            root_velocity,
+            root_angular_velocity,
+            wrench_force,
+            wrench_torque,
+            subdivision,
+        } = source;
+        self.curvatures.clone_from(curvatures);
+        self.rates.clone_from(rates);
+        self.velocities.clone_from(velocities);
+        self.past.clone_from(past);
+        (self.rule, self.root, self.subdivision) = (*rule, *root, *subdivision);
+        (self.root_velocity, self.root_angular_velocity) = (*root_velocity, *root_angular_velocity);
+        (self.wrench_force, self.wrench_torque) = (*wrench_force, *wrench_torque);
+    }
 }
 
 impl Default for StrandState {
