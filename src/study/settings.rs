@@ -19,7 +19,8 @@ pub struct HairShape {
 }
 
 impl HairShape {
-    /// Of a strand, by its natural curvatures.
+    /// Of a strand, by its natural curvatures. Where these are there to make up for gravity (`groom::fit::natural_under_gravity`) give the
+    /// curvature of the shape that was drawn instead.
     pub fn of(strand: &StrandDef) -> Self {
         let curvature = strand.natural.iter().map(|[k0, k1, k2]| k0.hypot(*k1).hypot(*k2)).fold(0.0, f64::max);
         Self { curvature, length: strand.length() }
