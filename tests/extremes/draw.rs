@@ -88,7 +88,7 @@ fn integrator(draw: &mut Draw, stratum: Stratum) -> Integrator {
 pub fn case(draw: &mut Draw, stratum: Stratum) -> Case {
     let integrator = integrator(draw, stratum);
     let most_elements = match (stratum, integrator) {
-        (_, Integrator::Reference) => 8.0,
+        (_, Integrator::Reference) => 4.0,
         (Stratum::Long, _) => 10.0,
         _ => 300.0,
     };
@@ -122,7 +122,6 @@ pub fn case(draw: &mut Draw, stratum: Stratum) -> Case {
     def.element_lengths = lengths;
     def.root.rotation = draw.rotation();
     let h = match (stratum, integrator) {
-        // Jerked within microseconds the reference takes its 10⁵ attempts a call: half a minute.
         (_, Integrator::Reference) => draw.over(1e-3, 0.25),
         (Stratum::Wide, _) => draw.over(1e-6, 0.25),
         (Stratum::Long, _) => draw.over(1.0 / 60.0, 0.25),

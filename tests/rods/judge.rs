@@ -5,6 +5,11 @@ use std::sync::Mutex;
 
 static RECORDED: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
 
+/// Whether the figures' numbers are asked for.
+pub fn recording() -> bool {
+    std::env::var("VALIDATION_CSV").is_ok()
+}
+
 /// Adds a row to a file of comma-separated values, `docs/figures/validation_<table>.csv`, if the environment asks for it
 /// (`VALIDATION_CSV`, a folder): `make figures` does.
 pub fn record(table: &str, header: &str, row: String) {
