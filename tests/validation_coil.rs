@@ -5,7 +5,6 @@ mod rods;
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use rods::GRAVITY;
-use rods::judge::record;
 use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
@@ -63,9 +62,6 @@ fn a_helix_pulled_by_its_weight() {
             // Ends matter less than the linear answer's own rest of a hundred-thousandth, and elements do not matter at all: under a load
             // that is the same all along, a helix stays a helix.
             assert!(ratios.iter().all(|ratio| (ratio - 1.0).abs() < 3e-5), "{ratios:?}");
-            for (coils, ratio) in [5, 10, 20].iter().zip(ratios) {
-                record("spring", "alpha,per_turn,coils,ratio", format!("{alpha},{per_turn},{coils},{ratio:.6}"));
-            }
         }
     }
 }
@@ -108,7 +104,8 @@ fn twist_relaxes() {
         let id = solver.add_strands(std::slice::from_ref(&def)).unwrap()[0];
         let report = solver.step(h, 1).unwrap();
         let left = solver.curvatures(id).unwrap().iter().map(|row| row[0].abs() / twist).fold(0.0, f64::max);
-        println!("no friction, a step of {h:e}: {left:.1e} of the twist is left {report:?}");
-        assert!(report.unconverged > 0 || left < 1e-6, "h = {h}: {left}");
+        println!("{} rad, no friction, a step of {h:e} s: {left:.1e} is left, {} unconverged", 0.1 * twist, report.unconverged);
+        // More than Newton turns at once, 2 rad, may not come home in a short step; then the report says so.
+        assert!(left < 1e-6 || (report.unconverged == 1 && twist == 60.0), "h = {h}: {left}");
     }
 }

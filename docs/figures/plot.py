@@ -132,7 +132,8 @@ def newton():
     put(lines, "newton.md", "newton")
 
 
-convergence()
-cost()
-limits()
-newton()
+if __name__ == "__main__":
+    convergence()
+    cost()
+    limits()
+    newton()

@@ -79,7 +79,7 @@ fn integrator(draw: &mut Draw, stratum: Stratum) -> Integrator {
     match (stratum, share) {
         (_, s) if s < 0.38 => Integrator::SecondOrder,
         (_, s) if s < 0.75 => Integrator::ImplicitEuler,
-        (Stratum::Wide, s) if s > 0.97 => Integrator::Reference,
+        (Stratum::Wide, s) if s > 0.995 => Integrator::Reference,
         _ => Integrator::LinearlyImplicit,
     }
 }

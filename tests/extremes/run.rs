@@ -178,30 +178,6 @@ pub fn run(case: &Case, draw: &mut Draw) -> Outcome {
             outcome.iterations += report.mean_iterations * f64::from(substeps);
             let now = energy(&solver, id, &case.def);
             let turned = largest_angle(&solver, id);
-            if std::env::var("EXTREMES_DEBUG").is_ok() && call % 20 == 1 {
-                let kind = match stretch {
-                    Stretch::Quiet => "quiet".into(),
-                    Stretch::Shake { way, angular_frequency } => {
-                        format!("shake {:e} m {:e} rad/s", way.norm(), angular_frequency)
-                    }
-                    Stretch::Spin(r) => format!("spin {}", r.norm()),
-                    Stretch::Teleports => "teleports".into(),
-                    Stretch::Gravity => "gravity".into(),
-                    Stretch::Wind => "wind".into(),
-                };
-                println!(
-                    "DBG t {:.3} {kind} unconv {} its {} residual {:e} angle {:e} E {:e} g {:.1} took {:e} rates {:?}",
-                    outcome.seconds,
-                    report.unconverged,
-                    report.max_iterations,
-                    report.max_residual,
-                    turned,
-                    now,
-                    solver.options().gravity.norm(),
-                    took,
-                    solver.rates(id).unwrap()[0]
-                );
-            }
             if case.integrator == Integrator::LinearlyImplicit {
                 outcome.blown_up = report.quarantined > 0 || !now.is_finite() || turned > BLOWN_UP;
             } else {

@@ -10,7 +10,7 @@ pub fn recording() -> bool {
     std::env::var("VALIDATION_CSV").is_ok()
 }
 
-/// Adds a row to a file of comma-separated values, `docs/figures/validation_<table>.csv`, if the environment asks for it
+/// Adds a row to a file of comma-separated values, `<test>_<table>.csv`, if the environment asks for it
 /// (`VALIDATION_CSV`, a folder): `make figures` does.
 pub fn record(table: &str, header: &str, row: String) {
     let Ok(folder) = std::env::var("VALIDATION_CSV") else { return };
@@ -21,7 +21,7 @@ pub fn record(table: &str, header: &str, row: String) {
         text += row;
         text.push('\n');
     }
-    std::fs::write(std::path::Path::new(&folder).join(format!("validation_{table}.csv")), text).unwrap();
+    std::fs::write(std::path::Path::new(&folder).join(format!("{}_{table}.csv", env!("CARGO_CRATE_NAME"))), text).unwrap();
 }
 
 /// Prints one line of the table and checks the error at the last count and the order over the last doubling.
