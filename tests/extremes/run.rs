@@ -115,8 +115,7 @@ fn energy(solver: &Solver, id: StrandId, def: &StrandDef) -> f64 {
 /// Runs a case to its end; stops at the first state that was rolled back.
 pub fn run(case: &Case, draw: &mut Draw) -> Outcome {
     let mut outcome = Outcome { growth: 1.0, ..Outcome::default() };
-    let mut options = SolverOptions::default();
-    options.gravity = draw.direction() * draw.or_zero(0.1, 50.0);
+    let mut options = SolverOptions { gravity: draw.direction() * draw.or_zero(0.1, 50.0), ..SolverOptions::default() };
     options.step.integrator = case.integrator;
     options.step.tolerance = case.tolerance;
     options.step.max_iterations = case.max_iterations;
@@ -201,13 +200,13 @@ pub fn run(case: &Case, draw: &mut Draw) -> Outcome {
                 outcome.hash = solver.state_hash();
                 return outcome;
             }
-            if draw.chance(if case.stratum == Stratum::Wide { 0.01 } else { 0.002 })
+            let probed = draw.chance(if case.stratum == Stratum::Wide { 0.01 } else { 0.002 });
+            if probed
                 && matches!(case.integrator, Integrator::ImplicitEuler | Integrator::SecondOrder)
+                && let Some(distance) = honesty(&solver, id, case)
             {
-                if let Some(distance) = honesty(&solver, id, case) {
-                    outcome.probes += 1;
-                    outcome.dishonesty = outcome.dishonesty.max(distance);
-                }
+                outcome.probes += 1;
+                outcome.dishonesty = outcome.dishonesty.max(distance);
             }
             if case.stratum == Stratum::Long && outcome.seconds >= case.seconds {
                 break;

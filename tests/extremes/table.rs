@@ -76,10 +76,10 @@ impl Table {
         } else if outcome.quarantined > 0 {
             self.fault(case, index, "a state turned non-finite");
         }
-        if !(outcome.whole.stretch <= WHOLE) {
+        if outcome.whole.stretch.is_nan() || outcome.whole.stretch > WHOLE {
             self.fault(case, index, &format!("stretched by {:e}", outcome.whole.stretch));
         }
-        if !(outcome.whole.skew <= WHOLE) {
+        if outcome.whole.skew.is_nan() || outcome.whole.skew > WHOLE {
             self.fault(case, index, &format!("frames off by {:e}", outcome.whole.skew));
         }
         if outcome.dishonesty > HONEST {
