@@ -244,10 +244,19 @@ typedef struct shx_solver_def {
   uint32_t max_iterations;
   // 1 (default): Newton's matrix is the exact Hessian, tension included. 0: Gauss-Newton, for comparison.
   uint32_t exact_hessian;
-  // Converged when no element turns by more than this in an iteration, rad; above zero. Default 1e-6.
+  // Converged when no element is estimated to be further than this from where the iteration would end, rad; above zero.
+  // Default 1e-6.
   double tolerance;
+  // How often a strand's substep may be halved where it does not converge, turns non-finite or errs by more than error_tolerance;
+  // only that strand takes it in parts. 0 to 10; default 3; 0: never. Implicit Euler and second order only.
+  uint32_t max_subdivisions;
   // 0.
-  uint64_t reserved[4];
+  uint32_t reserved_word;
+  // The error that a substep, or a part of it, may add to a point's position before it is halved, in units of the strand's length.
+  // 0 (default): errors are not looked at, and cost nothing. Where the halvings do not suffice the report's max_error tells.
+  double error_tolerance;
+  // 0.
+  uint64_t reserved[2];
   // SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
   // 1e-12 to 1e-2. Default 1e-8.
   double reference_tolerance;
@@ -321,7 +330,7 @@ typedef struct shx_step_report {
   uint32_t unconverged;
   // Most Newton iterations that a strand took in a substep.
   uint32_t max_iterations;
-  // Largest rotation of an element in the last iteration of a strand's substep, rad.
+  // How far an element of any strand may still be from where its iteration would end, rad.
   double max_residual;
   // Kinetic energy of all strands after the step, J.
   double kinetic_energy;
@@ -333,12 +342,15 @@ typedef struct shx_step_report {
   double seconds;
   // Substeps taken.
   uint32_t substeps;
-  // 0.
-  uint32_t reserved;
+  // Strand-substeps that were taken in parts: see max_subdivisions of shx_solver_def.
+  uint32_t subdivided;
   // Mean Newton iterations a strand and substep.
   double mean_iterations;
   // Largest condition number met; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
   double max_condition;
+  // The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length;
+  // 0 where the solver has no error_tolerance.
+  double max_error;
 } shx_step_report;
 
 // Names a strand of one solver: a slot and a generation. Zero bits is the null id. The id of a removed strand never names

@@ -13,7 +13,7 @@ use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::step::options::{Integrator, StepOptions};
 use superhelix::step::state::{StrandState, rotation_matrix};
 use superhelix::step::workspace::Workspace;
-use superhelix::step::{self, Surroundings};
+use superhelix::step::{self, Setting, Surroundings};
 
 fn options(reference_tolerance: f64) -> StepOptions {
     StepOptions { integrator: Integrator::Reference, reference_tolerance, ..StepOptions::default() }
@@ -45,6 +45,8 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
         Vector3::zeros(),
     );
     let surroundings = Surroundings { gravity: Vector3::new(0.0, 0.0, -9.81).into(), wind: Vector3::zeros().into() };
+    let options = options(tolerance);
+    let setting = Setting { model: &model, surroundings: &surroundings, options: &options, rules: &rules };
     let mut workspace = Workspace::default();
     let (mut tips, mut iterations) = (Vec::new(), 0);
     let mut t = 0.0;
@@ -54,7 +56,7 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
         for step in 0..steps as u32 {
             let from = t + h * f64::from(step);
             let root_at = |elapsed: f64| case.root.map_or(def.root, |root| root.at(from + elapsed));
-            let outcome = step::take(&model, &mut state, &root_at, h, &surroundings, &options(tolerance), &rules, &mut workspace);
+            let outcome = step::take(&setting, &mut state, &root_at, h, &mut workspace);
             assert!(outcome.converged && !outcome.quarantined, "{} at {tolerance:e}, {from} s", case.name);
             iterations += outcome.iterations;
         }

@@ -29,7 +29,7 @@ pub struct shx_step_report {
     pub unconverged: u32,
     /// Most Newton iterations that a strand took in a substep.
     pub max_iterations: u32,
-    /// Largest rotation of an element in the last iteration of a strand's substep, rad.
+    /// How far an element of any strand may still be from where its iteration would end, rad.
     pub max_residual: f64,
     /// Kinetic energy of all strands after the step, J.
     pub kinetic_energy: f64,
@@ -41,12 +41,15 @@ pub struct shx_step_report {
     pub seconds: f64,
     /// Substeps taken.
     pub substeps: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Strand-substeps that were taken in parts: see max_subdivisions of shx_solver_def.
+    pub subdivided: u32,
     /// Mean Newton iterations a strand and substep.
     pub mean_iterations: f64,
     /// Largest condition number met; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
     pub max_condition: f64,
+    /// The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length;
+    /// 0 where the solver has no error_tolerance.
+    pub max_error: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -59,7 +62,7 @@ unsafe impl Versioned for shx_step_report {
 }
 
 const _: () = {
-    assert!(size_of::<shx_step_report>() == 80 && offset_of!(shx_step_report, max_residual) == 16);
+    assert!(size_of::<shx_step_report>() == 88 && offset_of!(shx_step_report, max_residual) == 16);
     assert!(offset_of!(shx_step_report, substeps) == 56);
 };
 
@@ -76,9 +79,10 @@ impl shx_step_report {
             gravity_energy: report.energies.gravity,
             seconds: report.seconds,
             substeps: report.substeps,
-            reserved: 0,
+            subdivided: report.subdivided,
             mean_iterations: report.mean_iterations,
             max_condition: report.max_condition,
+            max_error: report.max_error,
         }
     }
 }

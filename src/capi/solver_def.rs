@@ -72,10 +72,19 @@ pub struct shx_solver_def {
     pub max_iterations: u32,
     /// 1 (default): Newton's matrix is the exact Hessian, tension included. 0: Gauss-Newton, for comparison.
     pub exact_hessian: u32,
-    /// Converged when no element turns by more than this in an iteration, rad; above zero. Default 1e-6.
+    /// Converged when no element is estimated to be further than this from where the iteration would end, rad; above zero.
+    /// Default 1e-6.
     pub tolerance: f64,
+    /// How often a strand's substep may be halved where it does not converge, turns non-finite or errs by more than error_tolerance;
+    /// only that strand takes it in parts. 0 to 10; default 3; 0: never. Implicit Euler and second order only.
+    pub max_subdivisions: u32,
     /// 0.
-    pub reserved: [u64; 4],
+    pub reserved_word: u32,
+    /// The error that a substep, or a part of it, may add to a point's position before it is halved, in units of the strand's length.
+    /// 0 (default): errors are not looked at, and cost nothing. Where the halvings do not suffice the report's max_error tells.
+    pub error_tolerance: f64,
+    /// 0.
+    pub reserved: [u64; 2],
     /// SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
     /// 1e-12 to 1e-2. Default 1e-8.
     pub reference_tolerance: f64,
@@ -103,7 +112,10 @@ unsafe impl Versioned for shx_solver_def {
             max_iterations: options.step.max_iterations,
             exact_hessian: u32::from(options.step.exact_hessian),
             tolerance: options.step.tolerance,
-            reserved: [0; 4],
+            max_subdivisions: options.step.max_subdivisions,
+            reserved_word: 0,
+            error_tolerance: options.step.error_tolerance,
+            reserved: [0; 2],
             reference_tolerance: options.step.reference_tolerance,
         }
     }
@@ -155,6 +167,9 @@ impl shx_solver_def {
             other => return Err(Error::invalid("def.precision", other, "one of SHX_PRECISION_")),
         }
         check_reserved("def", &self.reserved)?;
+        if self.reserved_word != 0 {
+            return Err(Error::invalid("def.reserved_word", self.reserved_word, "0"));
+        }
         let workers = if let Some(function) = self.parallel_for {
             Workers::Host(Arc::new(HostParallelFor::new(function, self.parallel_for_user)))
         } else if self.worker_count > 1 {
@@ -172,6 +187,8 @@ impl shx_solver_def {
                 tolerance: self.tolerance,
                 exact_hessian: check_flag("def.exact_hessian", self.exact_hessian)?,
                 reference_tolerance: self.reference_tolerance,
+                max_subdivisions: self.max_subdivisions,
+                error_tolerance: self.error_tolerance,
             },
             workers,
         };

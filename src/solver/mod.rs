@@ -21,7 +21,7 @@ use crate::math::quadrature::Rules;
 use crate::rod::definition::{check_frozen, check_rows};
 use crate::rod::kinematics::Kinematics;
 use crate::step::equilibrium::{self, Equilibrium, EquilibriumOptions};
-use crate::step::{self, Surroundings};
+use crate::step::{self, Setting, Surroundings};
 use definition::{SolverOptions, StrandDef};
 use id::{SlotMap, StrandId};
 use report::{Energies, StepReport, StrandStatus, Wrench};
@@ -355,7 +355,8 @@ impl Solver {
                 let Strand { model, state, root_move, .. } = strand;
                 let start = state.root;
                 let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
-                strand.outcome = step::take(model, state, &root_at, h, &surroundings, &options, rules, workspace);
+                let setting = Setting { model, surroundings: &surroundings, options: &options, rules };
+                strand.outcome = step::take(&setting, state, &root_at, h, workspace);
                 strand.advance_root(h);
                 strand.tally.add(&strand.outcome);
             }
@@ -379,6 +380,8 @@ impl Solver {
             report.quarantined += tally.quarantined;
             report.max_residual = report.max_residual.max(tally.residual);
             report.max_condition = report.max_condition.max(tally.condition);
+            report.subdivided += tally.subdivided;
+            report.max_error = report.max_error.max(tally.error);
             report.energies.kinetic += strand.energies.kinetic;
             report.energies.elastic += strand.energies.elastic;
             report.energies.gravity += strand.energies.gravity;

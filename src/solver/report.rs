@@ -15,10 +15,15 @@ pub struct StepReport {
     pub max_iterations: u32,
     /// Mean Newton iterations a strand and substep.
     pub mean_iterations: f64,
-    /// Largest rotation of an element in the last iteration of a strand's substep, rad.
+    /// How far an element of any strand may still be from where its iteration would end, rad.
     pub max_residual: f64,
     /// Largest condition number met (dense singular-value solver only; otherwise 0).
     pub max_condition: f64,
+    /// Strand-substeps that were taken in parts (see [`StepOptions::max_subdivisions`](crate::step::options::StepOptions)).
+    pub subdivided: u32,
+    /// The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length; 0
+    /// where no error tolerance was given.
+    pub max_error: f64,
     /// Energies after the step.
     pub energies: Energies,
     /// Wall-clock time of the call, s.

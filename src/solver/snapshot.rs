@@ -21,7 +21,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use crate::step::state::{Past, StrandState};
 
 /// Changes whenever an image of an older version could not be read.
-pub const SNAPSHOT_VERSION: u32 = 1;
+pub const SNAPSHOT_VERSION: u32 = 2;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -109,6 +109,8 @@ impl Writer {
         self.u32(u32::from(step.exact_hessian));
         self.f64(step.tolerance);
         self.f64(step.reference_tolerance);
+        self.u32(step.max_subdivisions);
+        self.f64(step.error_tolerance);
     }
 
     /// The identifiers.
@@ -153,6 +155,7 @@ impl Writer {
         self.vector(state.root_angular_velocity);
         self.vector(state.wrench_force.into());
         self.vector(state.wrench_torque.into());
+        self.u32(state.subdivision);
         self.f64(state.past.step);
         if state.past.step > 0.0 {
             self.rows(&state.past.curvatures);
@@ -172,8 +175,10 @@ impl Writer {
         self.u32(outcome.iterations);
         self.u32(u32::from(outcome.converged));
         self.u32(u32::from(outcome.quarantined));
+        self.u32(outcome.substeps);
         self.f64(outcome.residual);
         self.f64(outcome.condition);
+        self.f64(outcome.error);
         self.f64(strand.energies.kinetic);
         self.f64(strand.energies.elastic);
         self.f64(strand.energies.gravity);
@@ -282,6 +287,7 @@ impl Reader<'_> {
             root_angular_velocity: self.vector()?,
             wrench_force: self.vector()?.into(),
             wrench_torque: self.vector()?.into(),
+            subdivision: self.u32()?,
             past: self.past(count, count * rules.rule(rule).len())?,
         };
         let lengths_are_right = lengths.iter().all(|length| length.is_finite() && *length > 0.0);
@@ -306,8 +312,10 @@ impl Reader<'_> {
             iterations: self.u32()?,
             converged: self.flag()?,
             quarantined: self.flag()?,
+            substeps: self.u32()?,
             residual: self.f64()?,
             condition: self.f64()?,
+            error: self.f64()?,
         };
         let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
         let model = StrandModel::new(lengths, natural, material, freedoms);
@@ -330,6 +338,8 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         exact_hessian: reader.flag()?,
         tolerance: reader.f64()?,
         reference_tolerance: reader.f64()?,
+        max_subdivisions: reader.u32()?,
+        error_tolerance: reader.f64()?,
     };
     step.check("its options").map_err(|error| Error::Snapshot { reason: error.to_string() })?;
     let mark = reader.u32()? as u16;

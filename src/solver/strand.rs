@@ -38,6 +38,8 @@ pub(super) struct Tally {
     pub quarantined: u32,
     pub residual: f64,
     pub condition: f64,
+    pub subdivided: u32,
+    pub error: f64,
 }
 
 impl Tally {
@@ -49,6 +51,8 @@ impl Tally {
         self.unconverged += u32::from(!outcome.converged && !outcome.quarantined);
         self.residual = self.residual.max(outcome.residual);
         self.condition = self.condition.max(outcome.condition);
+        self.subdivided += u32::from(outcome.substeps > 1);
+        self.error = self.error.max(outcome.error);
     }
 }
 

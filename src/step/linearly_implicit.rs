@@ -3,29 +3,17 @@
 //! (M + h²K + hμK) Δ = h [A − K(q + h q̇ − qⁿ) − (μK + γ) q̇], q̇ ← q̇ + Δ, q ← q + h q̇.
 
 use super::newton;
-use super::options::StepOptions;
 use super::stages::root_velocity;
 use super::state::{StrandState, rotation_matrix};
 use super::workspace::Workspace;
-use super::{StrandOutcome, Surroundings};
+use super::{Setting, StrandOutcome};
 use crate::math::frame::Frame;
-use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
-use crate::rod::strand::StrandModel;
 use crate::rod::velocity::{self, RootMotion};
 
 /// Takes one strand through a step; see [`super::take`].
-#[allow(clippy::too_many_arguments)]
-pub fn take(
-    model: &StrandModel,
-    state: &mut StrandState,
-    root: &Frame,
-    h: f64,
-    surroundings: &Surroundings,
-    options: &StepOptions,
-    rules: &Rules,
-    workspace: &mut Workspace,
-) -> StrandOutcome {
+pub fn take(setting: &Setting, state: &mut StrandState, root: &Frame, h: f64, workspace: &mut Workspace) -> StrandOutcome {
+    let Setting { model, surroundings, options, rules } = *setting;
     let rule = rules.rule(state.rule);
     let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
     // The root's mean velocity over the step, and the acceleration to it from the last one.
@@ -64,8 +52,13 @@ pub fn take(
     }
     let found = newton::direction(workspace, &axes[..free], options.linear_solver);
     let finite = found.rotation_squared.is_finite() && found.descent.is_finite();
-    let outcome =
-        StrandOutcome { iterations: 1, converged: finite, quarantined: !finite, residual: 0.0, condition: found.condition };
+    let outcome = StrandOutcome {
+        iterations: 1,
+        converged: finite,
+        quarantined: !finite,
+        condition: found.condition,
+        ..StrandOutcome::default()
+    };
     if outcome.quarantined {
         return outcome;
     }

@@ -20,6 +20,11 @@ use crate::rod::kinematics::Kinematics;
 const ROTATION_LIMIT: f64 = 2.0;
 /// The same for the dense solves, whose directions are not damped but shortened as a whole.
 const DENSE_ROTATION_LIMIT: f64 = 1.0;
+/// An undamped iteration that turned by θ leaves at most about this times θ² to turn: 99 of 100 iterations on shaken and walking heads
+/// (`docs/newton.md`).
+const QUADRATIC: f64 = 100.0;
+/// Where the iterations themselves show a larger constant, this times what they show is taken.
+const QUADRATIC_SAFETY: f64 = 3.0;
 /// What the damping grows by where it must, and shrinks by where the model kept its promise.
 const DAMPING_UP: f64 = 4.0;
 const DAMPING_DOWN: f64 = 0.125;
@@ -75,6 +80,8 @@ pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Worksp
     }
     let least_damping = least_damping(workspace);
     let mut damping = 0.0;
+    // The last iteration's rotation, if Newton went its whole way undamped.
+    let mut before: Option<f64> = None;
     for iteration in 1..=options.max_iterations {
         outcome.iterations = iteration;
         forces(workspace);
@@ -88,13 +95,13 @@ pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Worksp
         outcome.residual = rotation;
         let limit = if options.linear_solver == LinearSolver::LinearTime { ROTATION_LIMIT } else { DENSE_ROTATION_LIMIT };
         let part = if rotation > limit { limit / rotation } else { 1.0 };
-        let Some(next) = walk(problem, workspace, potential, found.descent, part) else {
+        let Some((next, gone)) = walk(problem, workspace, potential, found.descent, part) else {
             // No way down that rounding lets us see: the state is as good as this potential can tell.
             return outcome;
         };
         // The model promised f·d − ½ d·H d with H d = f − damping·(rotations): compare, and trust it more or less.
         let promised = 0.5 * (found.descent + damping * found.rotation_sum);
-        let undamped = damping == 0.0;
+        let newton = damping == 0.0 && gone == 1.0;
         let kept = (potential.value - next.value) / promised;
         if options.linear_solver != LinearSolver::LinearTime {
             // Nothing to adapt: the dense solves repair by eigenvalues.
@@ -109,10 +116,12 @@ pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Worksp
         potential = next;
         std::mem::swap(&mut workspace.kinematics, &mut workspace.trial);
         std::mem::swap(&mut workspace.curvatures, &mut workspace.trial_curvatures);
-        if rotation <= options.tolerance && undamped {
+        outcome.residual = if newton { rotation * (constant(rotation, before) * rotation).min(1.0) } else { rotation };
+        if outcome.residual <= options.tolerance && (newton || stationary(problem, workspace, options)) {
             outcome.converged = true;
             break;
         }
+        before = newton.then_some(rotation);
     }
     forces(workspace);
     outcome
@@ -150,7 +159,7 @@ fn damped_direction(
 }
 
 /// Goes along the direction, `part` of it at first, halving until the potential falls enough; the trial state is then where it is.
-fn walk(problem: &Problem, workspace: &mut Workspace, from: Potential, descent: f64, mut part: f64) -> Option<Potential> {
+fn walk(problem: &Problem, workspace: &mut Workspace, from: Potential, descent: f64, mut part: f64) -> Option<(Potential, f64)> {
     for _ in 0..MAX_HALVINGS {
         workspace.trial_curvatures.clone_from(&workspace.curvatures);
         for (row, change) in workspace.trial_curvatures.iter_mut().zip(&workspace.change) {
@@ -161,11 +170,28 @@ fn walk(problem: &Problem, workspace: &mut Workspace, from: Potential, descent: 
         place(problem, &mut workspace.trial, &workspace.trial_curvatures);
         let trial = evaluate(workspace, true);
         if trial.value <= from.value - ARMIJO * part * descent + from.noise {
-            return Some(trial);
+            return Some((trial, part));
         }
         part *= 0.5;
     }
     None
+}
+
+/// Whether the accepted state, which damped iterations crept to, solves the step's equations without being a minimum: a strand that
+/// symmetry balances on its end, in a step too long for inertia to hold it there. Reflected pivots turn the direction, not its size.
+fn stationary(problem: &Problem, workspace: &mut Workspace, options: &StepOptions) -> bool {
+    if options.linear_solver != LinearSolver::LinearTime {
+        return false;
+    }
+    forces(workspace);
+    workspace.system.rotation_stiffness = 0.0;
+    let found = direction(workspace, problem.axes, options.linear_solver);
+    found.rotation_squared.sqrt() <= options.tolerance
+}
+
+/// The constant C of Newton's quadratic convergence, θₖ₊₁ ≤ C θₖ²: the usual one, or what the last two rotations show.
+fn constant(rotation: f64, before: Option<f64>) -> f64 {
+    before.map_or(QUADRATIC, |before| QUADRATIC.max(QUADRATIC_SAFETY * rotation / (before * before)))
 }
 
 /// The smallest damping worth trying: a hundredth of what the points' springs hold the rotation of one element's share with.

@@ -61,14 +61,21 @@ pub struct StepOptions {
     pub linear_solver: LinearSolver,
     /// Newton iterations a solve at most, 1 to 10000. A strand that needs more is reported as unconverged.
     pub max_iterations: u32,
-    /// Converged when no element turns by more than this in an iteration, rad; above zero. Newton's convergence is quadratic: what is
-    /// left after an iteration that turned by 1e-3 is of the order of 1e-6.
+    /// Converged when no element is estimated to be further than this from where the iteration would end, rad; above zero. Newton
+    /// converges quadratically, and the estimate counts on that (`docs/newton.md`).
     pub tolerance: f64,
     /// Newton's matrix is the exact Hessian (tension included). False: Gauss–Newton, for comparison.
     pub exact_hessian: bool,
     /// [`Integrator::Reference`] only: the error allowed in positions, in units of the strand's length, for each second of simulated
     /// time; 1e-12 to 1e-2. What a motion makes of an earlier error is not in it. Below 1e-11 rounding has a say.
     pub reference_tolerance: f64,
+    /// How often a strand's step may be halved where it does not converge, turns non-finite or errs by more than `error_tolerance`; only
+    /// that strand takes it in parts. 0 to 10; 0: never. [`Integrator::ImplicitEuler`] and [`Integrator::SecondOrder`] only.
+    pub max_subdivisions: u32,
+    /// The error that a step, or a part of it, may add to a point's position before it is halved, in units of the strand's length; at
+    /// least 0. 0: errors are not looked at, and cost nothing. It is estimated from the step itself. Where the halvings do not
+    /// suffice the step is taken nevertheless, and [`StrandOutcome::error`](super::StrandOutcome::error) tells.
+    pub error_tolerance: f64,
 }
 
 impl Default for StepOptions {
@@ -80,6 +87,8 @@ impl Default for StepOptions {
             tolerance: 1e-6,
             exact_hessian: true,
             reference_tolerance: 1e-8,
+            max_subdivisions: 3,
+            error_tolerance: 0.0,
         }
     }
 }
@@ -101,6 +110,16 @@ impl StepOptions {
                 format!("{argument}.reference_tolerance"),
                 self.reference_tolerance,
                 "1e-12 to 1e-2 (of the strand's length, per second)",
+            ));
+        }
+        if self.max_subdivisions > 10 {
+            return Err(Error::invalid(format!("{argument}.max_subdivisions"), self.max_subdivisions, "0 to 10"));
+        }
+        if !(self.error_tolerance.is_finite() && self.error_tolerance >= 0.0) {
+            return Err(Error::invalid(
+                format!("{argument}.error_tolerance"),
+                self.error_tolerance,
+                "a finite number, 0 or more (of the strand's length, per step)",
             ));
         }
         Ok(())

@@ -13,7 +13,7 @@ use super::radau::{self, Motion, Step};
 use super::root_path::RootPath;
 use super::state::{StrandState, rotation_matrix};
 use super::workspace::Workspace;
-use super::{StrandOutcome, Surroundings, newton, stages, tableau};
+use super::{Setting, StrandOutcome, Surroundings, newton, stages, tableau};
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
@@ -41,17 +41,14 @@ const TIMES_TRIED: u32 = 12;
 const JUMP: f64 = 1e-8;
 
 /// Takes one strand through `h` seconds; see [`super::take`].
-#[allow(clippy::too_many_arguments)]
 pub fn take(
-    model: &StrandModel,
+    setting: &Setting,
     state: &mut StrandState,
     root_at: &dyn Fn(f64) -> Frame,
     h: f64,
-    surroundings: &Surroundings,
-    options: &StepOptions,
-    rules: &Rules,
     workspace: &mut Workspace,
 ) -> StrandOutcome {
+    let Setting { model, surroundings, options, rules } = *setting;
     let mut run = Run {
         model,
         surroundings,
@@ -69,7 +66,7 @@ pub fn take(
     };
     let Some(pieces) = RootPath::pieces(root_at, h) else {
         // A root that jumps about is not to be followed to any tolerance.
-        let outcome = stages::take(&tableau::IMPLICIT_EULER, model, state, root_at, h, surroundings, options, rules, workspace);
+        let outcome = stages::take(&tableau::IMPLICIT_EULER, setting, state, root_at, h, workspace);
         return StrandOutcome { converged: false, ..outcome };
     };
     for path in &pieces {
@@ -85,8 +82,7 @@ pub fn take(
             // The best that is left: the strand as far as it came, and a forgiving step over the rest.
             publish(state, &motion, &known, root_at(end));
             let rest = |seconds: f64| root_at(end + seconds);
-            let last =
-                stages::take(&tableau::IMPLICIT_EULER, model, state, &rest, h - end, surroundings, options, rules, workspace);
+            let last = stages::take(&tableau::IMPLICIT_EULER, setting, state, &rest, h - end, workspace);
             run.outcome.iterations += last.iterations;
             run.outcome.quarantined |= last.quarantined;
             return run.outcome;

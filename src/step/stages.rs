@@ -7,31 +7,26 @@
 use nalgebra::Vector3;
 
 use super::newton::{self, Problem};
-use super::options::StepOptions;
 use super::state::{StrandState, rotation_matrix};
 use super::tableau::{self, Tableau};
 use super::workspace::{Stage, Workspace};
-use super::{StrandOutcome, Surroundings};
+use super::{Setting, StrandOutcome, local_error};
 use crate::energy::{CurvatureQuadratic, PointQuadratic, drag, elastic, friction, gravity, inertia};
 use crate::math::frame::Frame;
-use crate::math::quadrature::Rules;
 use crate::math::rotation::rotation_vector;
 use crate::math::vector::Vec3;
 use crate::rod::strand::StrandModel;
 
 /// Takes one strand through a step of `h` seconds; `root_at(seconds)` is the root's pose that long after the step's start.
-#[allow(clippy::too_many_arguments)]
 pub fn take(
     tableau: &Tableau,
-    model: &StrandModel,
+    setting: &Setting,
     state: &mut StrandState,
     root_at: &dyn Fn(f64) -> Frame,
     h: f64,
-    surroundings: &Surroundings,
-    options: &StepOptions,
-    rules: &Rules,
     workspace: &mut Workspace,
 ) -> StrandOutcome {
+    let Setting { model, rules, .. } = *setting;
     let rule = rules.rule(state.rule);
     let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
     workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
@@ -50,10 +45,13 @@ pub fn take(
         let offset = Vec3::from(root.origin - start.origin);
         let way = if index == 0 { tableau.times[0] * h } else { (tableau.times[index] - tableau.times[index - 1]) * h };
         let k = tableau.gamma * h;
-        solve_stage(index, model, state, k, way, offset, surroundings, options, &problem, workspace, &mut total);
+        solve_stage(&StageTimes { index, k, way }, setting, state, offset, &problem, workspace, &mut total);
         if total.quarantined {
             return total;
         }
+    }
+    if setting.options.error_tolerance > 0.0 {
+        total.error = local_error::of_stages(tableau, h, &state.velocities, workspace) / model.length();
     }
     end_step(tableau.stages - 1, state, &root, h, workspace);
     total
@@ -62,17 +60,14 @@ pub fn take(
 /// One step of the two-step backward differentiation formula: one stage over k = h/a₀ from where the past two positions, velocities and
 /// curvatures point, r̃ = ((1+ω)² r_t − ω² r_{t−1})/(1+2ω) and likewise ṽ and q̃, ω the ratio of this step to the last,
 /// a₀ = (1+2ω)/(1+ω). Needs a past; see [`two_step`].
-#[allow(clippy::too_many_arguments)]
 fn backward_difference(
-    model: &StrandModel,
+    setting: &Setting,
     state: &mut StrandState,
     root_at: &dyn Fn(f64) -> Frame,
     h: f64,
-    surroundings: &Surroundings,
-    options: &StepOptions,
-    rules: &Rules,
     workspace: &mut Workspace,
 ) -> StrandOutcome {
+    let Setting { model, rules, .. } = *setting;
     let rule = rules.rule(state.rule);
     let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
     let past_offset = Vec3::from(state.past.root.origin - state.root.origin);
@@ -80,6 +75,8 @@ fn backward_difference(
     workspace.past_base.clear();
     workspace.past_base.extend(workspace.kinematics.points.iter().map(|point| point.position + past_offset));
     workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
+    workspace.base.clear();
+    workspace.base.extend(workspace.kinematics.points.iter().map(|point| point.position));
     workspace.curvatures.clone_from(&state.curvatures);
 
     let ratio = h / state.past.step;
@@ -89,8 +86,8 @@ fn backward_difference(
     stage.start_positions.clear();
     stage.start_velocities.clear();
     stage.start_curvatures.clear();
-    for (point, past) in workspace.kinematics.points.iter().zip(&workspace.past_base) {
-        stage.start_positions.push(point.position.scale(now) - past.scale(then));
+    for (base, past) in workspace.base.iter().zip(&workspace.past_base) {
+        stage.start_positions.push(base.scale(now) - past.scale(then));
     }
     for (velocity, past) in state.velocities.iter().zip(&state.past.velocities) {
         stage.start_velocities.push(velocity.scale(now) - past.scale(then));
@@ -105,8 +102,13 @@ fn backward_difference(
     let offset = Vec3::from(root.origin - state.root.origin);
     let k = h * (1.0 + ratio) * divisor;
     let mut total = StrandOutcome { converged: true, ..StrandOutcome::default() };
-    solve_stage(0, model, state, k, h, offset, surroundings, options, &problem, workspace, &mut total);
+    solve_stage(&StageTimes { index: 0, k, way: h }, setting, state, offset, &problem, workspace, &mut total);
     if !total.quarantined {
+        if setting.options.error_tolerance > 0.0 {
+            let past = &state.past.velocities;
+            total.error =
+                local_error::of_backward_differences(ratio, h, &state.velocities, past, offset, workspace) / model.length();
+        }
         end_step(0, state, &root, h, workspace);
     }
     total
@@ -114,27 +116,23 @@ fn backward_difference(
 
 /// The second-order integrator: backward differences over the last two steps. The first step, and one after a jump of the step's size,
 /// has no past to lean on and goes by two stages of implicit Runge and Kutta's kind.
-#[allow(clippy::too_many_arguments)]
 pub fn two_step(
-    model: &StrandModel,
+    setting: &Setting,
     state: &mut StrandState,
     root_at: &dyn Fn(f64) -> Frame,
     h: f64,
-    surroundings: &Surroundings,
-    options: &StepOptions,
-    rules: &Rules,
     workspace: &mut Workspace,
 ) -> StrandOutcome {
-    let has_past = state.past.step > 0.0 && h < LARGEST_RATIO * state.past.step;
+    let has_past = state.past.step > 0.0 && h <= LARGEST_RATIO * (1.0 + 1e-9) * state.past.step;
     let past = &mut workspace.next_past;
     past.curvatures.clone_from(&state.curvatures);
     past.velocities.clone_from(&state.velocities);
     past.root = state.root;
     past.step = h;
     let outcome = if has_past {
-        backward_difference(model, state, root_at, h, surroundings, options, rules, workspace)
+        backward_difference(setting, state, root_at, h, workspace)
     } else {
-        take(&tableau::TWO_STAGES, model, state, root_at, h, surroundings, options, rules, workspace)
+        take(&tableau::TWO_STAGES, setting, state, root_at, h, workspace)
     };
     std::mem::swap(&mut state.past, &mut workspace.next_past);
     outcome
@@ -143,24 +141,29 @@ pub fn two_step(
 /// The formula is stable for steps that grow by less than 1 + √2; well below that it is accurate too.
 const LARGEST_RATIO: f64 = 2.0;
 
-/// Assembles, starts and minimises one stage over k seconds.
-#[allow(clippy::too_many_arguments)]
-fn solve_stage(
+/// Which stage, and its times in seconds.
+struct StageTimes {
     index: usize,
-    model: &StrandModel,
-    state: &StrandState,
+    /// The stage is an implicit Euler step of this.
     k: f64,
+    /// From the last stage's end, or the step's start, to this one's end.
     way: f64,
+}
+
+/// Assembles, starts and minimises one stage.
+fn solve_stage(
+    stage: &StageTimes,
+    setting: &Setting,
+    state: &StrandState,
     offset: Vec3<f64>,
-    surroundings: &Surroundings,
-    options: &StepOptions,
     problem: &Problem,
     workspace: &mut Workspace,
     total: &mut StrandOutcome,
 ) {
-    assemble_terms(index, model, k, surroundings, offset, problem.rule.weights.as_slice(), workspace);
-    choose_start(index, way, model, state, problem, workspace);
-    let outcome = newton::minimise(problem, options, workspace);
+    let StageTimes { index, k, way } = *stage;
+    assemble_terms(index, setting, k, offset, problem.rule.weights.as_slice(), workspace);
+    choose_start(index, way, setting.model, state, problem, workspace);
+    let outcome = newton::minimise(problem, setting.options, workspace);
     total.iterations += outcome.iterations;
     total.converged &= outcome.converged;
     total.residual = outcome.residual;
@@ -246,15 +249,8 @@ fn choose_start(index: usize, way: f64, model: &StrandModel, state: &StrandState
 }
 
 /// Sums the terms of every point and curvature into a stiffness and a target.
-fn assemble_terms(
-    index: usize,
-    model: &StrandModel,
-    k: f64,
-    surroundings: &Surroundings,
-    offset: Vec3<f64>,
-    weights: &[f64],
-    workspace: &mut Workspace,
-) {
+fn assemble_terms(index: usize, setting: &Setting, k: f64, offset: Vec3<f64>, weights: &[f64], workspace: &mut Workspace) {
+    let Setting { model, surroundings, .. } = *setting;
     let points = workspace.stages[index].start_positions.len();
     workspace.system.resize(model.element_count(), points);
     workspace.point_target.resize(points, Vec3::zero());

@@ -33,6 +33,8 @@ pub struct StrandState {
     pub wrench_torque: Vec3<f64>,
     /// The step before, for integrators that look back.
     pub past: Past,
+    /// How often the next step is halved from its start: what the last one came to need.
+    pub subdivision: u32,
 }
 
 /// What the two-step method remembers of the step before: the strand at its start.
@@ -59,6 +61,24 @@ pub fn rotation_matrix(frame: &Frame) -> Mat3<f64> {
     Mat3::from(frame.rotation.to_rotation_matrix().into_inner())
 }
 
+impl Default for StrandState {
+    fn default() -> Self {
+        Self {
+            curvatures: Vec::new(),
+            rates: Vec::new(),
+            velocities: Vec::new(),
+            rule: 0,
+            root: Frame::default(),
+            root_velocity: Vector3::zeros(),
+            root_angular_velocity: Vector3::zeros(),
+            wrench_force: Vec3::zero(),
+            wrench_torque: Vec3::zero(),
+            past: Past::default(),
+            subdivision: 0,
+        }
+    }
+}
+
 impl StrandState {
     /// A strand of given curvatures and rates whose root moves as told.
     pub fn new(
@@ -70,18 +90,7 @@ impl StrandState {
         root_velocity: Vector3<f64>,
         root_angular_velocity: Vector3<f64>,
     ) -> Self {
-        let mut state = Self {
-            curvatures,
-            rates,
-            velocities: Vec::new(),
-            rule: 0,
-            root,
-            root_velocity,
-            root_angular_velocity,
-            wrench_force: Vec3::zero(),
-            wrench_torque: Vec3::zero(),
-            past: Past::default(),
-        };
+        let mut state = Self { curvatures, rates, root, root_velocity, root_angular_velocity, ..Self::default() };
         state.velocities_from_rates(model, rules);
         state
     }
@@ -99,6 +108,7 @@ impl StrandState {
             ..RootMotion::still()
         };
         self.past.step = 0.0;
+        self.subdivision = 0;
         let velocities = &mut self.velocities;
         velocity::for_each_point(&kinematics, &self.rates, &root, |p, v, _| velocities[p] = v);
     }

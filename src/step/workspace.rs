@@ -1,12 +1,9 @@
 //! The scratch memory of a step, one a worker, kept between strands and steps so that nothing is allocated once it has grown.
 
-use nalgebra::Vector3;
-
 use super::state::{Past, RuleScratch, StrandState};
 use super::tableau::MAX_STAGES;
 use crate::chain::elimination::Elimination;
 use crate::chain::system::ChainSystem;
-use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 
@@ -59,8 +56,10 @@ pub struct Workspace {
     pub change: Vec<[f64; 3]>,
     /// Scratch of a change of rule.
     pub rule_scratch: RuleScratch,
-    /// The strand as the step found it.
+    /// The strand as the step, or the part of it at hand, found it.
     pub rolled_back: StrandState,
+    /// The strand as a step that is taken in parts found it.
+    pub before_step: Option<StrandState>,
 }
 
 impl Default for Workspace {
@@ -80,18 +79,8 @@ impl Default for Workspace {
             trial_curvatures: Vec::new(),
             change: Vec::new(),
             rule_scratch: RuleScratch::default(),
-            rolled_back: StrandState {
-                curvatures: Vec::new(),
-                rates: Vec::new(),
-                velocities: Vec::new(),
-                rule: 0,
-                root: Frame::default(),
-                root_velocity: Vector3::zeros(),
-                root_angular_velocity: Vector3::zeros(),
-                wrench_force: Vec3::zero(),
-                wrench_torque: Vec3::zero(),
-                past: Past::default(),
-            },
+            rolled_back: StrandState::default(),
+            before_step: None,
         }
     }
 }

@@ -24,7 +24,10 @@ AT(shx_solver_def, precision, 100);
 AT(shx_solver_def, max_iterations, 104);
 AT(shx_solver_def, exact_hessian, 108);
 AT(shx_solver_def, tolerance, 112);
-AT(shx_solver_def, reserved, 120);
+AT(shx_solver_def, max_subdivisions, 120);
+AT(shx_solver_def, reserved_word, 124);
+AT(shx_solver_def, error_tolerance, 128);
+AT(shx_solver_def, reserved, 136);
 AT(shx_solver_def, reference_tolerance, 152);
 
 SIZE(shx_frame, 56);
@@ -54,7 +57,7 @@ AT(shx_strand_def, root_velocity, 184);
 AT(shx_strand_def, root_angular_velocity, 208);
 AT(shx_strand_def, reserved, 232);
 
-SIZE(shx_step_report, 80);
+SIZE(shx_step_report, 88);
 AT(shx_step_report, struct_size, 0);
 AT(shx_step_report, quarantined, 4);
 AT(shx_step_report, unconverged, 8);
@@ -65,9 +68,10 @@ AT(shx_step_report, elastic_energy, 32);
 AT(shx_step_report, gravity_energy, 40);
 AT(shx_step_report, seconds, 48);
 AT(shx_step_report, substeps, 56);
-AT(shx_step_report, reserved, 60);
+AT(shx_step_report, subdivided, 60);
 AT(shx_step_report, mean_iterations, 64);
 AT(shx_step_report, max_condition, 72);
+AT(shx_step_report, max_error, 80);
 
 SIZE(shx_strand_id, 8);
 AT(shx_strand_id, bits, 0);

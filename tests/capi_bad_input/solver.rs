@@ -57,7 +57,13 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_create", "def", "max_iterations = 10_001", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.max_iterations = 10_001; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "max_iterations = u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.max_iterations = u32::MAX; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_create", "def", "exact_hessian = 2", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.exact_hessian = 2; shx_solver_create(&raw const def, s.out()) });
-    case!(cases, "shx_solver_create", "def", "reserved[2] = 1", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.reserved[2] = 1; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "reserved_word = 1", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.reserved_word = 1; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "max_subdivisions = 11", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.max_subdivisions = 11; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "max_subdivisions = u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.max_subdivisions = u32::MAX; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "error_tolerance = f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.error_tolerance = f64::NAN; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "error_tolerance = -1e-3", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.error_tolerance = -1e-3; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "error_tolerance = f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.error_tolerance = f64::INFINITY; shx_solver_create(&raw const def, s.out()) });
+    case!(cases, "shx_solver_create", "def", "reserved[1] = 1", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = solver_def(); def.reserved[1] = 1; shx_solver_create(&raw const def, s.out()) });
     case!(cases, "shx_solver_destroy", "solver", "null", SHX_OK, |s| { shx_solver_destroy(null_mut()); SHX_OK });
     case!(cases, "shx_solver_set_gravity", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_set_gravity(null_mut(), s.rows[0].as_ptr()));
     case!(cases, "shx_solver_set_gravity", "gravity", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_set_gravity(s.solver, null()));
