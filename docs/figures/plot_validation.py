@@ -255,8 +255,8 @@ def whirl():
 def extremes():
     if not (FIGURES / "extremes.csv").exists():
         return
-    lines = ["| integrator | draws | cases | steps | strand-seconds | iterations a step | unconverged | not finite | quiet stretches | energy grew in | by at most | "
-             "worst stretch | worst frame | converged, checked | worst, L | wound up |", "|---" * 16 + "|"]
+    lines = ["| integrator | draws | cases | steps | strand-seconds | iterations a step | unconverged | in parts | not finite | quiet stretches | energy grew in | by at most | "
+             "worst stretch | worst frame | converged, checked | worst, L | wound up |", "|---" * 17 + "|"]
     for row in rows("extremes.csv"):
         steps = int(row["steps"])
         grew = f"{row['grew']}"
@@ -264,7 +264,8 @@ def extremes():
         said = "0" if growth <= 1.0 + 1e-6 else (f"{100 * (growth - 1):.2g} %" if growth < 10 else f"{growth:.1g} times")
         probe = f"{float(row['worst_probe']):.0e}" if row["probes"] != "0" else ""
         lines.append(f"| {row['integrator']} | {row['stratum']} | {int(row['cases']):,} | {steps:,} | {float(row['strand_seconds']):,.0f} | "
-                     f"{float(row['iterations_a_step']):.2f} | {100 * int(row['unconverged']) / steps:.2g} % | {row['quarantined']} | "
+                     f"{float(row['iterations_a_step']):.2f} | {100 * int(row['unconverged']) / steps:.2g} % | "
+                     f"{100 * int(row['subdivided']) / steps:.2g} % | {row['quarantined']} | "
                      f"{int(row['quiet_stretches']):,} | {grew} | {said} | {row['worst_stretch']} | {row['worst_skew']} | {row['probes']} | {probe} | {row['wound']} |")
     put([line.replace(",0", ",0") for line in lines], "extremes.md", "extremes")
     cells, failed = defaultdict(lambda: [0, 0]), ["0", "below 1/2", "1/2 to 50", "above 50"]

@@ -88,6 +88,8 @@ pub fn honesty(solver: &Solver, id: StrandId, case: &Case) -> Option<f64> {
             SolverOptions { gravity: solver.options().gravity, wind: solver.options().wind, ..SolverOptions::default() };
         options.step.integrator = case.integrator;
         (options.step.max_iterations, options.step.tolerance) = (max_iterations, tolerance);
+        // In parts the step would be another one.
+        options.step.max_subdivisions = 0;
         let mut twin = Solver::new(options).unwrap();
         let twin_id = twin.add_strands(std::slice::from_ref(&def)).unwrap()[0];
         let report = twin.step(case.h, 1).unwrap();

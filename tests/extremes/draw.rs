@@ -70,6 +70,9 @@ pub struct Case {
     pub h: f64,
     pub tolerance: f64,
     pub max_iterations: u32,
+    /// How often a step may be halved, and what error it may add (0: any), in L.
+    pub max_subdivisions: u32,
+    pub error_tolerance: f64,
     /// Simulated seconds after which a case of the stratum `Long` ends.
     pub seconds: f64,
 }
@@ -124,9 +127,12 @@ pub fn case(draw: &mut Draw, stratum: Stratum) -> Case {
     let h = match (stratum, integrator) {
         (_, Integrator::Reference) => draw.over(1e-3, 0.25),
         (Stratum::Wide, _) => draw.over(1e-6, 0.25),
-        (Stratum::Long, _) => draw.over(1.0 / 60.0, 0.25),
+        (Stratum::Long, _) if draw.chance(0.2) => draw.over(1.0 / 60.0, 1.0 / 30.0),
+        (Stratum::Long, _) => draw.over(1.0 / 30.0, 0.25),
     };
     let tolerance = 10_f64.powf(draw.between(-8.0, -3.0));
     let max_iterations = if draw.chance(0.2) { 1 + draw.below(10) } else { 100 };
-    Case { stratum, integrator, def, h, tolerance, max_iterations, seconds: 200.0 }
+    let max_subdivisions = if draw.chance(0.5) { 3 } else { draw.below(4) };
+    let error_tolerance = if draw.chance(0.2) { draw.over(1e-6, 1e-2) } else { 0.0 };
+    Case { stratum, integrator, def, h, tolerance, max_iterations, max_subdivisions, error_tolerance, seconds: 200.0 }
 }

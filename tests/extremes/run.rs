@@ -18,6 +18,7 @@ pub struct Outcome {
     pub steps: u64,
     pub seconds: f64,
     pub unconverged: u64,
+    pub subdivided: u64,
     pub quarantined: u64,
     /// The papers' step: a number that is not finite, or an element turned beyond all sense.
     pub blown_up: bool,
@@ -101,7 +102,8 @@ fn slack(case: &Case) -> f64 {
     let stiffest = material.stiffness().iter().fold(0.0_f64, |a, b| a.max(*b));
     let springs: f64 = case.def.element_lengths.iter().map(|length| stiffest / length).sum();
     let mass = material.linear_density() * case.def.length();
-    0.5 * case.tolerance.powi(2) * (springs + mass * (case.def.length() / case.h).powi(2))
+    let shortest = case.h / f64::from(1_u32 << case.max_subdivisions);
+    0.5 * case.tolerance.powi(2) * (springs + mass * (case.def.length() / shortest).powi(2))
 }
 
 /// The energy above that of the strand hanging straight down from its root, J: never below zero.
@@ -119,6 +121,8 @@ pub fn run(case: &Case, draw: &mut Draw) -> Outcome {
     options.step.integrator = case.integrator;
     options.step.tolerance = case.tolerance;
     options.step.max_iterations = case.max_iterations;
+    options.step.max_subdivisions = case.max_subdivisions;
+    options.step.error_tolerance = case.error_tolerance;
     options.step.reference_tolerance = draw.over(1e-6, 1e-2);
     let mut solver = Solver::new(options).unwrap();
     let id = solver.add_strands(std::slice::from_ref(&case.def)).unwrap()[0];
@@ -173,6 +177,7 @@ pub fn run(case: &Case, draw: &mut Draw) -> Outcome {
             outcome.steps += u64::from(substeps);
             outcome.seconds += dt;
             outcome.unconverged += u64::from(report.unconverged);
+            outcome.subdivided += u64::from(report.subdivided);
             outcome.quarantined += u64::from(report.quarantined);
             outcome.iterations += report.mean_iterations * f64::from(substeps);
             let now = energy(&solver, id, &case.def);

@@ -45,9 +45,9 @@ impl Table {
     }
 
     pub fn fault(&mut self, case: &Case, index: u64, what: &str) {
-        let Case { stratum, integrator, h, def, tolerance, max_iterations, .. } = case;
+        let Case { stratum, integrator, h, def, tolerance, max_iterations, max_subdivisions, error_tolerance, .. } = case;
         let text = format!(
-            "{stratum:?} {index}: {what}; {integrator:?} h {h:e} N {} L {:e} tolerance {tolerance:e} cap {max_iterations} {:?} {:?}",
+            "{stratum:?} {index}: {what}; {integrator:?} h {h:e} N {} L {:e} tolerance {tolerance:e} cap {max_iterations} halvings {max_subdivisions} allowed {error_tolerance:e} {:?} {:?}",
             def.element_lengths.len(),
             def.length(),
             def.freedoms,
@@ -103,6 +103,7 @@ impl Table {
         sum.steps += outcome.steps;
         sum.seconds += outcome.seconds;
         sum.unconverged += outcome.unconverged;
+        sum.subdivided += outcome.subdivided;
         sum.quarantined += outcome.quarantined;
         sum.iterations += outcome.iterations;
         sum.quiet += outcome.quiet;
@@ -118,14 +119,14 @@ impl Table {
     /// The table as comma-separated values.
     fn csv(&self) -> String {
         let mut text = String::from(
-            "integrator,stratum,cases,failed_cases,wound,steps,strand_seconds,iterations_a_step,unconverged,quarantined,quiet_stretches,\
+            "integrator,stratum,cases,failed_cases,wound,steps,strand_seconds,iterations_a_step,unconverged,subdivided,quarantined,quiet_stretches,\
              grew,worst_growth,worst_stretch,worst_skew,probes,worst_probe,slowest_call_s,time_s\n",
         );
         for ((integrator, stratum), Row { cases, sum, failed_cases, wound }) in &self.rows {
-            let Outcome { steps, seconds, unconverged, quarantined, quiet, grew, growth, probes, .. } = sum;
+            let Outcome { steps, seconds, unconverged, subdivided, quarantined, quiet, grew, growth, probes, .. } = sum;
             writeln!(
                 text,
-                "{integrator},{stratum},{cases},{failed_cases},{wound},{steps},{seconds:.1},{:.2},{unconverged},{quarantined},{quiet},{grew},\
+                "{integrator},{stratum},{cases},{failed_cases},{wound},{steps},{seconds:.1},{:.2},{unconverged},{subdivided},{quarantined},{quiet},{grew},\
                  {growth:.4e},{:.1e},{:.1e},{probes},{:.1e},{:.3},{:.1}",
                 sum.iterations / *steps as f64,
                 sum.whole.stretch,
