@@ -179,6 +179,51 @@
 // The strand may bend about n2.
 #define SHX_FREE_BEND2 4
 
+// ---- Fitting friction ----------------------------------------------------------------------------------------------
+
+// The distance from root to tip, m.
+#define SHX_OBSERVABLE_SPAN 1
+
+// How far the tip hangs below the root along gravity, m.
+#define SHX_OBSERVABLE_DEPTH 2
+
+// How far the tip is from the root along shx_friction_def.direction, m.
+#define SHX_OBSERVABLE_OFFSET 3
+
+// The angle of the line from root to tip against gravity, towards shx_friction_def.direction, rad, -pi to pi.
+#define SHX_OBSERVABLE_ANGLE 4
+
+// Internal friction gamma.
+#define SHX_FRICTION_INTERNAL 1
+
+// Kelvin-Voigt time mu.
+#define SHX_FRICTION_VISCOSITY 2
+
+// Air drag nu.
+#define SHX_FRICTION_AIR_DRAG 4
+
+// The strand starts at rest in its stable equilibrium under gravity, moving rigidly with its root. The default.
+#define SHX_FRICTION_START_SETTLED 1
+
+// The strand starts with the initial curvatures and rates of its definition.
+#define SHX_FRICTION_START_AS_DEFINED 2
+
+// This coefficient was not fitted; value is the strand's own, the other numbers are 0.
+#define SHX_VERDICT_NOT_FITTED 0
+
+// The recording says what the coefficient is.
+#define SHX_VERDICT_DETERMINED 1
+
+// It does not: the curve hardly changes with the coefficient (standard error above half of it, or no value of the range differs by
+// three standard deviations), or two coefficients cannot be told apart.
+#define SHX_VERDICT_UNDETERMINED 2
+
+// The best value is the lower end of the range, and the curve would still improve below.
+#define SHX_VERDICT_AT_LOWER_END 3
+
+// The best value is the upper end of the range, and the curve would still improve above.
+#define SHX_VERDICT_AT_UPPER_END 4
+
 // ---- Handles -------------------------------------------------------------------------------------------------------
 
 // The strands of a groom file: polylines, root first, in the file's units. Made by shx_curves_read, owned by the caller, freed by
@@ -348,8 +393,8 @@ typedef struct shx_step_report {
   double mean_iterations;
   // Largest condition number met; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
   double max_condition;
-  // The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length;
-  // 0 where the solver has no error_tolerance.
+  // The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length
+  // (0 where the solver has no error_tolerance).
   double max_error;
 } shx_step_report;
 
@@ -413,6 +458,113 @@ typedef struct shx_fit {
   // The largest such distance, m.
   double max_error;
 } shx_fit;
+
+// What to fit and how. Fill with shx_friction_def_init, then set at least coefficients. What is pointed to is read during the call
+// and not kept.
+typedef struct shx_friction_def {
+  // Set by shx_friction_def_init.
+  uint32_t struct_size;
+  // What the recorded values are: SHX_OBSERVABLE_. Default SHX_OBSERVABLE_SPAN.
+  uint32_t observable;
+  // What to fit: SHX_FRICTION_ bits, at least one. Default 0: set it.
+  uint32_t coefficients;
+  // The strand's state where the simulation starts: SHX_FRICTION_START_. Default SHX_FRICTION_START_SETTLED.
+  uint32_t start;
+  // For SHX_OBSERVABLE_OFFSET and _ANGLE: of any length above zero. Default (1, 0, 0).
+  double direction[3];
+  // Smallest and largest gamma looked at, kg m^3/s: above zero, the second above the first. Default 1e-12, 1e-8.
+  double internal_friction_range[2];
+  // The same for mu, s. Default 1e-4, 1.
+  double viscosity_range[2];
+  // The same for nu, kg/(m s). Default 1e-7, 1e-3.
+  double air_drag_range[2];
+  // A gamma within its range to begin from, beside the grid; 0 (default): none.
+  double internal_friction_guess;
+  // The same for mu.
+  double viscosity_guess;
+  // The same for nu.
+  double air_drag_guess;
+  // The simulation starts this long before the first time, s; zero or above. Default 0.
+  double lead_in;
+  // Values in the first so many seconds are simulated but not compared; zero or above. Default 0.
+  double discard;
+  // The longest step, s; above zero. Default 1/480.
+  double time_step;
+  // Points of the grid over each range: 2 to 64, or 0 for none (then every coefficient needs a guess). Default 9.
+  uint32_t grid_points;
+  // 1: a constant added to the simulated values is fitted as well, for a marker that is not quite on the tip. Default 0.
+  uint32_t fit_offset;
+  // Iterations of the least squares at most, 1 to 1000. Default 50.
+  uint32_t max_iterations;
+  // 0.
+  uint32_t reserved0;
+  // The root is at amplitude * sin(2 pi frequency t + phase) from the strand's pose, along oscillation_direction; m. Default 0.
+  double oscillation_amplitude;
+  // Hz; above zero, or 0 (default): it does not oscillate.
+  double oscillation_frequency;
+  // rad. Default 0.
+  double oscillation_phase;
+  // Of any length; (0, 0, 0) (default): up, against gravity.
+  double oscillation_direction[3];
+  // Or the root moves through recorded poses (which replace the strand's own), smoothly, held before the first and after the
+  // last: root_count times, s, strictly increasing.
+  const double *root_times;
+  // root_count poses.
+  const shx_frame *root_frames;
+  // How many. 0 (default): none.
+  size_t root_count;
+  // 0.
+  uint64_t reserved[4];
+} shx_friction_def;
+
+// What was found out about one coefficient.
+typedef struct shx_fitted_coefficient {
+  // SHX_VERDICT_: whether the recording says what it is.
+  uint32_t verdict;
+  // 0.
+  uint32_t reserved;
+  // The best value, in the coefficient's unit.
+  double value;
+  // Its standard error, in the same unit; infinite where the curve does not depend on it.
+  double standard_error;
+  // By what share of itself the value would change (to first order) if the steps were half as long. Not a number where
+  // standard_error is infinite.
+  double step_shift;
+  // The nearest value of the grid below the best that the curve excludes by two standard deviations; 0 where there is none.
+  double excluded_below;
+  // The nearest one above; infinite where there is none.
+  double excluded_above;
+} shx_fitted_coefficient;
+
+// The outcome of a fit. Prepare with shx_friction_report_init.
+typedef struct shx_friction_report {
+  // Set by shx_friction_report_init.
+  uint32_t struct_size;
+  // 1: the search ended at a minimum. 0: the values are the best that were found.
+  uint32_t converged;
+  // gamma, kg m^3/s.
+  shx_fitted_coefficient internal_friction;
+  // mu, s.
+  shx_fitted_coefficient viscosity;
+  // nu, kg/(m s).
+  shx_fitted_coefficient air_drag;
+  // Root mean square of the compared residuals, in the unit of the values.
+  double rms_residual;
+  // The residuals' standard deviation, corrected for what was fitted: the recording's noise if the model is right.
+  double noise;
+  // Correlation of one residual with the next, -1 to 1. Near 1, the model misses something and the standard errors are too small.
+  double residual_correlation;
+  // The constant that was added to the simulated values; 0 unless fitted.
+  double offset;
+  // Curves that were simulated.
+  uint32_t simulations;
+  // Steps of the best curve whose iteration did not reach its tolerance.
+  uint32_t unconverged;
+  // Index of the first value that was compared.
+  uint32_t first_compared;
+  // How many values were compared: that one and all after it.
+  uint32_t compared;
+} shx_friction_report;
 
 #ifdef __cplusplus
 extern "C" {
@@ -665,6 +817,31 @@ SHX_API shx_result shx_fit_polyline(const shx_input *polyline, uint32_t element_
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
 SHX_API shx_result shx_fit_natural_curvatures(const shx_strand_def *def, const double *curvatures, size_t count,
     const double gravity[3], double *out_natural);
+
+// ---- Fitting friction to recorded curves ---------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_friction_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_friction_def_init(shx_friction_def *def, size_t size);
+
+// Prepares a report. size is sizeof(shx_friction_report).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_friction_report_init(shx_friction_report *report, size_t size);
+
+// Fits friction coefficients of a strand to a recorded curve, as Bertails et al. 2006 (section 4.2) choose them: the internal
+// friction from the span of a curl that is shaken up and down, the air drag from a pendulum that comes to rest. The recording
+// (count times, s, strictly increasing, and as many values; at least two more compared than unknowns) is simulated with the
+// strand, and the squared difference is minimised over the coefficients' logarithms; the strand's own values of those sought make
+// no difference. solver gives gravity, wind, the integrator and worker_count; null: all defaults; its log is not used.
+// docs/friction_fit.md says how to record. The outcome goes to out_report. out_curve is null or holds count doubles: the best
+// curve, from value first_compared on, goes to its first places. Takes some 20 simulations of the recording for one coefficient,
+// 120 for two.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a strand that finds no rest, or a range
+// in which no simulation stays finite), SHX_ERROR_UNSUPPORTED (parallel_for). A coefficient that the recording does not determine
+// is no error: see verdict. Any thread.
+SHX_API shx_result shx_fit_friction(const shx_solver_def *solver, const shx_strand_def *strand,
+    const shx_friction_def *friction, const double *times, const double *values, size_t count,
+    shx_friction_report *out_report, double *out_curve);
 
 // ---- Groom files and caches ----------------------------------------------------------------------------------------
 

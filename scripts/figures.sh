@@ -13,6 +13,7 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo run --quiet --locked --release --example newton -- docs/figures/newton.csv
   VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test validation_statics --test validation_vibration \
     --test validation_dynamics --test validation_whirl
+  cargo run --quiet --locked --release --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
   scripts/demo.sh
   "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \
     --title "Sintel's hair on a recorded walk" --cell 220 --moments 5 --quiet

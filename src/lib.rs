@@ -10,3 +10,4 @@ pub mod math;
 pub mod rod;
 pub mod solver;
 pub mod step;
+pub mod study;

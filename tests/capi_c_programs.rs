@@ -209,6 +209,14 @@ fn rule_1_two_copies_in_one_process() {
 }
 
 #[test]
+fn friction_is_fitted_from_c() {
+    let curve = root().join("tests/data/friction/pendulum_05.csv");
+    let path = program("friction_fit");
+    let printed = text(Command::new(&path).arg(&curve).arg("8e-6"));
+    assert!(printed.starts_with("air drag 8.0"), "{printed}");
+}
+
+#[test]
 fn static_library_states_what_it_needs() {
     let libraries = static_libraries();
     for library in ["-lm", "-lpthread", "-lc"] {

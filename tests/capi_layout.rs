@@ -6,6 +6,7 @@ use std::mem::{offset_of, size_of};
 
 use superhelix::capi::{
     fit::shx_fit,
+    friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
     sampling::shx_sample_def,
     solver::shx_step_report,
     solver_def::shx_solver_def,
@@ -41,6 +42,9 @@ fn every_size_and_offset_is_as_published() {
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
         shx_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
+        shx_friction_def: 256 { struct_size: 0, observable: 4, coefficients: 8, start: 12, direction: 16, internal_friction_range: 40, viscosity_range: 56, air_drag_range: 72, internal_friction_guess: 88, viscosity_guess: 96, air_drag_guess: 104, lead_in: 112, discard: 120, time_step: 128, grid_points: 136, fit_offset: 140, max_iterations: 144, reserved0: 148, oscillation_amplitude: 152, oscillation_frequency: 160, oscillation_phase: 168, oscillation_direction: 176, root_times: 200, root_frames: 208, root_count: 216, reserved: 224 }
+        shx_fitted_coefficient: 48 { verdict: 0, reserved: 4, value: 8, standard_error: 16, step_shift: 24, excluded_below: 32, excluded_above: 40 }
+        shx_friction_report: 200 { struct_size: 0, converged: 4, internal_friction: 8, viscosity: 56, air_drag: 104, rms_residual: 152, noise: 160, residual_correlation: 168, offset: 176, simulations: 184, unconverged: 188, first_compared: 192, compared: 196 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

@@ -9,6 +9,7 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use superhelix::files::curves::Curves;
 use superhelix::files::motion::{Motion, MotionOptions};
+use superhelix::files::recorded_curve::RecordedCurve;
 use superhelix::files::{hair, obj};
 
 #[global_allocator]
@@ -61,6 +62,9 @@ fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
     word(&mut sintel, 4, 3);
     let text = String::from_utf8(lines("fibermesh_1k.tfx", 10 + 6 * 7)).unwrap().replace("numStrands 1000", "numStrands 6");
     let capture = String::from_utf8(lines("walk_figure8_first240.bvh", 147 + 6)).unwrap().replace("Frames: 240", "Frames: 6");
+    let recorded =
+        std::fs::read_to_string(format!("{}/tests/data/friction/pendulum_05.csv", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let recorded: Vec<&str> = recorded.lines().take(40).collect();
     vec![
         ("wavy.hair", wavy),
         ("curly.hair", hair::write_to_bytes("curly.hair", &few).unwrap()),
@@ -70,11 +74,17 @@ fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("curly.obj", obj::write_to_bytes(&few)),
         ("table.csv", lines("walk_figure8_head.csv", 40)),
         ("walk.bvh", capture.into_bytes()),
+        ("pendulum.curve", recorded.join("\n").into_bytes()),
     ]
 }
 
 fn is_motion(name: &str) -> bool {
     name.ends_with(".csv") || name.ends_with(".bvh")
+}
+
+/// A measured curve; the name is this test's.
+fn is_recorded_curve(name: &str) -> bool {
+    name.ends_with(".curve")
 }
 
 /// Reads and checks what comes out. The number of points or samples, if any did, and the memory that it took.
@@ -89,6 +99,16 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
         }
         return (motion.map(|motion| motion.times().len()), memory);
     }
+    if is_recorded_curve(name) {
+        let (result, memory) = peak(|| RecordedCurve::read_from_bytes(name, bytes));
+        let curve = result.ok();
+        if let Some(curve) = &curve {
+            assert!(curve.times.windows(2).all(|pair| pair[0] < pair[1]) && curve.times.len() == curve.values.len());
+            assert!(curve.values.iter().chain(&curve.times).all(|value| value.is_finite()));
+            assert!(curve.root.as_ref().is_none_or(|root| root.len() == curve.times.len()));
+        }
+        return (curve.map(|curve| curve.times.len()), memory);
+    }
     let (result, memory) = peak(|| Curves::read_from_bytes(name, bytes));
     let curves = result.ok();
     if let Some(curves) = &curves {
@@ -102,7 +122,7 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
 /// What a file of this many bytes may take, beside some for the text of an error. A point takes 12 bytes, as little as two of an OBJ
 /// file name one, and Vec grows by doubling; a sample of a motion with its velocities takes 168.
 fn allowance(name: &str, bytes: usize) -> usize {
-    let times = if is_motion(name) { 24 } else { 8 };
+    let times = if is_motion(name) || is_recorded_curve(name) { 24 } else { 8 };
     times * bytes + 8192
 }
 
@@ -243,7 +263,7 @@ fn mutilated_files_are_survived() {
 static WHOLE: AtomicUsize = AtomicUsize::new(0);
 
 fn noise_is_survived() {
-    let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a", "HAIR"];
+    let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a.curve", "a", "HAIR"];
     let mut runner = TestRunner::new(ProptestConfig {
         cases: ProptestConfig::default().cases.max(10_000),
         failure_persistence: None,

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 17] = [
     "version",
     "errors",
     "types",
@@ -20,17 +20,19 @@ const SOURCES: [&str; 16] = [
     "sampling",
     "state",
     "fit",
+    "friction_fit",
     "curves",
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 19] = [
+const SECTIONS: [(&str, &str); 21] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
     ("#define SHX_LOG_ERROR ", "Levels of messages"),
     ("#define SHX_INTEGRATOR_LINEARLY_IMPLICIT ", "Options of a solver"),
     ("#define SHX_FREE_TWIST ", "Freedoms of a strand"),
+    ("#define SHX_OBSERVABLE_SPAN ", "Fitting friction"),
     ("typedef struct shx_curves ", "Handles"),
     ("typedef int32_t shx_result;", "Plain data, host hooks, definitions"),
     ("SHX_API uint32_t shx_version(", "Version"),
@@ -43,6 +45,7 @@ const SECTIONS: [(&str, &str); 19] = [
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
     ("SHX_API shx_result shx_solver_snapshot(", "State"),
     ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
+    ("SHX_API shx_result shx_friction_def_init(", "Fitting friction to recorded curves"),
     ("SHX_API shx_result shx_curves_read(", "Groom files and caches"),
 ];
 

@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 use serde_json::Value;
 use superhelix::chain::dense::{self, DenseMethod};
+use superhelix::chain::displacement;
 use superhelix::chain::elimination::Elimination;
 use superhelix::chain::force::generalised;
 use superhelix::chain::system::ChainSystem;
@@ -206,15 +207,46 @@ proptest! {
         }
     }
 
-    /// The linear-time solve is the dense solve, exact Hessian and Gauss–Newton, any set of freedoms, up to 64 elements.
+    /// The points' displacements are adjoint to the generalised forces: f·J δκ = Jᵀf·δκ. And the Hessian's geometric terms are of the
+    /// foreseen forces where there are any, its other terms of the present ones.
+    #[test]
+    fn displacements_are_adjoint_to_forces_and_tension_is_a_force_of_its_own(setting in setting(1..12, 8.0)) {
+        let (kinematics, mut system) = system_on(&setting, true, 1.0);
+        let change: Vec<[f64; 3]> = setting.curvatures.iter().rev().map(|row| row.map(|x| 0.3 * x + 0.1)).collect();
+        let mut work = 0.0;
+        displacement::for_each_point(&kinematics, &change, |p, moved| work += moved.dot(system.point_force[p]));
+        let forces = generalised(&kinematics, |p| system.point_force[p]);
+        let expected: f64 = forces.iter().flatten().zip(change.iter().flatten()).map(|(f, d)| f * d).sum();
+        let size: f64 = forces.iter().flatten().zip(change.iter().flatten()).map(|(f, d)| (f * d).abs()).sum();
+        prop_assert!((work - expected).abs() <= 1e-12 * size, "{work} {expected}");
+
+        let tension: Vec<Vec3<f64>> = system.point_force.iter().rev().map(|f| f.scale(-0.7)).collect();
+        system.point_tension.clone_from(&tension);
+        let foreseen = dense::assemble(&kinematics, &system, &[0, 1, 2]);
+        system.point_tension.clear();
+        let force = std::mem::replace(&mut system.point_force, tension);
+        let as_force = dense::assemble(&kinematics, &system, &[0, 1, 2]);
+        prop_assert_eq!(&foreseen.matrix, &as_force.matrix);
+        let expected = generalised(&kinematics, |p| force[p]);
+        for (i, f) in foreseen.force.iter().enumerate() {
+            let expected = expected[i / 3][i % 3] + system.curvature_force[i / 3][i % 3];
+            prop_assert!((f - expected).abs() <= 1e-11 * (1.0 + expected.abs()), "{f} {expected}");
+        }
+    }
+
+    /// The linear-time solve is the dense solve, exact Hessian and Gauss–Newton, any set of freedoms, up to 64 elements, with the
+    /// geometric terms of the present forces and of others.
     #[test]
     fn linear_time_and_dense_solves_agree(
-        setting in setting(1..65, 4.0), exact in any::<bool>(), mask in 1_usize..8, method in 0_usize..3,
+        setting in setting(1..65, 4.0), exact in any::<bool>(), mask in 1_usize..8, method in 0_usize..3, foreseen in any::<bool>(),
     ) {
         // Forces small enough for a positive definite matrix: repairs of an indefinite one differ by design.
         let (kinematics, mut system) = system_on(&setting, exact, 1e-3 / setting.lengths.len() as f64);
         for row in &mut system.curvature_stiffness {
             *row = row.map(|x| x * 0.1);
+        }
+        if foreseen {
+            system.point_tension = system.point_force.iter().rev().map(|f| f.scale(-0.7)).collect();
         }
         let axes: Vec<usize> = (0..3).filter(|axis| mask & (1 << axis) != 0).collect();
         let (mut fast, mut slow) = (Vec::new(), Vec::new());

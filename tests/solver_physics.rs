@@ -375,6 +375,7 @@ fn an_iteration_cap_is_reported_when_it_bites() {
     def.material.youngs_modulus = 1e9;
     let mut options = with(Integrator::ImplicitEuler);
     options.step.max_iterations = 1;
+    options.step.max_subdivisions = 0;
     let (mut solver, id) = one(options, &def);
     let report = solver.step(1.0 / 30.0, 1).unwrap();
     assert_eq!((report.unconverged, report.max_iterations), (1, 1));

@@ -132,8 +132,31 @@ def newton():
     put(lines, "newton.md", "newton")
 
 
+def friction():
+    data = {key: np.array([float(row[key]) for row in rows("friction_curve.csv")]) for key in ("time", "recorded", "best", "quarter", "fourfold")}
+    figure, axes = plt.subplots(figsize=(7.2, 3.2))
+    axes.plot(data["time"], 100 * data["recorded"], ".", color="black", markersize=3.5, label="recorded (noise: 2 % of the span)")
+    for colour, key, label in zip(COLOURS, ("best", "quarter", "fourfold"), ("fitted γ", "γ / 4", "4 γ")):
+        axes.plot(data["time"], 100 * data[key], color=colour, linewidth=1.4 if key == "best" else 0.9, label=label)
+    axes.set_xlabel("time (s)")
+    axes.set_ylabel("span (cm)")
+    axes.legend(fontsize=8, ncols=4, loc="upper center", bbox_to_anchor=(0.5, 1.15))
+    save(figure, "friction.png")
+    units = {"internal_friction": "γ", "viscosity": "μ", "air_drag": "ν"}
+    lines = ["| curve | noise | fitted | true | found | off by | standard error | half the step would move it by | verdict |", "|---" * 9 + "|"]
+    for row in rows("friction.csv"):
+        true, value, error = (float(row[key]) for key in ("truth", "value", "standard_error"))
+        determined = row["verdict"] == "Determined"
+        noise = f"{float(row['noise_permille']) / 10:g} %" if row["noise_permille"] != "0" else "none"
+        lines.append(f"| `{row['curve']}` | {noise} | {units[row['coefficient']]} | {true:.3g} | " +
+                     (f"{value:.4g} | {100 * (value / true - 1):+.2f} % | {100 * error / value:.2f} % | {100 * float(row['step_shift']):+.2f} % | "
+                      if determined else "| | | | ") + f"{row['verdict'].lower()} |")
+    put(lines, "friction_fit.md", "friction")
+
+
 if __name__ == "__main__":
     convergence()
     cost()
     limits()
     newton()
+    friction()

@@ -19,6 +19,7 @@ pub mod curves;
 pub mod errors;
 pub mod fit;
 mod floating_point;
+pub mod friction_fit;
 pub mod guard;
 pub mod log;
 pub mod parallel;

@@ -47,8 +47,8 @@ pub struct shx_step_report {
     pub mean_iterations: f64,
     /// Largest condition number met; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
     pub max_condition: f64,
-    /// The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length;
-    /// 0 where the solver has no error_tolerance.
+    /// The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length
+    /// (0 where the solver has no error_tolerance).
     pub max_error: f64,
 }
 

@@ -129,7 +129,7 @@ const _: () = {
 };
 
 /// An integer of C that stands for a truth value.
-fn check_flag(argument: &str, value: u32) -> Result<bool> {
+pub(super) fn check_flag(argument: &str, value: u32) -> Result<bool> {
     match value {
         0 => Ok(false),
         1 => Ok(true),

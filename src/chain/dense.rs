@@ -66,14 +66,14 @@ pub fn assemble(kinematics: &Kinematics<f64>, system: &ChainSystem<f64>, axes: &
                 jacobian[index * free + slot] = own.column(*axis);
             }
             let active = (index + 1) * free;
-            let (stiffness, f) = (system.point_stiffness[p], system.point_force[p]);
+            let (stiffness, f, tension) = (system.point_stiffness[p], system.point_force[p], system.tension(p));
             for i in 0..active {
                 force[i] += jacobian[i].dot(f);
                 let scaled = jacobian[i].scale(stiffness);
                 for j in 0..=i {
                     matrix[(i, j)] += scaled.dot(jacobian[j]);
                 }
-                twisted[i] += jacobian[i].cross(f);
+                twisted[i] += jacobian[i].cross(tension);
             }
             if system.exact {
                 // Own element and elements upstream with themselves; pairs of different elements below, through `twisted`.
@@ -82,7 +82,7 @@ pub fn assemble(kinematics: &Kinematics<f64>, system: &ChainSystem<f64>, axes: &
                         let own_second = second_derivative(axes[i], axes[j], |v| {
                             segment::second_variation(element.kappa, v, point.s, element.kappa_squared, &point.c)
                         });
-                        matrix[(index * free + i, index * free + j)] -= f.dot(element.frame_left.apply(own_second));
+                        matrix[(index * free + i, index * free + j)] -= tension.dot(element.frame_left.apply(own_second));
                     }
                 }
                 for upstream in 0..index {
@@ -100,7 +100,7 @@ pub fn assemble(kinematics: &Kinematics<f64>, system: &ChainSystem<f64>, axes: &
                             let (psi_i, psi_j) = (variation.psi[axes[i]], variation.psi[axes[j]]);
                             let swing = (psi_i.cross(psi_j.cross(rho)) + psi_j.cross(psi_i.cross(rho))).scale(0.5);
                             let sum = at.frame_left.apply(bend) + at.frame_left.apply(turn).cross(rho) + swing;
-                            matrix[(upstream * free + i, upstream * free + j)] -= f.dot(sum);
+                            matrix[(upstream * free + i, upstream * free + j)] -= tension.dot(sum);
                         }
                     }
                 }

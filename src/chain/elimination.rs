@@ -99,6 +99,8 @@ struct Downstream<T> {
     force: Vec3<T>,
     whole_moment: Vec3<T>,
     whole_force: Vec3<T>,
+    tension_moment: Vec3<T>,
+    tension_force: Vec3<T>,
 }
 
 impl<T: Lane> Downstream<T> {
@@ -112,6 +114,8 @@ impl<T: Lane> Downstream<T> {
             force: Vec3::zero(),
             whole_moment: Vec3::zero(),
             whole_force: Vec3::zero(),
+            tension_moment: Vec3::zero(),
+            tension_force: Vec3::zero(),
         }
     }
 
@@ -126,6 +130,8 @@ impl<T: Lane> Downstream<T> {
             force: turn.apply(self.force),
             whole_moment: turn.apply(self.whole_moment),
             whole_force: turn.apply(self.whole_force),
+            tension_moment: turn.apply(self.tension_moment),
+            tension_force: turn.apply(self.tension_force),
         }
     }
 
@@ -151,6 +157,8 @@ impl<T: Lane> Downstream<T> {
             force: self.force,
             whole_moment: self.whole_moment + x.cross(self.whole_force),
             whole_force: self.whole_force,
+            tension_moment: self.tension_moment + x.cross(self.tension_force),
+            tension_force: self.tension_force,
         }
     }
 
@@ -278,7 +286,7 @@ fn eliminate<const D: usize>(
 
     let mut form = CurvatureForm::zero();
     if system.exact {
-        let (f, m) = (right.whole_force, right.whole_moment);
+        let (f, m) = (right.tension_force, right.tension_moment);
         left.add_tension(f, end);
         psi_k = psi_k.add(&jacobian.crossed_from_left(f)).add(&psi.crossed_from_left(m.scale(0.5)));
         form.subtract_force(f, kappa, length, element.kappa_squared, &element.c);
@@ -314,9 +322,12 @@ fn eliminate<const D: usize>(
         kk = kk.add(&j.transposed_mul(&kj));
         let mut coupling = kj.crossed_from_left(x);
         if system.exact {
+            let f = element.frame_left.apply_transposed(system.tension(p));
             left.add_tension(f, x);
             coupling = coupling.add(&j.crossed_from_left(f));
             form.subtract_force(f, kappa, s, element.kappa_squared, &point.c);
+            left.tension_moment += x.cross(f);
+            left.tension_force += f;
         }
         psi_k = psi_k.add(&coupling);
         let jf = j.apply_transposed(f);

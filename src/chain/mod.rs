@@ -1,6 +1,7 @@
 //! The linear systems of one strand: the linear-time elimination from tip to root, and the dense reference it is tested against.
 
 pub mod dense;
+pub mod displacement;
 pub mod elimination;
 pub mod force;
 pub mod pivot;

@@ -11,6 +11,8 @@ pub struct ChainSystem<T> {
     pub point_stiffness: Vec<T>,
     /// Force on each quadrature point in world axes, weight included, N.
     pub point_force: Vec<Vec3<T>>,
+    /// The forces that the exact Hessian's geometric terms are of, world axes, N; empty: those of `point_force`.
+    pub point_tension: Vec<Vec3<T>>,
     /// Stiffness of each curvature of each element, length included, N·m³.
     pub curvature_stiffness: Vec<[T; 3]>,
     /// Generalised force on each curvature of each element, length included, N·m².
@@ -26,6 +28,7 @@ impl<T: Lane> Default for ChainSystem<T> {
         Self {
             point_stiffness: Vec::new(),
             point_force: Vec::new(),
+            point_tension: Vec::new(),
             curvature_stiffness: Vec::new(),
             curvature_force: Vec::new(),
             rotation_stiffness: T::zero(),
@@ -50,10 +53,17 @@ pub struct Direction<T> {
 }
 
 impl<T: Lane> ChainSystem<T> {
+    /// The force whose geometric terms point `p` adds to the exact Hessian.
+    #[inline(always)]
+    pub fn tension(&self, p: usize) -> Vec3<T> {
+        if self.point_tension.is_empty() { self.point_force[p] } else { self.point_tension[p] }
+    }
+
     /// Makes room for a strand.
     pub fn resize(&mut self, elements: usize, points: usize) {
         self.point_stiffness.resize(points, T::zero());
         self.point_force.resize(points, Vec3::zero());
+        self.point_tension.clear();
         self.curvature_stiffness.resize(elements, [T::zero(); 3]);
         self.curvature_force.resize(elements, [T::zero(); 3]);
     }

@@ -1,6 +1,7 @@
 //! Files: grooms in, motions in, caches out.
 //!
-//! A groom is read into [`curves::Curves`], head motion into [`motion::Motion`]; simulated frames leave through
+//! A groom is read into [`curves::Curves`], head motion into [`motion::Motion`], a measured curve into
+//! [`recorded_curve::RecordedCurve`]; simulated frames leave through
 //! [`sequence::SequenceWriter`]. Every reader checks the lengths that a file states against the bytes that are there before it
 //! asks for memory, and says what it found, where, and what it expected. Nothing here keeps a file open or shares state between
 //! calls: all functions may be called from any thread.
@@ -11,6 +12,7 @@ pub mod hair;
 pub mod motion;
 mod motion_csv;
 pub mod obj;
+pub mod recorded_curve;
 pub mod sequence;
 mod text;
 pub mod tfx;

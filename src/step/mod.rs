@@ -1,5 +1,6 @@
 //! Time integration of one strand.
 
+pub mod damping;
 pub mod dynamics;
 pub mod equilibrium;
 pub mod linearly_implicit;

@@ -1,16 +1,22 @@
 //! Newton's iteration on a strand's incremental potential: a spring at every quadrature point and at every curvature (see `energy`),
 //! nonlinear because the points are where the curvatures put them.
 //!
-//! Each iteration solves with the exact Hessian. Where a pivot is not positive, or an element would turn by more than the limit, the
-//! rotations of all elements are damped (Levenberg and Marquardt's method, measured by rotation) and the system solved again: a mode of
-//! negative curvature is then held back where it is, while reflecting its pivot, as drafts did, lets it turn by hundreds of radians and
-//! shrinks the whole direction with it (measured in `docs/newton.md`). The way is halved until the potential falls enough (Armijo's
-//! condition). The minimum is the step.
+//! Each iteration solves with the exact Hessian, whose geometric terms are of the forces that the iteration before foresaw, not of those
+//! that it found: the springs of the points are far stiffer than the strand, so that a point that went by its tangent instead of
+//! its arc feels a force many times the true tension, and a Hessian that believes it is far too stiff. So Newton's method treats a
+//! constraint and its multiplier. The first iteration foresees nothing and has no geometric terms.
+//!
+//! Where a pivot is not positive the rotations of all elements are damped (Levenberg and Marquardt's method, measured by rotation) and
+//! the system solved again: a mode of negative curvature is then held back where it is. A direction that turns an element by more than
+//! the limit is shortened, and one that turns it far beyond is damped too. The way is halved until the potential falls enough (Armijo's
+//! condition). The minimum is the step. What each of these brought is in `docs/newton.md`.
 
 use super::StrandOutcome;
+use super::damping::Damping;
 use super::options::{LinearSolver, StepOptions};
 use super::workspace::Workspace;
 use crate::chain::dense::{self, DenseMethod};
+use crate::chain::displacement;
 use crate::chain::system::Direction;
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
@@ -18,16 +24,15 @@ use crate::rod::kinematics::Kinematics;
 
 /// No element turns by more than this in an iteration, rad: beyond it the quadratic model says nothing.
 const ROTATION_LIMIT: f64 = 2.0;
-/// The same for the dense solves, whose directions are not damped but shortened as a whole.
+/// The same for the dense solves.
 const DENSE_ROTATION_LIMIT: f64 = 1.0;
+/// A direction that would turn an element by more than this many limits is damped, not only shortened.
+const SHORTENED_AT_MOST: f64 = 20.0;
 /// An undamped iteration that turned by θ leaves at most about this times θ² to turn: 99 of 100 iterations on shaken and walking heads
 /// (`docs/newton.md`).
-const QUADRATIC: f64 = 100.0;
+const QUADRATIC: f64 = 50.0;
 /// Where the iterations themselves show a larger constant, this times what they show is taken.
 const QUADRATIC_SAFETY: f64 = 3.0;
-/// What the damping grows by where it must, and shrinks by where the model kept its promise.
-const DAMPING_UP: f64 = 4.0;
-const DAMPING_DOWN: f64 = 0.125;
 /// Dampings tried in an iteration: 4⁴⁰ spans all of f64 that matters.
 const MAX_DAMPINGS: u32 = 40;
 /// Armijo's fraction of the promised descent.
@@ -71,21 +76,22 @@ pub fn direction(workspace: &mut Workspace, axes: &[usize], solver: LinearSolver
 /// `curvatures`, which ends at the minimum; `kinematics` and the system's forces end there too.
 pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Workspace) -> StrandOutcome {
     let mut outcome = StrandOutcome::default();
-    workspace.system.exact = options.exact_hessian;
+    workspace.system.exact = false;
     place(problem, &mut workspace.kinematics, &workspace.curvatures);
     let mut potential = evaluate(workspace, false);
     if !potential.value.is_finite() {
         outcome.quarantined = true;
         return outcome;
     }
-    let least_damping = least_damping(workspace);
-    let mut damping = 0.0;
+    let dense = options.linear_solver != LinearSolver::LinearTime;
+    let limit = if dense { DENSE_ROTATION_LIMIT } else { ROTATION_LIMIT };
+    let mut damping = Damping::new(usual_damping(workspace));
     // The last iteration's rotation, if Newton went its whole way undamped.
     let mut before: Option<f64> = None;
     for iteration in 1..=options.max_iterations {
         outcome.iterations = iteration;
         forces(workspace);
-        let found = damped_direction(workspace, problem.axes, options.linear_solver, &mut damping, least_damping);
+        let found = damped_direction(workspace, problem.axes, options.linear_solver, &mut damping);
         outcome.condition = found.condition;
         let rotation = found.rotation_squared.sqrt();
         if !(rotation.is_finite() && found.descent.is_finite()) {
@@ -93,35 +99,30 @@ pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Worksp
             return outcome;
         }
         outcome.residual = rotation;
-        let limit = if options.linear_solver == LinearSolver::LinearTime { ROTATION_LIMIT } else { DENSE_ROTATION_LIMIT };
         let part = if rotation > limit { limit / rotation } else { 1.0 };
         let Some((next, gone)) = walk(problem, workspace, potential, found.descent, part) else {
             // No way down that rounding lets us see: the state is as good as this potential can tell.
             return outcome;
         };
-        // The model promised f·d − ½ d·H d with H d = f − damping·(rotations): compare, and trust it more or less.
-        let promised = 0.5 * (found.descent + damping * found.rotation_sum);
-        let newton = damping == 0.0 && gone == 1.0;
-        let kept = (potential.value - next.value) / promised;
-        if options.linear_solver != LinearSolver::LinearTime {
-            // Nothing to adapt: the dense solves repair by eigenvalues.
-        } else if kept > 0.7 || promised < 8.0 * potential.noise {
-            damping *= DAMPING_DOWN;
-        } else if kept < 0.25 {
-            damping = (damping * DAMPING_UP).max(least_damping);
-        }
-        if damping < least_damping {
-            damping = 0.0;
+        if !dense {
+            // The model promised f·d − ½ d·H d with H d = f − λ·(rotations).
+            let promised = 0.5 * (found.descent + damping.value * found.rotation_sum);
+            let seen = promised >= 8.0 * potential.noise;
+            damping.learn(if seen { (potential.value - next.value) / promised } else { 1.0 });
         }
         potential = next;
         std::mem::swap(&mut workspace.kinematics, &mut workspace.trial);
         std::mem::swap(&mut workspace.curvatures, &mut workspace.trial_curvatures);
-        outcome.residual = if newton { rotation * (constant(rotation, before) * rotation).min(1.0) } else { rotation };
+        let newton = damping.value == 0.0 && gone == 1.0;
+        let quadratic = newton && workspace.system.exact;
+        outcome.residual = if quadratic { rotation * (constant(rotation, before) * rotation).min(1.0) } else { rotation };
         if outcome.residual <= options.tolerance && (newton || stationary(problem, workspace, options)) {
             outcome.converged = true;
             break;
         }
         before = newton.then_some(rotation);
+        foresee(workspace, gone);
+        workspace.system.exact = options.exact_hessian;
     }
     forces(workspace);
     outcome
@@ -137,23 +138,27 @@ pub fn choose_start(problem: &Problem, workspace: &mut Workspace) {
     }
 }
 
-/// Newton's direction; the linear-time solve damps it until every pivot is positive and no element turns by more than the limit.
-fn damped_direction(
-    workspace: &mut Workspace,
-    axes: &[usize],
-    solver: LinearSolver,
-    damping: &mut f64,
-    least_damping: f64,
-) -> Direction<f64> {
+/// The forces that the springs would have come to had the points gone `gone` of the direction along their tangents, from the
+/// forces at hand and the kinematics of where they went from, which are those on trial now.
+fn foresee(workspace: &mut Workspace, gone: f64) {
+    let Workspace { trial, system, change, .. } = workspace;
+    system.point_tension.clone_from(&system.point_force);
+    let (tension, stiffness) = (&mut system.point_tension, &system.point_stiffness);
+    displacement::for_each_point(trial, change, |p, moved| tension[p] -= moved.scale(gone * stiffness[p]));
+}
+
+/// Newton's direction; the linear-time solve damps it until every pivot is positive and no element turns far beyond the limit.
+fn damped_direction(workspace: &mut Workspace, axes: &[usize], solver: LinearSolver, damping: &mut Damping) -> Direction<f64> {
+    damping.begin();
     for _ in 0..MAX_DAMPINGS {
-        workspace.system.rotation_stiffness = *damping;
+        workspace.system.rotation_stiffness = damping.value;
         let found = direction(workspace, axes, solver);
-        let good = found.repaired == 0 && found.rotation_squared <= ROTATION_LIMIT * ROTATION_LIMIT;
+        let good = found.repaired == 0 && found.rotation_squared <= (SHORTENED_AT_MOST * ROTATION_LIMIT).powi(2);
         // The dense solves repair by eigenvalues and know no damping; a direction that is not finite stays so.
         if good || solver != LinearSolver::LinearTime || !found.rotation_squared.is_finite() {
             return found;
         }
-        *damping = (*damping * DAMPING_UP).max(least_damping);
+        damping.grow();
     }
     direction(workspace, axes, solver)
 }
@@ -184,6 +189,8 @@ fn stationary(problem: &Problem, workspace: &mut Workspace, options: &StepOption
         return false;
     }
     forces(workspace);
+    workspace.system.point_tension.clear();
+    workspace.system.exact = options.exact_hessian;
     workspace.system.rotation_stiffness = 0.0;
     let found = direction(workspace, problem.axes, options.linear_solver);
     found.rotation_squared.sqrt() <= options.tolerance
@@ -194,8 +201,8 @@ fn constant(rotation: f64, before: Option<f64>) -> f64 {
     before.map_or(QUADRATIC, |before| QUADRATIC.max(QUADRATIC_SAFETY * rotation / (before * before)))
 }
 
-/// The smallest damping worth trying: a hundredth of what the points' springs hold the rotation of one element's share with.
-fn least_damping(workspace: &Workspace) -> f64 {
+/// The damping to try first: a hundredth of what the points' springs hold the rotation of one element's share with.
+fn usual_damping(workspace: &Workspace) -> f64 {
     let stiffness: f64 = workspace.system.point_stiffness.iter().sum();
     let length: f64 = workspace.kinematics.elements.iter().map(|element| element.length).sum();
     0.01 * stiffness * length * length / workspace.kinematics.elements.len() as f64

@@ -23,7 +23,7 @@ int main(void) {
   memset(&old, 0xee, sizeof old);
   EXPECT(shx_solver_def_init(&old, offsetof(shx_solver_def, linear_solver)) == SHX_OK);
   EXPECT(old.struct_size == offsetof(shx_solver_def, linear_solver));
-  EXPECT(old.linear_solver == 0xeeeeeeee && old.reserved[3] == 0xeeeeeeeeeeeeeeee); /* nor written */
+  EXPECT(old.linear_solver == 0xeeeeeeee && old.reserved[1] == 0xeeeeeeeeeeeeeeee); /* nor written */
   EXPECT(shx_solver_create(&old, &solver) == SHX_OK);
   shx_solver_destroy(solver);
   solver = NULL;

@@ -1,4 +1,4 @@
-/* Rule 8: dlclose after destroy unloads the library, 100 times, after serial, pooled and dense solvers, errors and a fit.
+/* Rule 8: dlclose after destroy unloads the library, 100 times, after serial, pooled and dense solvers, errors and fits.
  *   unload LIBRARY.so */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -81,6 +81,37 @@ static void fit(void) {
   MUST(p_shx_fit_natural_curvatures(&def, &rows[0][0], 3, gravity, &natural[0][0]));
 }
 
+static void fit_friction(void) {
+  LOAD(shx_strand_def_init);
+  LOAD(shx_friction_def_init);
+  LOAD(shx_friction_report_init);
+  LOAD(shx_solver_def_init);
+  LOAD(shx_fit_friction);
+  const double times[5] = {0.0, 0.02, 0.04, 0.06, 0.08}, spans[5] = {0.1, 0.09, 0.08, 0.09, 0.1};
+  const double natural[2][3] = {{1, 20, 0}, {1, 20, 0}};
+  shx_strand_def strand;
+  shx_friction_def friction;
+  shx_friction_report report;
+  shx_solver_def solver;
+  MUST(p_shx_strand_def_init(&strand, sizeof strand));
+  strand.element_count = 2;
+  strand.length = 0.1;
+  strand.natural = &natural[0][0];
+  MUST(p_shx_friction_def_init(&friction, sizeof friction));
+  friction.coefficients = SHX_FRICTION_INTERNAL;
+  friction.grid_points = 2;
+  friction.max_iterations = 2;
+  friction.time_step = 0.02;
+  friction.oscillation_amplitude = 0.01;
+  friction.oscillation_frequency = 5.0;
+  MUST(p_shx_friction_report_init(&report, sizeof report));
+  for (uint32_t workers = 1; workers <= 2; workers++) {
+    MUST(p_shx_solver_def_init(&solver, sizeof solver));
+    solver.worker_count = workers;
+    MUST(p_shx_fit_friction(&solver, &strand, &friction, times, spans, 5, &report, NULL));
+  }
+}
+
 int main(int argc, char **argv) {
   if (argc != 2)
     return 2;
@@ -93,6 +124,8 @@ int main(int argc, char **argv) {
     use(round % 4 == 1 ? 3 : 1, 1 + (uint32_t)(round / 4 % 4));
     if (round % 4 == 2)
       fit();
+    if (round % 4 == 3)
+      fit_friction();
     if (dlclose(library) != 0 || mapped()) {
       fprintf(stderr, "round %d: the library is still mapped after dlclose\n", round);
       return 1;

@@ -5,6 +5,7 @@
 mod curves;
 mod definitions;
 mod fit;
+mod friction_fit;
 mod roots;
 mod sampling;
 mod scene;
@@ -19,6 +20,7 @@ use scene::{Scene, UNTOUCHED, strand};
 use superhelix::capi::curves::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
+use superhelix::capi::friction_fit::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
 use superhelix::capi::shape::*;
@@ -119,6 +121,7 @@ fn table() -> Vec<Case> {
         shape::cases,
         sampling::cases,
         fit::cases,
+        friction_fit::cases,
         curves::cases,
     ] {
         add(&mut cases);

@@ -2,6 +2,7 @@
 
 mod atomic_file;
 mod failure;
+mod fit_friction;
 mod groom_statistics;
 mod groom_strands;
 mod head;
@@ -38,6 +39,7 @@ enum Command {
     Simulate(Box<simulate::SimulateArguments>),
     Info(info::InfoArguments),
     Picture(picture::PictureArguments),
+    FitFriction(Box<fit_friction::FitFrictionArguments>),
 }
 
 /// Prints a command's answer. A reader that has gone away is no failure of ours.
@@ -65,6 +67,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Info(arguments) => info::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
+        Command::FitFriction(arguments) => fit_friction::run(arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,0 +1,478 @@
+//! Friction coefficients from a recorded curve.
+
+use std::mem::{offset_of, size_of};
+
+use nalgebra::Vector3;
+
+use super::buffers::{Places, array};
+use super::errors::shx_result;
+use super::guard::call;
+use super::solver_def::{check_flag, check_reserved, shx_solver_def};
+use super::strand_def::shx_strand_def;
+use super::thread::on_own_thread;
+use super::types::shx_frame;
+use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
+use crate::error::{Error, Result};
+use crate::math::frame::Frame;
+use crate::math::pose_spline::PoseSpline;
+use crate::study::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
+use crate::study::recording::{Observable, Recording, RootMotion};
+
+/// The distance from root to tip, m.
+pub const SHX_OBSERVABLE_SPAN: u32 = 1;
+/// How far the tip hangs below the root along gravity, m.
+pub const SHX_OBSERVABLE_DEPTH: u32 = 2;
+/// How far the tip is from the root along shx_friction_def.direction, m.
+pub const SHX_OBSERVABLE_OFFSET: u32 = 3;
+/// The angle of the line from root to tip against gravity, towards shx_friction_def.direction, rad, -pi to pi.
+pub const SHX_OBSERVABLE_ANGLE: u32 = 4;
+
+/// Internal friction gamma.
+pub const SHX_FRICTION_INTERNAL: u32 = 1;
+/// Kelvin-Voigt time mu.
+pub const SHX_FRICTION_VISCOSITY: u32 = 2;
+/// Air drag nu.
+pub const SHX_FRICTION_AIR_DRAG: u32 = 4;
+
+/// The strand starts at rest in its stable equilibrium under gravity, moving rigidly with its root. The default.
+pub const SHX_FRICTION_START_SETTLED: u32 = 1;
+/// The strand starts with the initial curvatures and rates of its definition.
+pub const SHX_FRICTION_START_AS_DEFINED: u32 = 2;
+
+/// This coefficient was not fitted; value is the strand's own, the other numbers are 0.
+pub const SHX_VERDICT_NOT_FITTED: u32 = 0;
+/// The recording says what the coefficient is.
+pub const SHX_VERDICT_DETERMINED: u32 = 1;
+/// It does not: the curve hardly changes with the coefficient (standard error above half of it, or no value of the range differs by
+/// three standard deviations), or two coefficients cannot be told apart.
+pub const SHX_VERDICT_UNDETERMINED: u32 = 2;
+/// The best value is the lower end of the range, and the curve would still improve below.
+pub const SHX_VERDICT_AT_LOWER_END: u32 = 3;
+/// The best value is the upper end of the range, and the curve would still improve above.
+pub const SHX_VERDICT_AT_UPPER_END: u32 = 4;
+
+/// What to fit and how. Fill with shx_friction_def_init, then set at least coefficients. What is pointed to is read during the call
+/// and not kept.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_friction_def {
+    /// Set by shx_friction_def_init.
+    pub struct_size: u32,
+    /// What the recorded values are: SHX_OBSERVABLE_. Default SHX_OBSERVABLE_SPAN.
+    pub observable: u32,
+    /// What to fit: SHX_FRICTION_ bits, at least one. Default 0: set it.
+    pub coefficients: u32,
+    /// The strand's state where the simulation starts: SHX_FRICTION_START_. Default SHX_FRICTION_START_SETTLED.
+    pub start: u32,
+    /// For SHX_OBSERVABLE_OFFSET and _ANGLE: of any length above zero. Default (1, 0, 0).
+    pub direction: [f64; 3],
+    /// Smallest and largest gamma looked at, kg m^3/s: above zero, the second above the first. Default 1e-12, 1e-8.
+    pub internal_friction_range: [f64; 2],
+    /// The same for mu, s. Default 1e-4, 1.
+    pub viscosity_range: [f64; 2],
+    /// The same for nu, kg/(m s). Default 1e-7, 1e-3.
+    pub air_drag_range: [f64; 2],
+    /// A gamma within its range to begin from, beside the grid; 0 (default): none.
+    pub internal_friction_guess: f64,
+    /// The same for mu.
+    pub viscosity_guess: f64,
+    /// The same for nu.
+    pub air_drag_guess: f64,
+    /// The simulation starts this long before the first time, s; zero or above. Default 0.
+    pub lead_in: f64,
+    /// Values in the first so many seconds are simulated but not compared; zero or above. Default 0.
+    pub discard: f64,
+    /// The longest step, s; above zero. Default 1/480.
+    pub time_step: f64,
+    /// Points of the grid over each range: 2 to 64, or 0 for none (then every coefficient needs a guess). Default 9.
+    pub grid_points: u32,
+    /// 1: a constant added to the simulated values is fitted as well, for a marker that is not quite on the tip. Default 0.
+    pub fit_offset: u32,
+    /// Iterations of the least squares at most, 1 to 1000. Default 50.
+    pub max_iterations: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// The root is at amplitude * sin(2 pi frequency t + phase) from the strand's pose, along oscillation_direction; m. Default 0.
+    pub oscillation_amplitude: f64,
+    /// Hz; above zero, or 0 (default): it does not oscillate.
+    pub oscillation_frequency: f64,
+    /// rad. Default 0.
+    pub oscillation_phase: f64,
+    /// Of any length; (0, 0, 0) (default): up, against gravity.
+    pub oscillation_direction: [f64; 3],
+    /// Or the root moves through recorded poses (which replace the strand's own), smoothly, held before the first and after the
+    /// last: root_count times, s, strictly increasing.
+    pub root_times: *const f64,
+    /// root_count poses.
+    pub root_frames: *const shx_frame,
+    /// How many. 0 (default): none.
+    pub root_count: usize,
+    /// 0.
+    pub reserved: [u64; 4],
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
+unsafe impl Versioned for shx_friction_def {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        let options = FrictionFitOptions::of(&[]);
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            observable: SHX_OBSERVABLE_SPAN,
+            coefficients: 0,
+            start: options.start as u32,
+            direction: [1.0, 0.0, 0.0],
+            internal_friction_range: Coefficient::InternalFriction.usual_range(),
+            viscosity_range: Coefficient::Viscosity.usual_range(),
+            air_drag_range: Coefficient::AirDrag.usual_range(),
+            internal_friction_guess: 0.0,
+            viscosity_guess: 0.0,
+            air_drag_guess: 0.0,
+            lead_in: options.lead_in,
+            discard: options.discard,
+            time_step: options.time_step,
+            grid_points: options.grid_points,
+            fit_offset: u32::from(options.fit_offset),
+            max_iterations: options.max_iterations,
+            reserved0: 0,
+            oscillation_amplitude: 0.0,
+            oscillation_frequency: 0.0,
+            oscillation_phase: 0.0,
+            oscillation_direction: [0.0; 3],
+            root_times: std::ptr::null(),
+            root_frames: std::ptr::null(),
+            root_count: 0,
+            reserved: [0; 4],
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_friction_def>() == 256);
+    assert!(offset_of!(shx_friction_def, direction) == 16 && offset_of!(shx_friction_def, grid_points) == 136);
+    assert!(offset_of!(shx_friction_def, oscillation_amplitude) == 152 && offset_of!(shx_friction_def, root_times) == 200);
+};
+
+/// What was found out about one coefficient.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_fitted_coefficient {
+    /// SHX_VERDICT_: whether the recording says what it is.
+    pub verdict: u32,
+    /// 0.
+    pub reserved: u32,
+    /// The best value, in the coefficient's unit.
+    pub value: f64,
+    /// Its standard error, in the same unit; infinite where the curve does not depend on it.
+    pub standard_error: f64,
+    /// By what share of itself the value would change (to first order) if the steps were half as long. Not a number where
+    /// standard_error is infinite.
+    pub step_shift: f64,
+    /// The nearest value of the grid below the best that the curve excludes by two standard deviations; 0 where there is none.
+    pub excluded_below: f64,
+    /// The nearest one above; infinite where there is none.
+    pub excluded_above: f64,
+}
+
+/// The outcome of a fit. Prepare with shx_friction_report_init.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_friction_report {
+    /// Set by shx_friction_report_init.
+    pub struct_size: u32,
+    /// 1: the search ended at a minimum. 0: the values are the best that were found.
+    pub converged: u32,
+    /// gamma, kg m^3/s.
+    pub internal_friction: shx_fitted_coefficient,
+    /// mu, s.
+    pub viscosity: shx_fitted_coefficient,
+    /// nu, kg/(m s).
+    pub air_drag: shx_fitted_coefficient,
+    /// Root mean square of the compared residuals, in the unit of the values.
+    pub rms_residual: f64,
+    /// The residuals' standard deviation, corrected for what was fitted: the recording's noise if the model is right.
+    pub noise: f64,
+    /// Correlation of one residual with the next, -1 to 1. Near 1, the model misses something and the standard errors are too small.
+    pub residual_correlation: f64,
+    /// The constant that was added to the simulated values; 0 unless fitted.
+    pub offset: f64,
+    /// Curves that were simulated.
+    pub simulations: u32,
+    /// Steps of the best curve whose iteration did not reach its tolerance.
+    pub unconverged: u32,
+    /// Index of the first value that was compared.
+    pub first_compared: u32,
+    /// How many values were compared: that one and all after it.
+    pub compared: u32,
+}
+
+const UNFITTED: shx_fitted_coefficient = shx_fitted_coefficient {
+    verdict: SHX_VERDICT_NOT_FITTED,
+    reserved: 0,
+    value: 0.0,
+    standard_error: 0.0,
+    step_shift: 0.0,
+    excluded_below: 0.0,
+    excluded_above: 0.0,
+};
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
+unsafe impl Versioned for shx_friction_report {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            converged: 0,
+            internal_friction: UNFITTED,
+            viscosity: UNFITTED,
+            air_drag: UNFITTED,
+            rms_residual: 0.0,
+            noise: 0.0,
+            residual_correlation: 0.0,
+            offset: 0.0,
+            simulations: 0,
+            unconverged: 0,
+            first_compared: 0,
+            compared: 0,
+        }
+    }
+}
+
+const _: () = {
+    assert!(size_of::<shx_fitted_coefficient>() == 48 && offset_of!(shx_fitted_coefficient, value) == 8);
+    assert!(size_of::<shx_friction_report>() == 200 && offset_of!(shx_friction_report, rms_residual) == 152);
+};
+
+impl shx_friction_def {
+    fn options(&self, solver: shx_solver_def) -> Result<FrictionFitOptions> {
+        if solver.parallel_for.is_some() {
+            return Err(Error::Unsupported {
+                argument: "solver.parallel_for".into(),
+                value: "a function".into(),
+                hint: "a fit runs on threads of its own, as many as worker_count says".into(),
+            });
+        }
+        if self.coefficients == 0 || self.coefficients > 7 {
+            return Err(Error::invalid("friction.coefficients", self.coefficients, "SHX_FRICTION_ bits, at least one"));
+        }
+        let settings = [
+            (self.internal_friction_range, self.internal_friction_guess),
+            (self.viscosity_range, self.viscosity_guess),
+            (self.air_drag_range, self.air_drag_guess),
+        ];
+        let sought = Coefficient::ALL.into_iter().zip(settings);
+        let sought = sought.filter(|(coefficient, _)| self.coefficients & *coefficient as u32 != 0);
+        let options = FrictionFitOptions {
+            solver: solver.options().map_err(in_words_of_c)?,
+            sought: sought
+                .map(|(coefficient, (range, guess))| Sought { coefficient, range, guess: (guess != 0.0).then_some(guess) })
+                .collect(),
+            start: match self.start {
+                SHX_FRICTION_START_SETTLED => Start::Settled,
+                SHX_FRICTION_START_AS_DEFINED => Start::AsDefined,
+                other => return Err(Error::invalid("friction.start", other, "one of SHX_FRICTION_START_")),
+            },
+            lead_in: self.lead_in,
+            discard: self.discard,
+            time_step: self.time_step,
+            grid_points: self.grid_points,
+            fit_offset: check_flag("friction.fit_offset", self.fit_offset)?,
+            max_iterations: self.max_iterations,
+        };
+        options.check("friction")?;
+        Ok(options)
+    }
+
+    fn observable(&self) -> Result<Observable> {
+        let direction = Vector3::from(self.direction);
+        Ok(match self.observable {
+            SHX_OBSERVABLE_SPAN => Observable::Span,
+            SHX_OBSERVABLE_DEPTH => Observable::Depth,
+            SHX_OBSERVABLE_OFFSET => Observable::Offset(direction),
+            SHX_OBSERVABLE_ANGLE => Observable::Angle(direction),
+            other => return Err(Error::invalid("friction.observable", other, "one of SHX_OBSERVABLE_")),
+        })
+    }
+
+    /// # Safety
+    /// `root_times` and `root_frames` are null or point to `root_count` items.
+    unsafe fn motion(&self) -> Result<RootMotion> {
+        // SAFETY: the same.
+        let (times, frames) = unsafe {
+            (
+                array("friction.root_times", "friction.root_count", self.root_times, self.root_count)?,
+                array("friction.root_frames", "friction.root_count", self.root_frames, self.root_count)?,
+            )
+        };
+        let oscillates = self.oscillation_frequency != 0.0 || self.oscillation_amplitude != 0.0;
+        if times.is_empty() {
+            let up = self.oscillation_direction == [0.0; 3];
+            return Ok(if oscillates {
+                RootMotion::Oscillation {
+                    amplitude: self.oscillation_amplitude,
+                    frequency: self.oscillation_frequency,
+                    phase: self.oscillation_phase,
+                    direction: (!up).then_some(Vector3::from(self.oscillation_direction)),
+                }
+            } else {
+                RootMotion::Still
+            });
+        }
+        if oscillates {
+            let expected = "0, since the root moves through poses, or an oscillation alone";
+            return Err(Error::invalid("friction.root_count", self.root_count, expected));
+        }
+        let frame = |(index, frame): (usize, &shx_frame)| {
+            Frame::from_arrays(&format!("friction.root_frames[{index}]"), frame.origin, frame.rotation)
+        };
+        let frames = frames.iter().enumerate().map(frame).collect::<Result<Vec<_>>>()?;
+        let spline = PoseSpline::new(times.to_vec(), frames).map_err(|error| match error {
+            Error::InvalidArgument { argument, value, expected } => {
+                Error::InvalidArgument { argument: format!("friction.root_{argument}"), value, expected }
+            }
+            other => other,
+        })?;
+        Ok(RootMotion::Recorded(spline))
+    }
+}
+
+/// The study names its own arguments: the same errors in the names of shx_fit_friction.
+fn in_words_of_c(error: Error) -> Error {
+    let rename = |argument: String| {
+        for (ours, theirs) in [
+            ("options.solver.", "solver."),
+            ("options.sought", "friction.coefficients"),
+            ("options.", "friction."),
+            ("recording.direction", "friction.direction"),
+            ("recording.", ""),
+            ("motion.", "friction.oscillation_"),
+            ("def.", "solver."),
+        ] {
+            if let Some(rest) = argument.strip_prefix(ours) {
+                return format!("{theirs}{rest}");
+            }
+        }
+        argument
+    };
+    match error {
+        Error::InvalidArgument { argument, value, expected } => {
+            Error::InvalidArgument { argument: rename(argument), value, expected }
+        }
+        Error::Unsupported { argument, value, hint } => Error::Unsupported { argument: rename(argument), value, hint },
+        other => other,
+    }
+}
+
+fn report(fit: &FrictionFit, strand: &shx_strand_def) -> shx_friction_report {
+    let fitted = |coefficient: Coefficient, own: f64| {
+        let found = fit.coefficients.iter().find(|fitted| fitted.coefficient == coefficient);
+        found.map_or(shx_fitted_coefficient { value: own, ..UNFITTED }, |found| shx_fitted_coefficient {
+            verdict: match found.verdict {
+                Verdict::Determined => SHX_VERDICT_DETERMINED,
+                Verdict::Undetermined => SHX_VERDICT_UNDETERMINED,
+                Verdict::AtLowerEnd => SHX_VERDICT_AT_LOWER_END,
+                Verdict::AtUpperEnd => SHX_VERDICT_AT_UPPER_END,
+            },
+            reserved: 0,
+            value: found.value,
+            standard_error: found.standard_error,
+            step_shift: found.step_shift,
+            excluded_below: found.excluded[0],
+            excluded_above: found.excluded[1],
+        })
+    };
+    shx_friction_report {
+        struct_size: size_of::<shx_friction_report>() as u32,
+        converged: u32::from(fit.converged),
+        internal_friction: fitted(Coefficient::InternalFriction, strand.internal_friction),
+        viscosity: fitted(Coefficient::Viscosity, strand.viscosity),
+        air_drag: fitted(Coefficient::AirDrag, strand.air_drag),
+        rms_residual: fit.rms_residual,
+        noise: fit.noise,
+        residual_correlation: fit.residual_correlation,
+        offset: fit.offset,
+        simulations: fit.simulations,
+        unconverged: fit.unconverged,
+        first_compared: fit.first_compared as u32,
+        compared: fit.curve.len() as u32,
+    }
+}
+
+/// Fills a definition with the defaults. size is sizeof(shx_friction_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_friction_def_init(def: *mut shx_friction_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_friction_def_init", "def", def, size) }
+}
+
+/// Prepares a report. size is sizeof(shx_friction_report).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_friction_report_init(report: *mut shx_friction_report, size: usize) -> shx_result {
+    // SAFETY: the caller says that report holds size bytes.
+    unsafe { initialise("shx_friction_report_init", "report", report, size) }
+}
+
+/// Fits friction coefficients of a strand to a recorded curve, as Bertails et al. 2006 (section 4.2) choose them: the internal
+/// friction from the span of a curl that is shaken up and down, the air drag from a pendulum that comes to rest. The recording
+/// (count times, s, strictly increasing, and as many values; at least two more compared than unknowns) is simulated with the
+/// strand, and the squared difference is minimised over the coefficients' logarithms; the strand's own values of those sought make
+/// no difference. solver gives gravity, wind, the integrator and worker_count; null: all defaults; its log is not used.
+/// docs/friction_fit.md says how to record. The outcome goes to out_report. out_curve is null or holds count doubles: the best
+/// curve, from value first_compared on, goes to its first places. Takes some 20 simulations of the recording for one coefficient,
+/// 120 for two.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a strand that finds no rest, or a range
+/// in which no simulation stays finite), SHX_ERROR_UNSUPPORTED (parallel_for). A coefficient that the recording does not determine
+/// is no error: see verdict. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_fit_friction(
+    solver: *const shx_solver_def,
+    strand: *const shx_strand_def,
+    friction: *const shx_friction_def,
+    times: *const f64,
+    values: *const f64,
+    count: usize,
+    out_report: *mut shx_friction_report,
+    out_curve: *mut f64,
+) -> shx_result {
+    let body = || -> Result<()> {
+        let solver = if solver.is_null() {
+            shx_solver_def::defaults()
+        } else {
+            // SAFETY: the caller's structure, of the size that it states.
+            unsafe { read_versioned("solver", solver)? }
+        };
+        // SAFETY: the caller's structures, of the sizes that they state, and what they point to; count numbers, and room for as many.
+        let (strand, definition, friction, motion, times, values, output, curve) = unsafe {
+            let strand = read_versioned("strand", strand)?;
+            let friction = read_versioned("friction", friction)?;
+            (
+                strand,
+                strand.definition("strand")?,
+                friction,
+                friction.motion()?,
+                array("times", "count", times, count)?,
+                array("values", "count", values, count)?,
+                VersionedOutput::new("out_report", out_report)?,
+                Places::optional("out_curve", "count", out_curve, count)?,
+            )
+        };
+        if friction.reserved0 != 0 {
+            return Err(Error::invalid("friction.reserved0", friction.reserved0, "0"));
+        }
+        check_reserved("friction", &friction.reserved)?;
+        let options = friction.options(solver)?;
+        let recording = Recording { times: times.to_vec(), values: values.to_vec(), observable: friction.observable()? };
+        let fit = on_own_thread(|| fit_friction(&definition, &recording, &motion, &options)).map_err(in_words_of_c)?;
+        if let Some(curve) = curve {
+            curve.write(&fit.curve)?;
+        }
+        output.write(&report(&fit, &strand));
+        Ok(())
+    };
+    call("shx_fit_friction", body)
+}
