@@ -433,6 +433,44 @@ typedef struct shx_output {
   uint32_t reserved;
 } shx_output;
 
+// How shx_solver_settle searches. Fill with shx_settle_def_init, then change what you need.
+typedef struct shx_settle_def {
+  // Set by shx_settle_def_init.
+  uint32_t struct_size;
+  // Steps of the search at most, 1 to 100000. Default 300.
+  uint32_t max_steps;
+  // At rest when no moment is out of balance by more than this, relative to rho S |g| L^2 plus 1e-4 (1/L + the largest natural
+  // curvature) times the largest stiffness; above zero. Default 1e-10.
+  double tolerance;
+  // 1 (default): find the smallest eigenvalue and leave states that are not stable; costs the cube of the number of elements.
+  // 0: where symmetry holds a strand on an unstable state it stays there.
+  uint32_t check_stability;
+  // 0.
+  uint32_t reserved;
+} shx_settle_def;
+
+// How the searches of a shx_solver_settle ended, all its strands together. Fill with shx_settle_report_init once; each call
+// overwrites it.
+typedef struct shx_settle_report {
+  // Set by shx_settle_report_init.
+  uint32_t struct_size;
+  // Strands whose search ended before its tolerance, or in a state that is not stable. They are left, at rest, in the best shape
+  // that was found.
+  uint32_t unconverged;
+  // Strands among them whose smallest eigenvalue is below zero (beyond rounding).
+  uint32_t unstable;
+  // Unstable states that were left on the way.
+  uint32_t saddles;
+  // Newton iterations of all strands.
+  uint64_t iterations;
+  // Largest residual of a strand, relative as shx_settle_def.tolerance says.
+  double max_residual;
+  // Smallest eigenvalue of a strand (see shx_solver_settle); not a number without check_stability or without strands.
+  double smallest_eigenvalue;
+  // Wall-clock time of the call, s.
+  double seconds;
+} shx_settle_report;
+
 // How strands are sampled. Fill with shx_sample_def_init.
 typedef struct shx_sample_def {
   // Set by shx_sample_def_init.
@@ -566,6 +604,44 @@ typedef struct shx_friction_report {
   uint32_t compared;
 } shx_friction_report;
 
+// What shx_suggest_elements is asked for. Fill with shx_suggest_def_init, then change what you need.
+typedef struct shx_suggest_def {
+  // Set by shx_suggest_def_init.
+  uint32_t struct_size;
+  // Elements at most, 1 to 1000. Default 100.
+  uint32_t max_elements;
+  // The error allowed, m; above zero. At rest: of the point that is farthest off. In motion: root mean square over time and
+  // arclength. Default 1e-3.
+  double tolerance;
+  // Gravity, m/s^2. Default (0, 0, -9.81).
+  double gravity[3];
+  // A motion of the root to be judged by: motion_count poses, motion_interval seconds apart. The strand starts at rest in the
+  // first, and a step is taken to each of the others. Null (default): judged at rest only.
+  const shx_frame *motion;
+  // Poses of motion: 0 (default), or 2 or more.
+  uint64_t motion_count;
+  // Seconds from one pose to the next; 1e-9 or more. Default 1/60.
+  double motion_interval;
+} shx_suggest_def;
+
+// What shx_suggest_elements found. Prepare with shx_suggestion_init.
+typedef struct shx_suggestion {
+  // Set by shx_suggestion_init.
+  uint32_t struct_size;
+  // The least number of elements that meets the tolerance, or the most allowed.
+  uint32_t element_count;
+  // 1 if it meets the tolerance and no element turns by more than pi/2, 0 otherwise.
+  uint32_t met;
+  // 0.
+  uint32_t reserved;
+  // Estimated error at rest of the point that is farthest off, m.
+  double rest_error;
+  // Estimated root mean square error over the motion, m; not a number without one, or where the error at rest was too large.
+  double motion_error;
+  // The largest angle by which an element turns in the natural shape or at rest, rad.
+  double turn;
+} shx_suggestion;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -643,7 +719,9 @@ SHX_API shx_result shx_solver_memory_usage(const shx_solver *solver, uint64_t *o
 // ---- Strands -------------------------------------------------------------------------------------------------------
 
 // Adds count strands, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_strand_def)).
-// out_ids receives count ids, in the order of the definitions.
+// out_ids receives count ids, in the order of the definitions. Strands with elements that turn by more than pi/2 in the shape that they
+// start with are added all the same, and one message of level SHX_LOG_WARN says how many: a helix cannot bend its own axis, and
+// tight coils need about four elements a turn (shx_solver_strand_turns, shx_suggest_elements).
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].length"),
 // SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
 SHX_API shx_result shx_solver_add_strands(shx_solver *solver, const shx_strand_def *defs, size_t def_stride,
@@ -688,6 +766,12 @@ SHX_API shx_result shx_solver_strand_status(const shx_solver *solver, const shx_
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
 SHX_API shx_result shx_solver_strand_iterations(const shx_solver *solver, const shx_strand_id *ids, size_t count,
     uint32_t *out_iterations);
+
+// The largest angle by which an element of each of count strands turns, in its natural or its present shape, rad, into out_turns.
+// Above pi/2 a strand moves too stiffly: give it more elements.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_turns(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    double *out_turns);
 
 // Energies of each of count strands, J: kinetic, elastic, and of gravity measured from the world's origin. Each output holds
 // count numbers or is null.
@@ -748,6 +832,49 @@ SHX_API shx_result shx_solver_get_curvatures(const shx_solver *solver, shx_stran
 // elements, a number that is not finite, a frozen freedom). Alone with the solver.
 SHX_API shx_result shx_solver_set_curvatures(shx_solver *solver, shx_strand_id id, const double *curvatures,
     const double *rates, size_t count);
+
+// ---- Level of detail -----------------------------------------------------------------------------------------------
+
+// Puts count living strands on element_count elements each (1 to 100000), as they are: for level of detail by distance. Shape,
+// velocities and energies stay as well as that many elements can. A multiple of a strand's present number splits every element and
+// is exact; a divisor joins neighbours; anything else keeps the grading of their lengths. The natural shape that the strand was made
+// with, or that was set last, is remembered: nothing of it is lost by going back and forth. Ids stay; roots on their way go on.
+// out_distances: how far each strand's curve has moved at most, m; count numbers, or null.
+// It costs what a few steps cost. Time stands still.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_set_element_count(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    uint32_t element_count, double *out_distances);
+
+// The same for one strand with elements of given lengths: count numbers from root to tip, m, each above zero; they sum to the
+// strand's length (within 1e-9 of it). out_distance may be null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_set_element_lengths(shx_solver *solver, shx_strand_id id, const double *lengths,
+    size_t count, double *out_distance);
+
+// ---- Static rest ---------------------------------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_settle_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_settle_def_init(shx_settle_def *def, size_t size);
+
+// Prepares a report. size is sizeof(shx_settle_report).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_settle_report_init(shx_settle_report *report, size_t size);
+
+// Puts count strands at rest in their static equilibrium under the solver's gravity, each searched for downhill from its present
+// shape with its root held where it is; wind is not felt, roots on their way stop. Clears a quarantine. def may be null (all
+// defaults), report may be null. Each output holds count values or is null:
+// out_status: SHX_OK, or SHX_UNCONVERGED for a strand that found no stable rest; it is left, at rest, in the best shape found.
+// out_eigenvalues: the smallest eigenvalue of the static Hessian against the elastic stiffness: 1 where gravity does nothing (a
+// little more for strands that it holds everywhere), 0 at the border of stability, below it unstable; not a number without
+// check_stability.
+// out_residuals: the largest moment out of balance, relative as shx_settle_def.tolerance says.
+// Where several stable states exist, the one found is not promised to be the lowest. The work is shared among the solver's own
+// threads; a parallel_for is not used.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_settle(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_settle_def *def, shx_settle_report *report, shx_result *out_status, double *out_eigenvalues,
+    double *out_residuals);
 
 // ---- Sampling ------------------------------------------------------------------------------------------------------
 
@@ -842,6 +969,24 @@ SHX_API shx_result shx_friction_report_init(shx_friction_report *report, size_t 
 SHX_API shx_result shx_fit_friction(const shx_solver_def *solver, const shx_strand_def *strand,
     const shx_friction_def *friction, const double *times, const double *values, size_t count,
     shx_friction_report *out_report, double *out_curve);
+
+// ---- Choosing the number of elements -------------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_suggest_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_suggest_def_init(shx_suggest_def *def, size_t size);
+
+// Prepares a shx_suggestion. size is sizeof(shx_suggestion).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_suggestion_init(shx_suggestion *suggestion, size_t size);
+
+// The least number of elements for which a strand meets a tolerance, into *out_suggestion. demand may be null: all defaults. The
+// natural curvatures of strand, on any number of elements, stand for a continuous shape: give them as finely as you have them, or one
+// element for a uniform curl. The error is measured by settling the strand on N and on four times as many elements (and, with a motion, by
+// simulating it on N and 2N); elements that turn by more than pi/2 are not considered. Some tens of milliseconds at rest.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also: the strand finds no rest). Any thread.
+SHX_API shx_result shx_suggest_elements(const shx_strand_def *strand, const shx_suggest_def *demand,
+    shx_suggestion *out_suggestion);
 
 // ---- Groom files and caches ----------------------------------------------------------------------------------------
 

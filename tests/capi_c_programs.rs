@@ -201,6 +201,20 @@ fn rule_3_growing_structures() {
 }
 
 #[test]
+fn settling_from_c() {
+    let path = program("settle");
+    run(&mut Command::new(&path));
+    run(&mut valgrind(&path));
+}
+
+#[test]
+fn elements_change_under_way() {
+    let path = program("level_of_detail");
+    run(&mut Command::new(&path));
+    run(&mut valgrind(&path));
+}
+
+#[test]
 fn rule_1_two_copies_in_one_process() {
     let first = build().join("lib/libsuperhelix.so");
     let second = build().join("libsuperhelix_copy.so");

@@ -8,9 +8,11 @@ use superhelix::capi::{
     fit::shx_fit,
     friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
     sampling::shx_sample_def,
+    settle::{shx_settle_def, shx_settle_report},
     solver::shx_step_report,
     solver_def::shx_solver_def,
     strand_def::shx_strand_def,
+    suggest::{shx_suggest_def, shx_suggestion},
     types::{shx_frame, shx_input, shx_output, shx_strand_id},
 };
 
@@ -41,6 +43,10 @@ fn every_size_and_offset_is_as_published() {
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
+        shx_settle_def: 24 { struct_size: 0, max_steps: 4, tolerance: 8, check_stability: 16, reserved: 20 }
+        shx_settle_report: 48 { struct_size: 0, unconverged: 4, unstable: 8, saddles: 12, iterations: 16, max_residual: 24, smallest_eigenvalue: 32, seconds: 40 }
+        shx_suggest_def: 64 { struct_size: 0, max_elements: 4, tolerance: 8, gravity: 16, motion: 40, motion_count: 48, motion_interval: 56 }
+        shx_suggestion: 40 { struct_size: 0, element_count: 4, met: 8, reserved: 12, rest_error: 16, motion_error: 24, turn: 32 }
         shx_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
         shx_friction_def: 256 { struct_size: 0, observable: 4, coefficients: 8, start: 12, direction: 16, internal_friction_range: 40, viscosity_range: 56, air_drag_range: 72, internal_friction_guess: 88, viscosity_guess: 96, air_drag_guess: 104, lead_in: 112, discard: 120, time_step: 128, grid_points: 136, fit_offset: 140, max_iterations: 144, reserved0: 148, oscillation_amplitude: 152, oscillation_frequency: 160, oscillation_phase: 168, oscillation_direction: 176, root_times: 200, root_frames: 208, root_count: 216, reserved: 224 }
         shx_fitted_coefficient: 48 { verdict: 0, reserved: 4, value: 8, standard_error: 16, step_shift: 24, excluded_below: 32, excluded_above: 40 }

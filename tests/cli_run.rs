@@ -350,3 +350,24 @@ fn coarse_elements_are_warned_about() {
     assert_eq!(output.status.code(), Some(0));
     assert!(errors(&output).contains("strands[0]") && errors(&output).contains("13 elements"), "{}", errors(&output));
 }
+
+#[test]
+fn a_settled_scene_stays_where_it_is() {
+    let directory = directory("settled");
+    let (scene, result) = (directory.join("scene.json"), directory.join("result.json"));
+    let scene_of = |value: &Value| std::fs::write(&scene, value.to_string()).unwrap();
+    let mut tips = Vec::new();
+    scene_of(&with(with(small_scene(), "/duration", json!(0.5)), "/newton", json!({"tolerance": 1e-9})));
+    for flag in [None, Some("--settle")] {
+        let mut arguments = vec!["run", scene.to_str().unwrap(), "--out", result.to_str().unwrap()];
+        arguments.extend(flag);
+        let output = superhelix(&arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+        assert!(errors(&output).is_empty());
+        let result: Value = serde_json::from_str(&std::fs::read_to_string(&result).unwrap()).unwrap();
+        tips.push((numbers(&result["strands"][0]["tips"][0]), last_tip(&result)));
+    }
+    assert!(difference(&tips[0].0, &tips[0].1) > 1e-3, "from its natural shape the strand falls: {tips:?}");
+    assert!(difference(&tips[0].0, &tips[1].0) > 1e-3, "{tips:?}");
+    assert!(difference(&tips[1].0, &tips[1].1) < 1e-8, "{tips:?}");
+}

@@ -87,12 +87,13 @@ fn a_groom_on_a_walking_head_gives_a_cache_a_picture_and_a_report() {
 }
 
 #[test]
-fn a_sag_free_groom_rests_and_one_as_drawn_sags() {
+fn a_sag_free_groom_rests_one_as_drawn_sags_and_a_settled_one_has_sagged() {
     let directory = directory("simulate_rest");
-    let moved = |natural: &str| {
-        let cache = directory.join(natural);
-        let report = simulate(&[
-            &data("sintel_hair_001.tfx"),
+    let moved = |natural: &str, settle: bool| {
+        let cache = directory.join(format!("{natural}{settle}"));
+        let groom = data("sintel_hair_001.tfx");
+        let mut arguments = vec![
+            groom.as_str(),
             "--scale",
             "0.01",
             "--every",
@@ -107,15 +108,19 @@ fn a_sag_free_groom_rests_and_one_as_drawn_sags() {
             cache.to_str().unwrap(),
             "--format",
             "hair",
-        ]);
+        ];
+        arguments.extend(settle.then_some("--settle"));
+        let report = simulate(&arguments);
         assert_eq!(report["frames"], 10);
+        assert_eq!(report["settled"]["unconverged"], if settle { serde_json::json!(0) } else { Value::Null });
         let (first, last) = (frame(&cache, 0), frame(&cache, 9));
         let tips = first.strands().zip(last.strands()).map(|(first, last)| distance(first[32], last[32]));
         tips.fold(0.0, f64::max) * 0.01
     };
-    let (sag_free, as_drawn) = (moved("sag-free"), moved("as-drawn"));
+    let (sag_free, as_drawn, settled) = (moved("sag-free", false), moved("as-drawn", false), moved("as-drawn", true));
     assert!(as_drawn > 1e-3, "hair that is not told to bear its weight must sag: {as_drawn} m");
     assert!(sag_free < 1e-4, "sag-free hair must stay: {sag_free} m");
+    assert!(settled < 1e-5, "settled hair must stay: {settled} m");
 }
 
 #[test]

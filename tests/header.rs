@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 20] = [
     "version",
     "errors",
     "types",
@@ -17,15 +17,18 @@ const SOURCES: [&str; 17] = [
     "strands",
     "roots",
     "shape",
+    "level_of_detail",
+    "settle",
     "sampling",
     "state",
     "fit",
     "friction_fit",
+    "suggest",
     "curves",
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 21] = [
+const SECTIONS: [(&str, &str); 24] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -42,10 +45,13 @@ const SECTIONS: [(&str, &str); 21] = [
     ("SHX_API shx_result shx_solver_add_strands(", "Strands"),
     ("SHX_API shx_result shx_solver_set_root_frames(", "Roots"),
     ("SHX_API shx_result shx_solver_set_natural_curvatures(", "Curvatures"),
+    ("SHX_API shx_result shx_solver_set_element_count(", "Level of detail"),
+    ("SHX_API shx_result shx_settle_def_init(", "Static rest"),
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
     ("SHX_API shx_result shx_solver_snapshot(", "State"),
     ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
     ("SHX_API shx_result shx_friction_def_init(", "Fitting friction to recorded curves"),
+    ("SHX_API shx_result shx_suggest_def_init(", "Choosing the number of elements"),
     ("SHX_API shx_result shx_curves_read(", "Groom files and caches"),
 ];
 

@@ -3,10 +3,12 @@
 use super::buffers::{Place, Places, each, strand_ids};
 use super::errors::{SHX_ERROR_QUARANTINED, SHX_OK, SHX_UNCONVERGED, shx_result};
 use super::guard::{read, shx_solver, write};
+use super::log::{LogSink, SHX_LOG_WARN};
 use super::strand_def::shx_strand_def;
 use super::types::{MAX_COUNT, shx_strand_id};
 use super::versioned::read_versioned;
 use crate::error::{Error, Result};
+use crate::rod::turning::{Shapes, coarse_strands};
 use crate::solver::definition::StrandDef;
 use crate::solver::id::StrandId;
 use crate::solver::report::StrandStatus;
@@ -43,8 +45,29 @@ unsafe fn definitions(defs: *const shx_strand_def, stride: usize, count: usize) 
     Ok(definitions)
 }
 
+/// One line, whatever the number of strands.
+fn warn_of_coarse(log: &LogSink, definitions: &[StrandDef]) {
+    let coarse = coarse_strands(definitions.iter(), Shapes::Initial);
+    if let Some(worst) = coarse.iter().max_by(|a, b| a.turn.total_cmp(&b.turn)) {
+        log.message(
+            SHX_LOG_WARN,
+            format_args!(
+                "shx_solver_add_strands: {} of {} strands have elements that turn by more than pi/2, up to {:.2} rad (defs[{}], \
+                 where {} elements would do): they move too stiffly",
+                coarse.len(),
+                definitions.len(),
+                worst.turn,
+                worst.strand,
+                worst.advised
+            ),
+        );
+    }
+}
+
 /// Adds count strands, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_strand_def)).
-/// out_ids receives count ids, in the order of the definitions.
+/// out_ids receives count ids, in the order of the definitions. Strands with elements that turn by more than pi/2 in the shape that they
+/// start with are added all the same, and one message of level SHX_LOG_WARN says how many: a helix cannot bend its own axis, and
+/// tight coils need about four elements a turn (shx_solver_strand_turns, shx_suggest_elements).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].length"),
 /// SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
 #[unsafe(no_mangle)]
@@ -57,9 +80,11 @@ pub unsafe extern "C" fn shx_solver_add_strands(
 ) -> shx_result {
     // SAFETY: the caller's handle, structures and place for count ids.
     unsafe {
-        write("shx_solver_add_strands", solver, |core, _| {
+        write("shx_solver_add_strands", solver, |core, log| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
-            let ids = core.add_strands(&definitions(defs, def_stride, count)?)?;
+            let definitions = definitions(defs, def_stride, count)?;
+            let ids = core.add_strands(&definitions)?;
+            warn_of_coarse(log, &definitions);
             places.write(&ids.iter().map(|id| shx_strand_id { bits: id.bits() }).collect::<Vec<_>>())
         })
     }
@@ -216,6 +241,25 @@ pub unsafe extern "C" fn shx_solver_strand_iterations(
         read("shx_solver_strand_iterations", solver, |core| {
             let places = Places::new("out_iterations", "count", out_iterations, count)?;
             places.write(&each(&strand_ids(ids, count)?, |id| core.iterations(id))?)
+        })
+    }
+}
+
+/// The largest angle by which an element of each of count strands turns, in its natural or its present shape, rad, into out_turns.
+/// Above pi/2 a strand moves too stiffly: give it more elements.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_turns(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    out_turns: *mut f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and place for count numbers.
+    unsafe {
+        read("shx_solver_strand_turns", solver, |core| {
+            let places = Places::new("out_turns", "count", out_turns, count)?;
+            places.write(&each(&strand_ids(ids, count)?, |id| core.largest_turn(id))?)
         })
     }
 }

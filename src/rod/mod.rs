@@ -6,4 +6,5 @@ pub mod kinematics;
 pub mod material;
 pub mod segment;
 pub mod strand;
+pub mod turning;
 pub mod velocity;

@@ -5,9 +5,10 @@
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
+use super::Solver;
 use super::id::{Slot, SlotMap, StrandId};
 use super::report::Energies;
-use super::strand::{Strand, Tally};
+use super::strand::{Authored, Strand, Tally};
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
@@ -124,6 +125,15 @@ impl Writer {
         }
         self.u64(slots.free.len() as u64);
         slots.free.iter().for_each(|slot| self.u32(*slot));
+    }
+
+    /// The natural shape as it was given, where it has other elements. Apart from the strand: no step depends on it.
+    fn authored(&mut self, authored: Option<&Authored>) {
+        self.u64(authored.map_or(0, |authored| authored.lengths.len() as u64));
+        if let Some(authored) = authored {
+            authored.lengths.iter().for_each(|length| self.f64(*length));
+            self.rows(&authored.natural);
+        }
     }
 
     /// A strand's constants and state; the identifier stands apart.
@@ -250,6 +260,23 @@ impl Reader<'_> {
         Ok(Past { curvatures, velocities: velocities.into_iter().map(Vec3).collect(), root: self.frame()?, step })
     }
 
+    /// The natural shape as it was given of a strand of that length.
+    fn authored(&mut self, length: f64) -> Result<Option<Box<Authored>>> {
+        let count = self.count(8 * 4)?;
+        if count == 0 {
+            return Ok(None);
+        }
+        let lengths = (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>()?;
+        let natural = self.rows(count)?;
+        let good = lengths.iter().all(|length| length.is_finite() && *length > 0.0)
+            && (lengths.iter().sum::<f64>() - length).abs() <= 1e-6 * length
+            && natural.iter().flatten().all(|x| x.is_finite());
+        if !good {
+            return Err(Error::Snapshot { reason: "a strand's given natural shape is none of its length".into() });
+        }
+        Ok(Some(Box::new(Authored { lengths, natural })))
+    }
+
     fn strand(&mut self, id: StrandId, rules: &Rules) -> Result<Strand> {
         let user_data = self.u64()?;
         let count = self.count(8 * 10)?;
@@ -319,7 +346,7 @@ impl Reader<'_> {
         };
         let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
         let model = StrandModel::new(lengths, natural, material, freedoms);
-        Ok(Strand { id, user_data, model, state, root_move, outcome, tally: Tally::default(), energies })
+        Ok(Strand { id, user_data, model, authored: None, state, root_move, outcome, tally: Tally::default(), energies })
     }
 }
 
@@ -364,7 +391,9 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         if slots.index(id) != Some(index) {
             return Err(Error::Snapshot { reason: format!("strand {index} and its identifier disagree") });
         }
-        strands.push(reader.strand(id, rules)?);
+        let mut strand = reader.strand(id, rules)?;
+        strand.authored = reader.authored(strand.model.length())?;
+        strands.push(strand);
     }
     if !reader.left.is_empty() {
         return Err(Error::Snapshot { reason: format!("{} bytes are left over", reader.left.len()) });
@@ -387,6 +416,40 @@ pub(super) fn write(
     for strand in strands {
         writer.u64(strand.id.bits());
         writer.strand(strand);
+        writer.authored(strand.authored.as_deref());
     }
     wrap(&writer.0)
+}
+
+impl Solver {
+    /// The whole state as bytes, to be given to [`Solver::restore`]: options that act on results, identifiers, strands.
+    pub fn snapshot(&self) -> Vec<u8> {
+        write(self.options.gravity, self.options.wind, &self.options.step, &self.slots, &self.strands)
+    }
+
+    /// Goes back to a snapshot, of this solver or another: strands, identifiers and options become those of the image; the workers stay.
+    ///
+    /// # Errors
+    /// [`Error::Snapshot`] for an image that is truncated, damaged or of another version.
+    pub fn restore(&mut self, image: &[u8]) -> Result<()> {
+        let image = read(image, &self.rules)?;
+        self.options.gravity = image.gravity;
+        self.options.wind = image.wind;
+        self.options.step = image.step;
+        let later = std::mem::replace(&mut self.slots, image.slots);
+        self.slots.remember(&later);
+        self.strands = image.strands;
+        Ok(())
+    }
+
+    /// A number that differs when the state differs: options that act on results and every strand, not the identifiers. The same on
+    /// every machine and for any number of workers.
+    pub fn state_hash(&self) -> u64 {
+        let mut writer = Writer::default();
+        writer.options(self.options.gravity, self.options.wind, &self.options.step);
+        for strand in &self.strands {
+            writer.strand(strand);
+        }
+        fnv1a(&writer.0)
+    }
 }

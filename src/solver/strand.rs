@@ -19,6 +19,8 @@ pub(super) struct Strand {
     pub id: StrandId,
     pub user_data: u64,
     pub model: StrandModel,
+    /// The natural shape as it was given, where `model` has other elements.
+    pub authored: Option<Box<Authored>>,
     pub state: StrandState,
     /// Where the root is going, and how many seconds of the way are done.
     pub root_move: Option<(PoseMove, f64)>,
@@ -27,6 +29,13 @@ pub(super) struct Strand {
     /// All substeps of the last call.
     pub tally: Tally,
     pub energies: Energies,
+}
+
+/// A natural shape on the elements that it was given for.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Authored {
+    pub lengths: Vec<f64>,
+    pub natural: Vec<[f64; 3]>,
 }
 
 /// What a strand's substeps of one call came to.
@@ -80,6 +89,7 @@ impl Strand {
             id,
             user_data: def.user_data,
             model,
+            authored: None,
             state,
             root_move: None,
             outcome: StrandOutcome { converged: true, ..StrandOutcome::default() },
@@ -182,7 +192,11 @@ impl Strand {
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
         let row = size_of::<[f64; 3]>();
-        (self.model.lengths.capacity()) * size_of::<f64>()
+        let authored = self.authored.as_ref().map_or(0, |authored| {
+            size_of::<Authored>() + authored.lengths.capacity() * size_of::<f64>() + authored.natural.capacity() * row
+        });
+        authored
+            + (self.model.lengths.capacity()) * size_of::<f64>()
             + row
                 * (self.model.natural.capacity()
                     + self.state.curvatures.capacity()

@@ -118,6 +118,19 @@ impl Crew {
         }
     }
 
+    /// As [`Crew::for_each`], but never on the host's threads: the calling thread does what the host's would.
+    pub fn for_each_on_own<T: Send>(&self, items: &mut [T], work: impl Fn(&mut T, &mut Workspace) + Sync) {
+        if let Runner::Host(_) = self.runner {
+            let mut workspace = self.lock().pop().unwrap_or_default();
+            for item in items {
+                work(item, &mut workspace);
+            }
+            self.lock().push(workspace);
+        } else {
+            self.for_each(items, work);
+        }
+    }
+
     fn lock(&self) -> std::sync::MutexGuard<'_, Vec<Workspace>> {
         self.workspaces.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }

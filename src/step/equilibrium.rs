@@ -75,6 +75,13 @@ pub struct Equilibrium {
     pub saddles: u32,
 }
 
+impl Equilibrium {
+    /// Whether the smallest eigenvalue was found, and is negative beyond rounding.
+    pub fn is_unstable(&self) -> bool {
+        self.smallest_eigenvalue.is_some_and(|eigenvalue| eigenvalue < -NEUTRAL)
+    }
+}
+
 /// An eigenvalue below minus this is negative and not rounding: a mode that a symmetry leaves neutral has 0.
 const NEUTRAL: f64 = 1e-9;
 /// How far a saddle is left along its eigenvector: the elements' rotations sum to this, rad.
@@ -222,7 +229,7 @@ fn natural_time(model: &StrandModel, gravity: Vector3<f64>) -> f64 {
 }
 
 /// The weight of each quadrature point, N.
-fn weights(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>) -> Vec<Vec3<f64>> {
+pub(crate) fn weights(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>) -> Vec<Vec3<f64>> {
     let weight = Vec3::from(gravity * model.linear_density);
     model.lengths.iter().flat_map(|length| rule_weights.iter().map(move |w| weight.scale(w * length))).collect()
 }
@@ -246,7 +253,7 @@ fn draw_on(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>, k: 
 }
 
 /// The largest moment out of balance on a free curvature, relative as [`EquilibriumOptions::tolerance`] says.
-fn imbalance(
+pub(crate) fn imbalance(
     model: &StrandModel,
     kinematics: &Kinematics<f64>,
     curvatures: &[[f64; 3]],
@@ -274,7 +281,7 @@ fn imbalance(
 
 /// The smallest eigenvalue of the exact static Hessian against the elastic stiffness, and its eigenvector as curvatures, a row an
 /// element. Both NaN where the eigenvalues could not be found.
-fn softest(model: &StrandModel, kinematics: &Kinematics<f64>, weight: &[Vec3<f64>]) -> (f64, Vec<[f64; 3]>) {
+pub(crate) fn softest(model: &StrandModel, kinematics: &Kinematics<f64>, weight: &[Vec3<f64>]) -> (f64, Vec<[f64; 3]>) {
     let count = model.element_count();
     let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
     let mut system = ChainSystem::default();

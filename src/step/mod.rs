@@ -9,6 +9,7 @@ pub mod newton;
 pub mod options;
 pub mod radau;
 pub mod reference;
+pub mod regrid;
 pub mod root_path;
 pub mod stages;
 pub mod state;

@@ -95,6 +95,41 @@ AT(shx_sample_def, struct_size, 0);
 AT(shx_sample_def, points_per_strand, 4);
 AT(shx_sample_def, origin, 8);
 
+SIZE(shx_settle_def, 24);
+AT(shx_settle_def, struct_size, 0);
+AT(shx_settle_def, max_steps, 4);
+AT(shx_settle_def, tolerance, 8);
+AT(shx_settle_def, check_stability, 16);
+AT(shx_settle_def, reserved, 20);
+
+SIZE(shx_settle_report, 48);
+AT(shx_settle_report, struct_size, 0);
+AT(shx_settle_report, unconverged, 4);
+AT(shx_settle_report, unstable, 8);
+AT(shx_settle_report, saddles, 12);
+AT(shx_settle_report, iterations, 16);
+AT(shx_settle_report, max_residual, 24);
+AT(shx_settle_report, smallest_eigenvalue, 32);
+AT(shx_settle_report, seconds, 40);
+
+SIZE(shx_suggest_def, 64);
+AT(shx_suggest_def, struct_size, 0);
+AT(shx_suggest_def, max_elements, 4);
+AT(shx_suggest_def, tolerance, 8);
+AT(shx_suggest_def, gravity, 16);
+AT(shx_suggest_def, motion, 40);
+AT(shx_suggest_def, motion_count, 48);
+AT(shx_suggest_def, motion_interval, 56);
+
+SIZE(shx_suggestion, 40);
+AT(shx_suggestion, struct_size, 0);
+AT(shx_suggestion, element_count, 4);
+AT(shx_suggestion, met, 8);
+AT(shx_suggestion, reserved, 12);
+AT(shx_suggestion, rest_error, 16);
+AT(shx_suggestion, motion_error, 24);
+AT(shx_suggestion, turn, 32);
+
 SIZE(shx_fit, 88);
 AT(shx_fit, struct_size, 0);
 AT(shx_fit, reserved, 4);

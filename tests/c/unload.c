@@ -1,4 +1,4 @@
-/* Rule 8: dlclose after destroy unloads the library, 100 times, after serial, pooled and dense solvers, errors and fits.
+/* Rule 8: dlclose after destroy unloads the library, 100 times, after serial, pooled and dense solvers, static rests, errors and fits.
  *   unload LIBRARY.so */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -40,6 +40,7 @@ static void use(uint32_t workers, uint32_t linear_solver) {
   LOAD(shx_solver_add_strands);
   LOAD(shx_solver_step);
   LOAD(shx_solver_destroy);
+  LOAD(shx_solver_settle);
   LOAD(shx_last_error);
   shx_solver_def def;
   MUST(p_shx_solver_def_init(&def, sizeof def));
@@ -56,6 +57,7 @@ static void use(uint32_t workers, uint32_t linear_solver) {
   }
   MUST(p_shx_solver_add_strands(solver, strands, sizeof strands[0], 20, ids));
   MUST(p_shx_solver_step(solver, 0.01, 1, NULL));
+  MUST(p_shx_solver_settle(solver, ids, workers > 1 ? 10 : 2, NULL, NULL, NULL, NULL, NULL));
   char text[64];
   if (p_shx_solver_step(solver, -1.0, 1, NULL) != SHX_ERROR_INVALID_ARGUMENT || p_shx_last_error(text, sizeof text) == 0)
     exit(1);

@@ -6,12 +6,15 @@ mod curves;
 mod definitions;
 mod fit;
 mod friction_fit;
+mod level_of_detail;
 mod roots;
 mod sampling;
 mod scene;
+mod settle;
 mod shape;
 mod solver;
 mod strands;
+mod suggest;
 
 use std::collections::BTreeSet;
 use std::ptr::{null, null_mut};
@@ -21,14 +24,17 @@ use superhelix::capi::curves::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
 use superhelix::capi::friction_fit::*;
+use superhelix::capi::level_of_detail::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
+use superhelix::capi::settle::*;
 use superhelix::capi::shape::*;
 use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
 use superhelix::capi::state::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
+use superhelix::capi::suggest::*;
 use superhelix::capi::types::*;
 
 /// One line of the table.
@@ -119,6 +125,9 @@ fn table() -> Vec<Case> {
         strands::cases,
         roots::cases,
         shape::cases,
+        settle::cases,
+        level_of_detail::cases,
+        suggest::cases,
         sampling::cases,
         fit::cases,
         friction_fit::cases,

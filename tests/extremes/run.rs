@@ -30,6 +30,9 @@ pub struct Outcome {
     pub grew: u64,
     /// The largest energy in a quiet stretch by that at its start.
     pub growth: f64,
+    /// The same for stretches in which a step did not converge.
+    pub grew_unconverged: u64,
+    pub growth_unconverged: f64,
     pub whole: Whole,
     /// Comparisons of a converged step with a converged one of 300 iterations at 1e-10 rad, and the largest distance, in L.
     pub probes: u64,
@@ -116,7 +119,7 @@ fn energy(solver: &Solver, id: StrandId, def: &StrandDef) -> f64 {
 
 /// Runs a case to its end; stops at the first state that was rolled back.
 pub fn run(case: &Case, draw: &mut Draw) -> Outcome {
-    let mut outcome = Outcome { growth: 1.0, ..Outcome::default() };
+    let mut outcome = Outcome { growth: 1.0, growth_unconverged: 1.0, ..Outcome::default() };
     let mut options = SolverOptions { gravity: draw.direction() * draw.or_zero(0.1, 50.0), ..SolverOptions::default() };
     options.step.integrator = case.integrator;
     options.step.tolerance = case.tolerance;
@@ -146,6 +149,7 @@ pub fn run(case: &Case, draw: &mut Draw) -> Outcome {
         let quiet = matches!(stretch, Stretch::Quiet);
         let mut before = if case.integrator == Integrator::SecondOrder { 0.0 } else { energy(&solver, id, &case.def) };
         let mut most = 0.0_f64;
+        let unconverged_before = outcome.unconverged;
         for call in 1..=calls {
             let time = dt * f64::from(call);
             match stretch {
@@ -219,9 +223,15 @@ pub fn run(case: &Case, draw: &mut Draw) -> Outcome {
         }
         if quiet {
             let allowed = before + slack(case);
+            let (grew, growth) = (u64::from(most > allowed * (1.0 + 1e-6)), most / allowed);
             outcome.quiet += 1;
-            outcome.grew += u64::from(most > allowed * (1.0 + 1e-6));
-            outcome.growth = outcome.growth.max(most / allowed);
+            if outcome.unconverged == unconverged_before {
+                outcome.grew += grew;
+                outcome.growth = outcome.growth.max(growth);
+            } else {
+                outcome.grew_unconverged += grew;
+                outcome.growth_unconverged = outcome.growth_unconverged.max(growth);
+            }
         }
         if case.stratum == Stratum::Long && outcome.seconds >= case.seconds {
             break;

@@ -109,6 +109,8 @@ impl Table {
         sum.quiet += outcome.quiet;
         sum.grew += outcome.grew;
         sum.growth = sum.growth.max(outcome.growth);
+        sum.grew_unconverged += outcome.grew_unconverged;
+        sum.growth_unconverged = sum.growth_unconverged.max(outcome.growth_unconverged);
         sum.whole.worsen(&outcome.whole);
         sum.probes += outcome.probes;
         sum.dishonesty = sum.dishonesty.max(outcome.dishonesty);
@@ -120,15 +122,17 @@ impl Table {
     fn csv(&self) -> String {
         let mut text = String::from(
             "integrator,stratum,cases,failed_cases,wound,steps,strand_seconds,iterations_a_step,unconverged,subdivided,quarantined,quiet_stretches,\
-             grew,worst_growth,worst_stretch,worst_skew,probes,worst_probe,slowest_call_s,time_s\n",
+             grew,worst_growth,grew_unconverged,worst_growth_unconverged,worst_stretch,worst_skew,probes,worst_probe,slowest_call_s,time_s\n",
         );
         for ((integrator, stratum), Row { cases, sum, failed_cases, wound }) in &self.rows {
             let Outcome { steps, seconds, unconverged, subdivided, quarantined, quiet, grew, growth, probes, .. } = sum;
             writeln!(
                 text,
                 "{integrator},{stratum},{cases},{failed_cases},{wound},{steps},{seconds:.1},{:.2},{unconverged},{subdivided},{quarantined},{quiet},{grew},\
-                 {growth:.4e},{:.1e},{:.1e},{probes},{:.1e},{:.3},{:.1}",
+                 {growth:.4e},{},{:.4e},{:.1e},{:.1e},{probes},{:.1e},{:.3},{:.1}",
                 sum.iterations / *steps as f64,
+                sum.grew_unconverged,
+                sum.growth_unconverged,
                 sum.whole.stretch,
                 sum.whole.skew,
                 sum.dishonesty,

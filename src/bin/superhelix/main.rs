@@ -16,6 +16,7 @@ mod resolution;
 mod result;
 mod run;
 mod scene;
+mod settled;
 mod simulate;
 mod simulate_report;
 mod timeline;

@@ -16,6 +16,7 @@ use crate::progress;
 use crate::resolution;
 use crate::result::{Report, RunResult};
 use crate::scene::{self, Scene};
+use crate::settled;
 use crate::timeline;
 
 /// Runs a scene file (docs/scene_format.md) and writes what happened.
@@ -29,6 +30,9 @@ pub struct RunArguments {
     /// Where the result goes: JSON. Written whole or not at all.
     #[arg(long, value_name = "RESULT.json")]
     out: PathBuf,
+    /// Start the strands at rest in their static equilibrium under the scene's gravity, searched for from their initial shapes.
+    #[arg(long)]
+    settle: bool,
     /// Neither progress bar nor warnings.
     #[arg(long, short)]
     quiet: bool,
@@ -50,7 +54,13 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         other => Failure::from(other),
     };
     let mut solver = Solver::new(scene.options.clone()).map_err(complain)?;
-    let definitions: Vec<StrandDef> = scene.strands.iter().map(|strand| strand.definition.clone()).collect();
+    let mut definitions: Vec<StrandDef> = scene.strands.iter().map(|strand| strand.definition.clone()).collect();
+    if arguments.settle {
+        let settled = settled::settle(&mut definitions, &scene.options).map_err(complain)?;
+        if !arguments.quiet {
+            settled.warn(&path.display().to_string(), definitions.len());
+        }
+    }
     let ids = solver.add_strands(&definitions).map_err(complain)?;
     if !arguments.quiet {
         resolution::warn(definitions.iter(), resolution::Shapes::All, |index| format!("{}: strands[{index}]", path.display()));

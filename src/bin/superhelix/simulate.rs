@@ -9,6 +9,7 @@ use superhelix::files::curves::Curves;
 use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
 use superhelix::math::frame::Frame;
+use superhelix::rod::turning::coarse_strands;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, Workers};
 use superhelix::solver::id::StrandId;
@@ -27,7 +28,7 @@ use crate::picture::{self, spread};
 use crate::resolution::Shapes;
 use crate::result::Report;
 use crate::simulate_report::{FitReport, SimulateReport};
-use crate::{progress, resolution, scene};
+use crate::{progress, resolution, scene, settled};
 
 /// Simulates a groom on a moving head: fits strands, steps them, writes a cache of frames and a picture.
 ///
@@ -72,6 +73,9 @@ pub struct SimulateArguments {
     /// Natural shape of the strands.
     #[arg(long, value_enum, value_name = "SHAPE", default_value_t = NaturalShape::SagFree)]
     natural: NaturalShape,
+    /// Start the strands at rest in their static equilibrium under gravity, searched for from the groom's shape.
+    #[arg(long)]
+    settle: bool,
     /// Uniform wind, m/s.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
     wind: Option<Vector3<f64>>,
@@ -225,7 +229,11 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         (definition.root_velocity, definition.root_angular_velocity) = head.velocity_at_start(&definition.root);
     }
     warn(arguments, &strands, skipped.len());
-    let definitions: Vec<_> = strands.iter().map(|strand| strand.definition.clone()).collect();
+    let mut definitions: Vec<_> = strands.iter().map(|strand| strand.definition.clone()).collect();
+    let settled = arguments.settle.then(|| settled::settle(&mut definitions, solver.options())).transpose()?;
+    if let Some(settled) = settled.filter(|_| !arguments.quiet) {
+        settled.warn(&arguments.groom.display().to_string(), definitions.len());
+    }
     let ids = solver.add_strands(&definitions)?;
 
     let frame_count = (duration * arguments.fps + 1e-9).floor() as usize + 1;
@@ -257,7 +265,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     bar.finish_and_clear();
     let (cache_frames, picture) = film.finish(arguments, &strands, scale)?;
 
-    let turns = resolution::coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
+    let turns = coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
     let answer = SimulateReport {
         version: 1,
         groom: arguments.groom.display().to_string(),
@@ -272,6 +280,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
             max_metres: Spread::of(strands.iter().map(|strand| strand.fit_error.1).collect()),
             strands_with_coarse_elements: turns,
         },
+        settled,
         frames: frame_count,
         time_step: step,
         simulated_seconds: (frame_count - 1) as f64 / arguments.fps,

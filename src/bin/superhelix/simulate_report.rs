@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::groom_statistics::Spread;
 use crate::groom_strands::Skipped;
 use crate::result::Report;
+use crate::settled::Settled;
 
 /// How well strands follow the groom's polylines.
 #[derive(Debug, Serialize)]
@@ -38,6 +39,9 @@ pub struct SimulateReport {
     pub skipped: Vec<Skipped>,
     /// The fit.
     pub fit: FitReport,
+    /// How `--settle` went.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub settled: Option<Settled>,
     /// Frames, the one at the start included.
     pub frames: usize,
     /// Length of a step, s.
@@ -73,6 +77,12 @@ impl SimulateReport {
                 rms.median * 1e3,
                 rms.p99 * 1e3,
                 max.max * 1e3
+            );
+        }
+        if let Some(settled) = &self.settled {
+            text += &format!(
+                "settled: {} strands without stable rest, {} unstable states left\n",
+                settled.unconverged, settled.saddles
             );
         }
         if !self.skipped.is_empty() {

@@ -1,0 +1,230 @@
+//! Static rest: strands put into their equilibrium under gravity.
+
+use std::mem::{offset_of, size_of};
+use std::time::Instant;
+
+use super::buffers::{Places, strand_ids};
+use super::errors::{SHX_OK, SHX_UNCONVERGED, shx_result};
+use super::guard::{shx_solver, write};
+use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_WARN};
+use super::thread::on_own_thread;
+use super::types::shx_strand_id;
+use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
+use crate::error::{Error, Result};
+use crate::solver::Solver;
+use crate::step::equilibrium::{Equilibrium, EquilibriumOptions};
+
+/// How shx_solver_settle searches. Fill with shx_settle_def_init, then change what you need.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_settle_def {
+    /// Set by shx_settle_def_init.
+    pub struct_size: u32,
+    /// Steps of the search at most, 1 to 100000. Default 300.
+    pub max_steps: u32,
+    /// At rest when no moment is out of balance by more than this, relative to rho S |g| L^2 plus 1e-4 (1/L + the largest natural
+    /// curvature) times the largest stiffness; above zero. Default 1e-10.
+    pub tolerance: f64,
+    /// 1 (default): find the smallest eigenvalue and leave states that are not stable; costs the cube of the number of elements.
+    /// 0: where symmetry holds a strand on an unstable state it stays there.
+    pub check_stability: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
+unsafe impl Versioned for shx_settle_def {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        let options = EquilibriumOptions::default();
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            max_steps: options.max_steps,
+            tolerance: options.tolerance,
+            check_stability: u32::from(options.check_stability),
+            reserved: 0,
+        }
+    }
+}
+
+/// How the searches of a shx_solver_settle ended, all its strands together. Fill with shx_settle_report_init once; each call
+/// overwrites it.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_settle_report {
+    /// Set by shx_settle_report_init.
+    pub struct_size: u32,
+    /// Strands whose search ended before its tolerance, or in a state that is not stable. They are left, at rest, in the best shape
+    /// that was found.
+    pub unconverged: u32,
+    /// Strands among them whose smallest eigenvalue is below zero (beyond rounding).
+    pub unstable: u32,
+    /// Unstable states that were left on the way.
+    pub saddles: u32,
+    /// Newton iterations of all strands.
+    pub iterations: u64,
+    /// Largest residual of a strand, relative as shx_settle_def.tolerance says.
+    pub max_residual: f64,
+    /// Smallest eigenvalue of a strand (see shx_solver_settle); not a number without check_stability or without strands.
+    pub smallest_eigenvalue: f64,
+    /// Wall-clock time of the call, s.
+    pub seconds: f64,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
+unsafe impl Versioned for shx_settle_report {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            unconverged: 0,
+            unstable: 0,
+            saddles: 0,
+            iterations: 0,
+            max_residual: 0.0,
+            smallest_eigenvalue: f64::NAN,
+            seconds: 0.0,
+        }
+    }
+}
+
+const _: () = {
+    assert!(size_of::<shx_settle_def>() == 24 && offset_of!(shx_settle_def, check_stability) == 16);
+    assert!(size_of::<shx_settle_report>() == 48 && offset_of!(shx_settle_report, iterations) == 16);
+};
+
+impl shx_settle_def {
+    fn options(&self) -> Result<EquilibriumOptions> {
+        if self.check_stability > 1 {
+            return Err(Error::invalid("def.check_stability", self.check_stability, "0 or 1"));
+        }
+        if self.reserved != 0 {
+            return Err(Error::invalid("def.reserved", self.reserved, "0"));
+        }
+        let options = EquilibriumOptions {
+            tolerance: self.tolerance,
+            max_steps: self.max_steps,
+            check_stability: self.check_stability == 1,
+        };
+        options.check("def")?;
+        Ok(options)
+    }
+}
+
+impl shx_settle_report {
+    fn of(found: &[Equilibrium], seconds: f64) -> Self {
+        let mut report = Self { seconds, ..Self::defaults() };
+        for strand in found {
+            report.unconverged += u32::from(!strand.converged);
+            report.unstable += u32::from(strand.is_unstable());
+            report.saddles += strand.saddles;
+            report.iterations += u64::from(strand.iterations);
+            report.max_residual = report.max_residual.max(strand.residual);
+            report.smallest_eigenvalue = report.smallest_eigenvalue.min(strand.smallest_eigenvalue.unwrap_or(f64::NAN));
+        }
+        report
+    }
+}
+
+/// Fills a definition with the defaults. size is sizeof(shx_settle_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_settle_def_init(def: *mut shx_settle_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_settle_def_init", "def", def, size) }
+}
+
+/// Prepares a report. size is sizeof(shx_settle_report).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_settle_report_init(report: *mut shx_settle_report, size: usize) -> shx_result {
+    // SAFETY: the caller says that report holds size bytes.
+    unsafe { initialise("shx_settle_report_init", "report", report, size) }
+}
+
+fn tell(log: &LogSink, report: &shx_settle_report, count: usize) {
+    if report.unconverged > 0 {
+        log.message(
+            SHX_LOG_WARN,
+            format_args!(
+                "shx_solver_settle: {} of {count} strands found no stable rest ({} unstable), residual up to {:e}",
+                report.unconverged, report.unstable, report.max_residual
+            ),
+        );
+    }
+    log.message(
+        SHX_LOG_DEBUG,
+        format_args!(
+            "shx_solver_settle: {count} strands, {} iterations, {} saddles left, {:.6} s",
+            report.iterations, report.saddles, report.seconds
+        ),
+    );
+}
+
+/// Puts count strands at rest in their static equilibrium under the solver's gravity, each searched for downhill from its present
+/// shape with its root held where it is; wind is not felt, roots on their way stop. Clears a quarantine. def may be null (all
+/// defaults), report may be null. Each output holds count values or is null:
+/// out_status: SHX_OK, or SHX_UNCONVERGED for a strand that found no stable rest; it is left, at rest, in the best shape found.
+/// out_eigenvalues: the smallest eigenvalue of the static Hessian against the elastic stiffness: 1 where gravity does nothing (a
+/// little more for strands that it holds everywhere), 0 at the border of stability, below it unstable; not a number without
+/// check_stability.
+/// out_residuals: the largest moment out of balance, relative as shx_settle_def.tolerance says.
+/// Where several stable states exist, the one found is not promised to be the lowest. The work is shared among the solver's own
+/// threads; a parallel_for is not used.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_settle(
+    solver: *mut shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    def: *const shx_settle_def,
+    report: *mut shx_settle_report,
+    out_status: *mut shx_result,
+    out_eigenvalues: *mut f64,
+    out_residuals: *mut f64,
+) -> shx_result {
+    let body = |core: &mut Solver, log: &LogSink| {
+        let options = if def.is_null() {
+            EquilibriumOptions::default()
+        } else {
+            // SAFETY: the caller's structure, of the size that it states.
+            unsafe { read_versioned("def", def)? }.options()?
+        };
+        let output = if report.is_null() {
+            None
+        } else {
+            // SAFETY: the caller's structure, of the size that it states.
+            Some(unsafe { VersionedOutput::new("report", report)? })
+        };
+        // SAFETY: the caller's count ids and places for count values.
+        let (ids, status, eigenvalues, residuals) = unsafe {
+            (
+                strand_ids(ids, count)?,
+                Places::optional("out_status", "count", out_status, count)?,
+                Places::optional("out_eigenvalues", "count", out_eigenvalues, count)?,
+                Places::optional("out_residuals", "count", out_residuals, count)?,
+            )
+        };
+        let started = Instant::now();
+        let found = on_own_thread(|| core.settle(&ids, &options))?;
+        let told = shx_settle_report::of(&found, started.elapsed().as_secs_f64());
+        tell(log, &told, count);
+        if let Some(status) = status {
+            status.write(&found.iter().map(|f| if f.converged { SHX_OK } else { SHX_UNCONVERGED }).collect::<Vec<_>>())?;
+        }
+        if let Some(eigenvalues) = eigenvalues {
+            eigenvalues.write(&found.iter().map(|f| f.smallest_eigenvalue.unwrap_or(f64::NAN)).collect::<Vec<_>>())?;
+        }
+        if let Some(residuals) = residuals {
+            residuals.write(&found.iter().map(|f| f.residual).collect::<Vec<_>>())?;
+        }
+        if let Some(output) = output {
+            output.write(&told);
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's handle, null or alive.
+    unsafe { write("shx_solver_settle", solver, body) }
+}

@@ -1,0 +1,125 @@
+//! Changing strands from outside: where their roots go, their natural and present shapes, their rest.
+
+use super::Solver;
+use super::id::StrandId;
+use super::strand::Strand;
+use crate::error::{Result, check_not_negative};
+use crate::math::frame::Frame;
+use crate::rod::definition::{check_frozen, check_rows};
+use crate::rod::kinematics::Kinematics;
+use crate::step;
+use crate::step::equilibrium::{self, Equilibrium, EquilibriumOptions};
+
+impl Solver {
+    /// Sends roots to `frames` over the next `over_seconds` of simulated time; 0: within the next substep. The motion is smooth: it
+    /// leaves with the velocity that the root has and passes exactly through the frame.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for counts that differ or a time that is negative or not finite; [`Error::InvalidId`].
+    pub fn set_root_frames(&mut self, ids: &[StrandId], frames: &[Frame], over_seconds: f64) -> Result<()> {
+        check_not_negative(|| "over_seconds".into(), over_seconds)?;
+        let indices = self.indices_with(ids, frames.len())?;
+        for (index, frame) in indices.into_iter().zip(frames) {
+            self.strands[index].move_root(*frame, over_seconds);
+        }
+        Ok(())
+    }
+
+    /// Puts roots at `frames` at once: the strands keep their shape and their velocities in the root's axes, and get no kick.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for counts that differ; [`Error::InvalidId`].
+    pub fn teleport_roots(&mut self, ids: &[StrandId], frames: &[Frame]) -> Result<()> {
+        let indices = self.indices_with(ids, frames.len())?;
+        let mut kinematics = Kinematics::default();
+        for (index, frame) in indices.into_iter().zip(frames) {
+            let strand = &mut self.strands[index];
+            strand.root_move = None;
+            strand.state.teleport(*frame);
+            strand.update_energies(self.options.gravity, &self.rules, &mut kinematics);
+        }
+        Ok(())
+    }
+
+    /// Changes a strand's natural curvatures; a frozen freedom goes to its new value in the next step. What
+    /// [`Solver::set_element_count`] remembers of the shape before is forgotten.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`]; [`Error::InvalidArgument`] for a wrong count or a number that is not finite.
+    pub fn set_natural_curvatures(&mut self, id: StrandId, rows: &[[f64; 3]]) -> Result<()> {
+        let index = self.index("id", id)?;
+        let strand = &mut self.strands[index];
+        check_rows("curvatures", rows, strand.model.element_count())?;
+        strand.model.natural.copy_from_slice(rows);
+        strand.authored = None;
+        strand.energies.elastic = strand.model.elastic_energy(&strand.state.curvatures);
+        Ok(())
+    }
+
+    /// Puts a strand into a shape, with rates (`None`: at rest relative to its root). Clears a quarantine.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`]; [`Error::InvalidArgument`] for a wrong count, a number that is not finite, or a frozen freedom that is not
+    /// at its natural value (rate 0).
+    pub fn set_curvatures(&mut self, id: StrandId, rows: &[[f64; 3]], rates: Option<&[[f64; 3]]>) -> Result<()> {
+        let index = self.index("id", id)?;
+        let model = &self.strands[index].model;
+        let count = model.element_count();
+        check_rows("curvatures", rows, count)?;
+        check_frozen("curvatures", rows, &model.natural, model.freedoms)?;
+        if let Some(rates) = rates {
+            check_rows("rates", rates, count)?;
+            check_frozen("rates", rates, &vec![[0.0; 3]; count], model.freedoms)?;
+        }
+        self.put(index, rows.to_vec(), rates.map(<[[f64; 3]]>::to_vec));
+        Ok(())
+    }
+
+    /// Puts strands back to their natural curvatures, at rest relative to their roots, and clears a quarantine.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn reset_strands(&mut self, ids: &[StrandId]) -> Result<()> {
+        for index in self.indices(ids)? {
+            self.put(index, self.strands[index].model.natural.clone(), None);
+        }
+        Ok(())
+    }
+
+    /// Puts strands at rest in their static equilibrium under the solver's gravity, each searched for from its present shape with its
+    /// root held where it is; wind is not felt. Clears a quarantine. Each strand's report comes in the order of `ids`: one that did
+    /// not converge is left, at rest, in the best shape that was found. A host's task system is not used: the dense eigenvalue
+    /// kernels leave memory behind on the threads that run them.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for options out of range.
+    pub fn settle(&mut self, ids: &[StrandId], options: &EquilibriumOptions) -> Result<Vec<Equilibrium>> {
+        options.check("options")?;
+        let indices = self.indices(ids)?;
+        let mut settled: Vec<_> = indices.iter().map(|index| (*index, Vec::new(), Equilibrium::default())).collect();
+        let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
+        self.crew.for_each_on_own(&mut settled, |(index, curvatures, found), workspace| {
+            let Strand { model, state, .. } = &strands[*index];
+            (*curvatures, *found) =
+                equilibrium::search(model, state.curvatures.clone(), &state.root, gravity, options, rules, workspace);
+        });
+        let mut found = Vec::with_capacity(settled.len());
+        for (index, curvatures, equilibrium) in settled {
+            self.strands[index].stop_root();
+            self.put(index, curvatures, None);
+            self.strands[index].outcome.converged = equilibrium.converged;
+            found.push(equilibrium);
+        }
+        Ok(found)
+    }
+
+    /// Puts a strand into a shape, with rates (`None`: at rest relative to its root).
+    fn put(&mut self, index: usize, curvatures: Vec<[f64; 3]>, rates: Option<Vec<[f64; 3]>>) {
+        let strand = &mut self.strands[index];
+        strand.state.rates = rates.unwrap_or_else(|| vec![[0.0; 3]; curvatures.len()]);
+        strand.state.curvatures = curvatures;
+        strand.state.velocities_from_rates(&strand.model, &self.rules);
+        strand.outcome = step::StrandOutcome { converged: true, ..Default::default() };
+        strand.update_energies(self.options.gravity, &self.rules, &mut Kinematics::default());
+    }
+}

@@ -1,0 +1,157 @@
+//! What a host reads back of its strands.
+
+use super::Solver;
+use super::id::StrandId;
+use super::report::{Energies, StrandStatus, Wrench};
+use super::sampling::{Sample, Sampler};
+use super::strand::Strand;
+use crate::error::{Error, Result};
+use crate::math::frame::Frame;
+
+impl Solver {
+    /// Lengths of a strand's elements from root to tip, m.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn element_lengths(&self, id: StrandId) -> Result<&[f64]> {
+        Ok(&self.strand("id", id)?.model.lengths)
+    }
+
+    /// The largest angle Ωℓ by which an element turns, in the natural or the present shape, rad. Above π/2 a strand moves too stiffly: a helix
+    /// cannot bend its own axis.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn largest_turn(&self, id: StrandId) -> Result<f64> {
+        let Strand { model, state, .. } = self.strand("id", id)?;
+        Ok(model.largest_angle(&model.natural).max(model.largest_angle(&state.curvatures)))
+    }
+
+    /// The host's own number for a strand.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn user_data(&self, id: StrandId) -> Result<u64> {
+        Ok(self.strand("id", id)?.user_data)
+    }
+
+    /// Mean radius √(a1 a2) of a strand's section, m.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn radius(&self, id: StrandId) -> Result<f64> {
+        let [a1, a2] = self.strand("id", id)?.model.material.radius;
+        Ok((a1 * a2).sqrt())
+    }
+
+    /// Where a strand's root is now.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn root_frame(&self, id: StrandId) -> Result<Frame> {
+        Ok(self.strand("id", id)?.state.root)
+    }
+
+    /// Natural curvatures (twist, κ1, κ2) in rad/m, a row an element.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn natural_curvatures(&self, id: StrandId) -> Result<&[[f64; 3]]> {
+        Ok(&self.strand("id", id)?.model.natural)
+    }
+
+    /// Present curvatures, rad/m, a row an element.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn curvatures(&self, id: StrandId) -> Result<&[[f64; 3]]> {
+        Ok(&self.strand("id", id)?.state.curvatures)
+    }
+
+    /// Present rates of the curvatures, rad/(m·s), a row an element.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn rates(&self, id: StrandId) -> Result<&[[f64; 3]]> {
+        Ok(&self.strand("id", id)?.state.rates)
+    }
+
+    /// How a strand fared in the last substep.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn status(&self, id: StrandId) -> Result<StrandStatus> {
+        Ok(self.strand("id", id)?.status())
+    }
+
+    /// Newton iterations of a strand's last substep.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn iterations(&self, id: StrandId) -> Result<u32> {
+        Ok(self.strand("id", id)?.outcome.iterations)
+    }
+
+    /// A strand's energies, J.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn energies(&self, id: StrandId) -> Result<Energies> {
+        Ok(self.strand("id", id)?.energies)
+    }
+
+    /// What a strand did to its follicle in the last substep: the sum of weight, drag and inertia of all its points, and their moment
+    /// about the root's origin, world axes. Zero before the first step.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn root_wrench(&self, id: StrandId) -> Result<Wrench> {
+        let state = &self.strand("id", id)?.state;
+        Ok(Wrench { force: state.wrench_force.into(), torque: state.wrench_torque.into() })
+    }
+
+    /// Samples strands uniformly in arclength, root and tip included: `emit(strand, point, sample)`, in that order.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for fewer than two points; [`Error::InvalidId`].
+    pub fn sample_strands(
+        &self,
+        ids: &[StrandId],
+        points_per_strand: usize,
+        mut emit: impl FnMut(usize, usize, &Sample),
+    ) -> Result<()> {
+        if points_per_strand < 2 {
+            return Err(Error::invalid("points_per_strand", points_per_strand, "2 or more: root and tip"));
+        }
+        for (k, index) in self.indices(ids)?.into_iter().enumerate() {
+            let strand = &self.strands[index];
+            let mut sampler = Sampler::new(strand, &self.rules);
+            let length = strand.model.length();
+            for point in 0..points_per_strand {
+                let arclength = length * (point as f64 / (points_per_strand - 1) as f64);
+                emit(k, point, &sampler.at(arclength));
+            }
+        }
+        Ok(())
+    }
+
+    /// Samples a strand at given arclengths (0 to its length, in any order; ascending is fastest): `emit(index, sample)`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`]; [`Error::InvalidArgument`] for an arclength off the strand.
+    pub fn sample_at(&self, id: StrandId, arclengths: &[f64], mut emit: impl FnMut(usize, &Sample)) -> Result<()> {
+        let strand = self.strand("id", id)?;
+        let length = strand.model.length();
+        for (k, arclength) in arclengths.iter().enumerate() {
+            // The elements' lengths sum to the strand's with rounding: a host that asks for the length it gave means the tip.
+            if !(*arclength >= 0.0 && *arclength <= length * (1.0 + 1e-9)) {
+                return Err(Error::invalid(format!("arclengths[{k}]"), arclength, format!("0 to the strand's length {length}")));
+            }
+        }
+        let mut sampler = Sampler::new(strand, &self.rules);
+        for (k, arclength) in arclengths.iter().enumerate() {
+            emit(k, &sampler.at(*arclength));
+        }
+        Ok(())
+    }
+}
