@@ -195,6 +195,11 @@ def motion():
     for k, (case, points) in enumerate(sorted(steps.items())):
         step, error = np.array(sorted(points)).T
         panel.loglog(step, error, "o-", markersize=3, linewidth=0.9, color=plt.cm.tab10(k), label=case)
+    every = sorted({step for points in steps.values() for step, _ in points}, reverse=True)
+    lines = ["| case | " + " | ".join(f"1/{1 / step:.0f} s" for step in every) + " |", "|---" * (len(every) + 1) + "|"]
+    for case, points in sorted(steps.items()):
+        lines.append(f"| {case} | " + " | ".join(f"{dict(points)[step]:.1e}" for step in every) + " |")
+    put(lines, "validation_physics.md", "steps")
     step = np.array([1 / 7680, 1 / 480])
     panel.loglog(step, 2e3 * step**2, ":", color="black", linewidth=1.2, label="second order")
     panel.set_ylim(1e-10, 3e-2)
