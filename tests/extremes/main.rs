@@ -1,5 +1,5 @@
 //! Random strands from the whole space of parameters: nothing turns non-finite, nothing hangs, every strand keeps its length and its
-//! frames, energy does not grow by itself, and a step that says it converged did. A short slice here; `make soak` makes the table of
+//! frames, energy left alone stays within what the scheme allows, and a step that says it converged did. A short slice here; `make soak` makes the table of
 //! `docs/extremes.md`, a million strand-seconds and more. Environment:
 //!
 //!     EXTREMES_CASES, EXTREMES_LONG   cases of the strata wide and long (160, 4)
