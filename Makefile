@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test demo soak bench figures clean
+.PHONY: help lib test demo soak bench figures tradeoff clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -42,6 +42,10 @@ bench: ## what a step costs an element, linear-time and dense: docs/figures/cost
 figures: ## every figure and table of docs/, from their programs
 	@scripts/setup.sh build figures
 	scripts/figures.sh
+
+tradeoff: ## what accuracy costs: docs/tradeoff.md, its figures, and src/study/measured.rs (about half an hour of one core)
+	@scripts/setup.sh build figures
+	scripts/tradeoff.sh
 
 clean: ## removes what the targets above made (not the figures, which are part of docs/)
 	rm -rf build out

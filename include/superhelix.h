@@ -126,7 +126,8 @@
 // A call failed: the text that shx_last_error gives.
 #define SHX_LOG_ERROR 1
 
-// Something that the host should look at: strands rolled back or unconverged in a step, a parallel_for that missed items.
+// Something that the host should look at: strands rolled back or unconverged in a step, elements that turn too far, a parallel_for that
+// missed items.
 #define SHX_LOG_WARN 2
 
 // Once in a while: a solver was made.
@@ -178,6 +179,38 @@
 
 // The strand may bend about n2.
 #define SHX_FREE_BEND2 4
+
+// ---- Presets and measured scenes -----------------------------------------------------------------------------------
+
+// To see what happens while working: the motion's kind is right, its course is not.
+#define SHX_PRESET_PREVIEW 1
+
+// Where the eye should not find the difference.
+#define SHX_PRESET_BALANCED 2
+
+// Where numbers are to be read off.
+#define SHX_PRESET_ACCURATE 3
+
+// It hangs from a head that sways by a centimetre to each side at 1/2 Hz.
+#define SHX_SCENE_CALM_SWAY 1
+
+// It leaves a walking head sideways and down.
+#define SHX_SCENE_WALK 2
+
+// The head turns by 46 degrees to each side and sways by 8 cm at 2 Hz.
+#define SHX_SCENE_HEAD_SHAKE 4
+
+// The head bounces by 2 cm up and down at 3 Hz.
+#define SHX_SCENE_CURLY_BOUNCE 8
+
+// 3 cm of it stand out from a head that turns by 20 degrees to each side at 3 Hz.
+#define SHX_SCENE_STIFF_BRISTLE 16
+
+// It hangs in gusts of up to 7 m/s.
+#define SHX_SCENE_WIND_GUST 32
+
+// All of them.
+#define SHX_SCENE_ALL 63
 
 // ---- Fitting friction ----------------------------------------------------------------------------------------------
 
@@ -496,6 +529,34 @@ typedef struct shx_fit {
   // The largest such distance, m.
   double max_error;
 } shx_fit;
+
+// Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
+// integrator, max_iterations, max_subdivisions, tolerance and error_tolerance into a shx_solver_def, element_count into a
+// shx_strand_def, and step each frame in substeps.
+typedef struct shx_settings {
+  // Set by shx_settings_init.
+  uint32_t struct_size;
+  // SHX_INTEGRATOR_.
+  uint32_t integrator;
+  // Newton's iterations a substep at most.
+  uint32_t max_iterations;
+  // Substeps of a frame. Roots that move are best given substep by substep.
+  uint32_t substeps;
+  // Helical elements of a strand.
+  uint32_t element_count;
+  // How often a strand's substep may be halved.
+  uint32_t max_subdivisions;
+  // Newton's tolerance, rad.
+  double tolerance;
+  // The error that a substep may add before it is halved, in units of the strand's length; 0: not looked at.
+  double error_tolerance;
+  // Root mean square distance of the strand's points from where they should be, in units of its length, over two seconds in the
+  // worst of the measured scenes. Negative: hair of that kind was not measured.
+  double error;
+  // Processor time a strand and simulated second in the dearest of them, microseconds, one thread, on the machine of
+  // docs/tradeoff.md. Negative: not measured.
+  double cost;
+} shx_settings;
 
 // What to fit and how. Fill with shx_friction_def_init, then set at least coefficients. What is pointed to is read during the call
 // and not kept.
@@ -944,6 +1005,29 @@ SHX_API shx_result shx_fit_polyline(const shx_input *polyline, uint32_t element_
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
 SHX_API shx_result shx_fit_natural_curvatures(const shx_strand_def *def, const double *curvatures, size_t count,
     const double gravity[3], double *out_natural);
+
+// ---- Settings ------------------------------------------------------------------------------------------------------
+
+// Fills settings with the solver's defaults and no elements. size is sizeof(shx_settings).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_settings_init(shx_settings *settings, size_t size);
+
+// The settings of a preset (SHX_PRESET_) for hair of that curvature (natural curvature and twist together, sqrt(k0^2 + k1^2 + k2^2),
+// rad/m; zero or above; a curl of radius r and step d has 1/sqrt(r^2 + (d/(2 pi))^2)) and length (m, above zero), and frames of
+// frame_time seconds (above zero).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+SHX_API shx_result shx_settings_from_preset(uint32_t preset, double curvature, double length, double frame_time,
+    shx_settings *out_settings);
+
+// The cheapest settings that were measured to err by no more than target_error (root mean square distance of the strand's points
+// from where they should be, in units of its length; above zero; an error in metres is to be divided by the length) in every one of
+// scenes (SHX_SCENE_ bits, at least one: what the hair is to go through), for hair of that curvature and length and frames of
+// frame_time seconds, all as for shx_settings_from_preset. Measured was hair of the four types of docs/tradeoff.md, which says what
+// the answer is worth for other hair.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a target_error below what the finest
+// settings reached, which the error's text says, and a curvature above all that were measured). Any thread.
+SHX_API shx_result shx_settings_suggest(double target_error, uint32_t scenes, double curvature, double length,
+    double frame_time, shx_settings *out_settings);
 
 // ---- Fitting friction to recorded curves ---------------------------------------------------------------------------
 

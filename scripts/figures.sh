@@ -19,11 +19,6 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
     --title "Sintel's hair on a recorded walk" --cell 220 --moments 5 --quiet
 fi
 
-venv=build/venv
-if [ ! -x "$venv/bin/python" ]; then
-  mkdir -p build
-  python3 -m venv "$venv"
-fi
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check numpy scipy matplotlib mpmath
-"$venv/bin/python" docs/figures/plot.py
-"$venv/bin/python" docs/figures/plot_validation.py
+scripts/python_env.sh
+build/venv/bin/python docs/figures/plot.py
+build/venv/bin/python docs/figures/plot_validation.py

@@ -63,6 +63,7 @@ fn greenhill() {
         // Upright the eigenvalue is linear in Γ: one value tells its zero.
         let half = smallest_eigenvalue(&def, &vec![[0.0; 3]; count], GRAVITY * 4.0).unwrap();
         assert!((buckling.parameter * (1.0 - half) / 4.0 - 1.0).abs() < 1e-8, "{}", buckling.parameter);
+        assert!(buckling.eigenvalue.abs() < 1e-9, "{}", buckling.eigenvalue);
         found.push(buckling.parameter);
 
         let stop = BranchOptions { follow_unstable: false, ..BranchOptions::default() };

@@ -8,6 +8,7 @@ use superhelix::capi::{
     fit::shx_fit,
     friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
     sampling::shx_sample_def,
+    settings::shx_settings,
     settle::{shx_settle_def, shx_settle_report},
     solver::shx_step_report,
     solver_def::shx_solver_def,
@@ -43,6 +44,7 @@ fn every_size_and_offset_is_as_published() {
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
+        shx_settings: 56 { struct_size: 0, integrator: 4, max_iterations: 8, substeps: 12, element_count: 16, max_subdivisions: 20, tolerance: 24, error_tolerance: 32, error: 40, cost: 48 }
         shx_settle_def: 24 { struct_size: 0, max_steps: 4, tolerance: 8, check_stability: 16, reserved: 20 }
         shx_settle_report: 48 { struct_size: 0, unconverged: 4, unstable: 8, saddles: 12, iterations: 16, max_residual: 24, smallest_eigenvalue: 32, seconds: 40 }
         shx_suggest_def: 64 { struct_size: 0, max_elements: 4, tolerance: 8, gravity: 16, motion: 40, motion_count: 48, motion_interval: 56 }

@@ -148,3 +148,40 @@ fn what_cannot_be_drawn_is_said_and_leaves_nothing() {
     let output = superhelix(&["picture", first.to_str().unwrap(), "--out", nowhere.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(1));
 }
+
+#[test]
+fn suggested_elements_bring_the_groom_within_the_tolerance_and_fewer_do_not() {
+    let groom = data("sintel_hair_001.tfx");
+    let output = superhelix(&["info", &groom, "--json", "--suggest", "0.002", "--scale", "0.01"]);
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let suggested = &answer["suggested"];
+    assert_eq!(suggested["unmet"], 0);
+    let looked_at = suggested["strands"].as_u64().unwrap();
+    let every = (answer["strands"].as_u64().unwrap()).div_ceil(32);
+    assert!((16..=32).contains(&looked_at));
+    let most = suggested["elements"]["max"].as_f64().unwrap();
+    // The same strands, fitted by `simulate`.
+    let met = |elements: f64| {
+        let numbers = [every.to_string(), elements.to_string()];
+        let arguments = [
+            "simulate",
+            &groom,
+            "--json",
+            "--scale",
+            "0.01",
+            "--duration",
+            "0.04",
+            "--every",
+            &numbers[0],
+            "--elements",
+            &numbers[1],
+        ];
+        let report: Value = serde_json::from_slice(&superhelix(&arguments).stdout).unwrap();
+        assert_eq!(report["strands"].as_u64(), Some(looked_at));
+        report["fit"]["max_metres"]["max"].as_f64().unwrap() <= 0.002 && report["fit"]["strands_with_coarse_elements"] == 0
+    };
+    assert!(met(most) && !met(most - 1.0));
+    let alone = superhelix(&["info", &groom, "--suggest", "0.002"]);
+    assert!(alone.status.code() == Some(1) && errors(&alone).contains("--scale"), "{}", errors(&alone));
+}

@@ -24,10 +24,23 @@ fn the_documented_example_runs_as_it_stands() {
     assert_eq!(times.len(), 62);
     assert_eq!((times[60], times[61]), (60.0 * 0.016666, 1.0));
     assert_eq!(result["strands"][0]["tips"].as_array().unwrap().len(), 62);
-    for key in ["steps", "iterations_mean", "iterations_max", "unconverged", "quarantined", "seconds"] {
+    for key in ["steps", "iterations_mean", "iterations_max", "unconverged", "quarantined", "subdivided", "error_max", "seconds"]
+    {
         assert!(result["report"][key].is_number(), "{key}");
     }
     assert!(last_tip(&result)[2] < -0.05, "a strand of hair that is held level must fall: {:?}", last_tip(&result));
+}
+
+#[test]
+fn an_error_tolerance_takes_steps_in_parts_and_halvings_can_be_forbidden() {
+    let scene = with(with(small_scene(), "/error_tolerance", json!(1e-5)), "/max_subdivisions", json!(8));
+    let result = run(&directory("parts"), &scene);
+    assert!(result["report"]["subdivided"].as_u64().unwrap() > 0);
+    let told = result["report"]["error_max"].as_f64().unwrap();
+    assert!(told > 0.0 && told <= 1e-5, "{told}");
+    let result = run(&directory("parts_forbidden"), &with(scene, "/max_subdivisions", json!(0)));
+    assert_eq!(result["report"]["subdivided"], 0);
+    assert!(result["report"]["error_max"].as_f64().unwrap() > 1e-5);
 }
 
 #[test]

@@ -381,3 +381,74 @@ fn given_lengths_and_bad_input() {
     assert!(solver.set_element_count(&[scene.id, gone], 3).unwrap_err().to_string().contains("ids[1]"));
     assert_eq!(solver.state_hash(), hash);
 }
+
+/// A small generator of numbers in 0..1, the same on every machine.
+struct Draw(u64);
+
+impl Draw {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Between two positive bounds, evenly in the logarithm.
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(self.next())
+    }
+}
+
+#[test]
+fn any_strand_can_be_put_on_any_number_of_elements() {
+    let mut draw = Draw(11);
+    let mut worst = 0.0_f64;
+    for case in 0..50 {
+        let length = draw.between(1e-3, 3.0);
+        let count = draw.between(1.0, 40.0) as usize;
+        let mut def = StrandDef::straight(length, count);
+        let lengths: Vec<f64> = (0..count).map(|_| draw.between(1e-3, 1.0)).collect();
+        let sum: f64 = lengths.iter().sum();
+        def.element_lengths = lengths.iter().map(|l| l / sum * length).collect();
+        let radius = draw.between(1e-6, 1e-3).min(0.1 * length);
+        def.material.radius = [radius, radius * draw.between(0.2, 1.0)];
+        def.material.youngs_modulus = draw.between(1e4, 1e12);
+        def.material.internal_friction = draw.between(1e-14, 1e-8);
+        def.freedoms = Freedoms::from_bits("freedoms", 1 + (7.0 * draw.next()) as u32).unwrap();
+        let turn = draw.between(0.01, 30.0);
+        for (row, l) in def.natural.iter_mut().zip(&def.element_lengths) {
+            *row = [0; 3].map(|_| (draw.next() - 0.5) * turn / l.max(length / count as f64));
+        }
+        let step = StepOptions { tolerance: 1e-6, max_iterations: 100, ..StepOptions::default() };
+        let mut solver = Solver::new(SolverOptions { step, ..SolverOptions::default() }).unwrap();
+        let ids = solver.add_strands(&[def]).unwrap();
+        for change in 0..4 {
+            let to = Frame {
+                origin: Vector3::x() * draw.next() * length,
+                rotation: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), draw.next()),
+            };
+            solver.set_root_frames(&ids, &[to], 0.05).unwrap();
+            solver.step(0.05, 3).unwrap();
+            let before = solver.energies(ids[0]).unwrap();
+            let to = draw.between(1.0, 60.0) as usize;
+            let report = solver.set_element_count(&ids, to).unwrap()[0];
+            let after = solver.energies(ids[0]).unwrap();
+            let what = format!("case {case}, change {change} to {to}: {report:?} {before:?} {after:?}");
+            assert!(report.rms_distance <= report.max_distance && report.max_distance < 2.0 * length, "{what}");
+            assert!(after.kinetic <= before.kinetic * (1.0 + 1e-6), "{what}");
+            assert!(after.elastic.is_finite() && after.gravity.is_finite(), "{what}");
+            assert!(solver.rates(ids[0]).unwrap().iter().flatten().all(|rate| rate.is_finite()), "{what}");
+            let lengths = solver.element_lengths(ids[0]).unwrap();
+            assert!(lengths.len() == to && (lengths.iter().sum::<f64>() / length - 1.0).abs() < 1e-12, "{what}");
+            worst = worst.max(report.max_distance / length);
+            let mut last = None;
+            let mut way = 0.0;
+            solver
+                .sample_strands(&ids, 2001, |_, _, sample| {
+                    way += last.map_or(0.0, |last: Vector3<f64>| (sample.position - last).norm());
+                    last = Some(sample.position);
+                })
+                .unwrap();
+            assert!(way <= length * (1.0 + 1e-12), "{what}");
+        }
+    }
+    println!("farthest moved: {worst:.3} of the length");
+}

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 21] = [
     "version",
     "errors",
     "types",
@@ -22,19 +22,21 @@ const SOURCES: [&str; 20] = [
     "sampling",
     "state",
     "fit",
+    "settings",
     "friction_fit",
     "suggest",
     "curves",
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 24] = [
+const SECTIONS: [(&str, &str); 26] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
     ("#define SHX_LOG_ERROR ", "Levels of messages"),
     ("#define SHX_INTEGRATOR_LINEARLY_IMPLICIT ", "Options of a solver"),
     ("#define SHX_FREE_TWIST ", "Freedoms of a strand"),
+    ("#define SHX_PRESET_PREVIEW ", "Presets and measured scenes"),
     ("#define SHX_OBSERVABLE_SPAN ", "Fitting friction"),
     ("typedef struct shx_curves ", "Handles"),
     ("typedef int32_t shx_result;", "Plain data, host hooks, definitions"),
@@ -50,6 +52,7 @@ const SECTIONS: [(&str, &str); 24] = [
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
     ("SHX_API shx_result shx_solver_snapshot(", "State"),
     ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
+    ("SHX_API shx_result shx_settings_init(", "Settings"),
     ("SHX_API shx_result shx_friction_def_init(", "Fitting friction to recorded curves"),
     ("SHX_API shx_result shx_suggest_def_init(", "Choosing the number of elements"),
     ("SHX_API shx_result shx_curves_read(", "Groom files and caches"),

@@ -7,7 +7,8 @@ use super::floating_point::with_host_mode;
 
 /// A call failed: the text that shx_last_error gives.
 pub const SHX_LOG_ERROR: u32 = 1;
-/// Something that the host should look at: strands rolled back or unconverged in a step, a parallel_for that missed items.
+/// Something that the host should look at: strands rolled back or unconverged in a step, elements that turn too far, a parallel_for that
+/// missed items.
 pub const SHX_LOG_WARN: u32 = 2;
 /// Once in a while: a solver was made.
 pub const SHX_LOG_INFO: u32 = 3;

@@ -26,6 +26,7 @@ pub mod log;
 pub mod parallel;
 pub mod roots;
 pub mod sampling;
+pub mod settings;
 pub mod settle;
 pub mod shape;
 pub mod solver;

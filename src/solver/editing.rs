@@ -3,6 +3,8 @@
 use super::Solver;
 use super::id::StrandId;
 use super::strand::Strand;
+#[cfg(doc)]
+use crate::error::Error;
 use crate::error::{Result, check_not_negative};
 use crate::math::frame::Frame;
 use crate::rod::definition::{check_frozen, check_rows};

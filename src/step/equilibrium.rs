@@ -167,7 +167,7 @@ pub fn search(
     for _ in 0..options.max_steps {
         rule_index = rules.next_for_angle(rule_index, model.largest_angle(&curvatures));
         let rule = rules.rule(rule_index);
-        let problem = Problem { root: &rotation, lengths: &model.lengths, axes: &axes[..free], rule };
+        let problem = Problem { root: &rotation, lengths: &model.lengths, axes: &axes[..free], rule, tension_at_start: true };
         workspace.kinematics.update(&rotation, &model.lengths, &curvatures, rule);
         draw_on(model, &rule.weights, gravity, k, workspace);
         workspace.curvatures.clone_from(&curvatures);

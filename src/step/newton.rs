@@ -58,6 +58,8 @@ pub struct Problem<'a> {
     pub axes: &'a [usize],
     /// Quadrature rule.
     pub rule: &'a Rule,
+    /// Whether the springs' forces at the start are the tension to believe: so in a search for a rest, where they are the weight.
+    pub tension_at_start: bool,
 }
 
 /// Solves the workspace's linear system with the solver that the options name.
@@ -76,7 +78,8 @@ pub fn direction(workspace: &mut Workspace, axes: &[usize], solver: LinearSolver
 /// `curvatures`, which ends at the minimum; `kinematics` and the system's forces end there too.
 pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Workspace) -> StrandOutcome {
     let mut outcome = StrandOutcome::default();
-    workspace.system.exact = false;
+    workspace.system.exact = options.exact_hessian && problem.tension_at_start;
+    workspace.system.point_tension.clear();
     place(problem, &mut workspace.kinematics, &workspace.curvatures);
     let mut potential = evaluate(workspace, false);
     if !potential.value.is_finite() {

@@ -10,7 +10,7 @@ use super::state::{Past, StrandState, rotation_matrix};
 use crate::chain::elimination::Elimination;
 use crate::chain::system::ChainSystem;
 use crate::math::frame::Frame;
-use crate::math::quadrature::{Rule, Rules};
+use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
@@ -169,19 +169,8 @@ pub fn take(model: &StrandModel, state: &StrandState, new: &StrandModel, rules: 
     let strain: Vec<[f64; 3]> = difference(&state.curvatures, &model.natural);
     let mut curvatures = sum(&new.natural, &means(&old.borders, &strain, &new_borders), new);
     let rates = means(&old.borders, &state.rates, &new_borders);
-    let mut out = StrandState {
-        curvatures: Vec::new(),
-        rates,
-        velocities: Vec::new(),
-        rule: state.rule,
-        root: state.root,
-        root_velocity: state.root_velocity,
-        root_angular_velocity: state.root_angular_velocity,
-        wrench_force: state.wrench_force,
-        wrench_torque: state.wrench_torque,
-        past: Past::default(),
-        subdivision: state.subdivision,
-    };
+    // Root, wrench and whatever else does not depend on elements stay.
+    let mut out = StrandState { curvatures: Vec::new(), rates, velocities: Vec::new(), past: Past::default(), ..state.clone() };
     let carried = means(&old.borders, &model.natural, &new_borders);
     let pairs = || new.natural.iter().flatten().zip(carried.iter().flatten());
     let same = pairs().all(|(a, b)| (a - b).abs() <= SAME_CURVATURE * (a.abs() + b.abs()));
@@ -222,9 +211,9 @@ fn sum(natural: &[[f64; 3]], strain: &[[f64; 3]], model: &StrandModel) -> Vec<[f
 /// Velocities at the nodes of the new elements: on each the polynomial that is nearest to the old field in the mean square, so that
 /// momentum stays, and kinetic energy does not grow.
 fn resampled(old: &mut Old, borders: &[f64], rules: &Rules, rule: usize, velocities: &[Vec3<f64>]) -> Vec<Vec3<f64>> {
+    // The old field is a polynomial on each of its elements: the finer rule integrates its product with one of the new exactly.
+    let pieces = rules.rule(rule.max(old.state.rule));
     let rule = rules.rule(rule);
-    // The old field is a polynomial on each of its elements: this integrates its product with one of the new exactly.
-    let pieces = Rule::gauss_legendre(rule.len().max(rules.rule(old.state.rule).len()));
     let mut out = vec![Vec3::zero(); (borders.len() - 1) * rule.len()];
     let mut basis = Vec::new();
     for (element, here) in borders.windows(2).enumerate() {

@@ -40,7 +40,8 @@ pub fn take(
     for index in 0..tableau.stages {
         root = root_at(tableau.times[index] * h);
         let end_rotation = rotation_matrix(&root);
-        let problem = Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule };
+        let problem =
+            Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule, tension_at_start: false };
         displace(index, tableau, state, h, workspace);
         let offset = Vec3::from(root.origin - start.origin);
         let way = if index == 0 { tableau.times[0] * h } else { (tableau.times[index] - tableau.times[index - 1]) * h };
@@ -98,7 +99,7 @@ fn backward_difference(
 
     let root = root_at(h);
     let end_rotation = rotation_matrix(&root);
-    let problem = Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule };
+    let problem = Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule, tension_at_start: false };
     let offset = Vec3::from(root.origin - state.root.origin);
     let k = h * (1.0 + ratio) * divisor;
     let mut total = StrandOutcome { converged: true, ..StrandOutcome::default() };

@@ -89,6 +89,8 @@ pub struct Critical {
     pub curvatures: Vec<[f64; 3]>,
     /// The eigenvector whose eigenvalue vanishes, a row an element; its length in the curve's metric is 1.
     pub mode: Vec<[f64; 3]>,
+    /// What is left of the eigenvalue: within 1e-9 of zero, unless Newton's method failed near it.
+    pub eigenvalue: f64,
     /// What happens.
     pub kind: CriticalKind,
     /// Whether the strand is stable before and unstable after it (in the direction of following), rather than the other way.
@@ -327,11 +329,11 @@ fn locate(system: &mut System, here: &State, tangent: &[f64], length: f64, first
             (a, f_a) = (at, eigenvalue);
         }
     }
-    let (state, _, mode) = best;
+    let (state, eigenvalue, mode) = best;
     let mode = mode.unwrap_or_else(|| system.softest(&state).1);
     let scaled = system.scaled(&mode);
     let size = norm(&scaled);
     let mode: Vec<[f64; 3]> = mode.iter().map(|row| row.map(|x| x / size)).collect();
     let kind = if system.share_of_load(&state, &scaled) > FOLD_SHARE { CriticalKind::Fold } else { CriticalKind::Bifurcation };
-    Critical { parameter: state.parameter, curvatures: state.curvatures, mode, kind, loses_stability: unstable(last) }
+    Critical { parameter: state.parameter, curvatures: state.curvatures, mode, eigenvalue, kind, loses_stability: unstable(last) }
 }

@@ -95,6 +95,18 @@ AT(shx_sample_def, struct_size, 0);
 AT(shx_sample_def, points_per_strand, 4);
 AT(shx_sample_def, origin, 8);
 
+SIZE(shx_settings, 56);
+AT(shx_settings, struct_size, 0);
+AT(shx_settings, integrator, 4);
+AT(shx_settings, max_iterations, 8);
+AT(shx_settings, substeps, 12);
+AT(shx_settings, element_count, 16);
+AT(shx_settings, max_subdivisions, 20);
+AT(shx_settings, tolerance, 24);
+AT(shx_settings, error_tolerance, 32);
+AT(shx_settings, error, 40);
+AT(shx_settings, cost, 48);
+
 SIZE(shx_settle_def, 24);
 AT(shx_settle_def, struct_size, 0);
 AT(shx_settle_def, max_steps, 4);

@@ -10,6 +10,7 @@ mod level_of_detail;
 mod roots;
 mod sampling;
 mod scene;
+mod settings;
 mod settle;
 mod shape;
 mod solver;
@@ -27,6 +28,7 @@ use superhelix::capi::friction_fit::*;
 use superhelix::capi::level_of_detail::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
+use superhelix::capi::settings::*;
 use superhelix::capi::settle::*;
 use superhelix::capi::shape::*;
 use superhelix::capi::solver::*;
@@ -90,6 +92,15 @@ fn new_fit() -> shx_fit {
     }
 }
 
+fn new_settings() -> shx_settings {
+    let mut settings = std::mem::MaybeUninit::uninit();
+    // SAFETY: room for one structure, which the call fills.
+    unsafe {
+        assert_eq!(shx_settings_init(settings.as_mut_ptr(), size_of::<shx_settings>()), SHX_OK);
+        settings.assume_init()
+    }
+}
+
 /// Restores every truncation of a real image and the image with each byte damaged in turn; gives SHX_ERROR_SNAPSHOT when all of them
 /// were refused, the first other result otherwise.
 fn damaged_images(s: &mut Scene) -> shx_result {
@@ -130,6 +141,7 @@ fn table() -> Vec<Case> {
         suggest::cases,
         sampling::cases,
         fit::cases,
+        settings::cases,
         friction_fit::cases,
         curves::cases,
     ] {

@@ -8,6 +8,8 @@ use superhelix::files::curves::Curves;
 
 use crate::failure::Failure;
 use crate::groom_statistics::{GroomStatistics, Spread};
+use crate::simulate::positive;
+use crate::suggested::Suggested;
 
 /// Says what a groom file holds: strands, lengths, turning, degenerate strands, and a guess of its unit.
 #[derive(Debug, Args)]
@@ -15,6 +17,13 @@ pub struct InfoArguments {
     /// The groom: .hair, .tfx or .obj with lines.
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
+    /// How many elements strands need so that no point of the groom is farther from its strand than this, m, and none turns by more than
+    /// pi/2: fitted for 32 of the strands. Needs --scale.
+    #[arg(long, value_name = "METRES", value_parser = positive, requires = "scale")]
+    suggest: Option<f64>,
+    /// Metres a unit of the groom, for --suggest.
+    #[arg(long, value_name = "METRES", value_parser = positive, requires = "suggest")]
+    scale: Option<f64>,
     /// The answer as JSON.
     #[arg(long)]
     json: bool,
@@ -27,6 +36,8 @@ struct Answer {
     #[serde(flatten)]
     statistics: GroomStatistics,
     held_points: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    suggested: Option<Suggested>,
 }
 
 /// Runs the command.
@@ -36,6 +47,7 @@ pub fn run(arguments: &InfoArguments) -> Result<(), Failure> {
         file: arguments.groom.display().to_string(),
         format: curves.format().name(),
         statistics: GroomStatistics::of(&curves),
+        suggested: arguments.suggest.zip(arguments.scale).map(|(tolerance, scale)| Suggested::of(&curves, tolerance, scale)),
         held_points: curves.extras().held.as_ref().map(|held| held.iter().filter(|held| **held).count()),
     };
     let text = if arguments.json {
@@ -83,6 +95,9 @@ fn in_words(answer: &Answer) -> String {
                 .into()
         }
     };
+    if let Some(suggested) = &answer.suggested {
+        text += &suggested.in_words();
+    }
     text.trim_end().to_string()
 }
 

@@ -242,6 +242,12 @@ impl<'a> Node<'a> {
         }
     }
 
+    /// A number that is zero or above.
+    pub fn not_negative(&self) -> Result<f64, Complaint> {
+        let value = self.number()?;
+        if value >= 0.0 { Ok(value) } else { Err(self.complain("a number of 0 or more")) }
+    }
+
     /// A number above zero.
     pub fn positive(&self) -> Result<f64, Complaint> {
         let number = self.number()?;

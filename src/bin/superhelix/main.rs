@@ -16,9 +16,11 @@ mod resolution;
 mod result;
 mod run;
 mod scene;
+mod settings;
 mod settled;
 mod simulate;
 mod simulate_report;
+mod suggested;
 mod timeline;
 
 use std::io::Write;
@@ -40,6 +42,7 @@ enum Command {
     Simulate(Box<simulate::SimulateArguments>),
     Info(info::InfoArguments),
     Picture(picture::PictureArguments),
+    Settings(settings::SettingsArguments),
     FitFriction(Box<fit_friction::FitFrictionArguments>),
 }
 
@@ -68,6 +71,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Info(arguments) => info::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
+        Command::Settings(arguments) => settings::run(arguments),
         Command::FitFriction(arguments) => fit_friction::run(arguments),
     };
     match outcome {

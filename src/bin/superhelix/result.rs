@@ -71,6 +71,10 @@ pub struct Report {
     pub unconverged: u64,
     /// Strand-steps rolled back because the state turned non-finite.
     pub quarantined: u64,
+    /// Strand-steps that were taken in parts.
+    pub subdivided: u64,
+    /// The most that a strand's step added to the error of a position, in its lengths; 0 where errors were not looked at.
+    pub error_max: f64,
     /// Wall time of stepping alone, s.
     pub seconds: f64,
 }
@@ -87,6 +91,8 @@ impl Report {
         self.iterations_max = self.iterations_max.max(step.max_iterations);
         self.unconverged += u64::from(step.unconverged);
         self.quarantined += u64::from(step.quarantined);
+        self.subdivided += u64::from(step.subdivided);
+        self.error_max = self.error_max.max(step.max_error);
         self.seconds += step.seconds;
     }
 }

@@ -130,6 +130,8 @@ fn read(document: &Value) -> Result<Scene, Complaint> {
         "threads",
         "newton",
         "reference_tolerance",
+        "max_subdivisions",
+        "error_tolerance",
         "solver",
         "strands",
         "colliders",
@@ -191,6 +193,8 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
     let linear_solver = scene.or("solver", LinearSolver::default(), |node| node.choice(&LINEAR_SOLVERS))?;
     let mut step = StepOptions { integrator, linear_solver, ..StepOptions::default() };
     step.reference_tolerance = scene.or("reference_tolerance", step.reference_tolerance, Node::positive)?;
+    step.max_subdivisions = scene.or("max_subdivisions", step.max_subdivisions, |node| Ok(node.whole(0..=10)? as u32))?;
+    step.error_tolerance = scene.or("error_tolerance", step.error_tolerance, Node::not_negative)?;
     if let Some(newton) = scene.get("newton") {
         let newton = newton.object(&["max_iterations", "tolerance"])?;
         step.max_iterations = newton.or("max_iterations", step.max_iterations, |node| Ok(node.whole(1..=10_000)? as u32))?;

@@ -15,6 +15,8 @@ use superhelix::solver::definition::{SolverOptions, Workers};
 use superhelix::solver::id::StrandId;
 use superhelix::solver::report::StrandStatus;
 use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
+use superhelix::study::presets::Preset;
+use superhelix::study::settings::HairShape;
 
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
@@ -27,6 +29,7 @@ use crate::picture::view::{Face, Up};
 use crate::picture::{self, spread};
 use crate::resolution::Shapes;
 use crate::result::Report;
+use crate::settings::preset;
 use crate::simulate_report::{FitReport, SimulateReport};
 use crate::{progress, resolution, scene, settled};
 
@@ -67,9 +70,12 @@ pub struct SimulateArguments {
     /// Use each K-th strand only.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     every: u32,
-    /// Helical elements a strand.
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    elements: u32,
+    /// Settings by name: preview, balanced or accurate. Flags given beside it win.
+    #[arg(long, value_name = "NAME", value_parser = preset)]
+    preset: Option<Preset>,
+    /// Helical elements a strand. Default: 10, or the preset's for the curl of nine tenths of the strands.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    elements: Option<u32>,
     /// Natural shape of the strands.
     #[arg(long, value_enum, value_name = "SHAPE", default_value_t = NaturalShape::SagFree)]
     natural: NaturalShape,
@@ -87,18 +93,30 @@ pub struct SimulateArguments {
     /// Seconds to simulate. Default: to the motion's end.
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     duration: Option<f64>,
-    /// Steps a frame.
-    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    substeps: u32,
-    /// Time integrator.
-    #[arg(long, default_value = "second_order", value_parser = integrator)]
-    integrator: Integrator,
+    /// Steps a frame. Default: 2, or the preset's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    substeps: Option<u32>,
+    /// Time integrator. Default: second_order.
+    #[arg(long, value_parser = integrator)]
+    integrator: Option<Integrator>,
     /// Linear solver.
     #[arg(long, default_value = "linear_time", value_parser = linear_solver)]
     solver: LinearSolver,
-    /// Newton's tolerance, rad.
-    #[arg(long, value_name = "RAD", default_value_t = 1e-4, value_parser = positive)]
-    tolerance: f64,
+    /// Newton's tolerance, rad. Default: 1e-4, or the preset's.
+    #[arg(long, value_name = "RAD", value_parser = positive)]
+    tolerance: Option<f64>,
+    /// Newton iterations a step at most. Default: 50, or the preset's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    max_iterations: Option<u32>,
+    /// How often a strand's step may be halved where it does not converge or errs too much, 0 to 10. Default: 3, or the preset's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=10))]
+    max_subdivisions: Option<u32>,
+    /// The error that a step may add to a point's position, in lengths of the strand, before it is halved. Default: not looked at.
+    #[arg(long, value_name = "LENGTHS", value_parser = positive)]
+    error_tolerance: Option<f64>,
+    /// Integrator reference: the error allowed in positions, in lengths of the strand, a second; 1e-12 to 1e-2. Default: 1e-8.
+    #[arg(long, value_name = "LENGTHS", value_parser = positive)]
+    reference_tolerance: Option<f64>,
     /// Threads.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
     threads: u32,
@@ -157,7 +175,8 @@ fn triple(text: &str) -> Result<Vector3<f64>, String> {
     }
 }
 
-fn not_negative(text: &str) -> Result<f64, String> {
+/// A number, zero or above, for clap.
+pub fn not_negative(text: &str) -> Result<f64, String> {
     finite(text).ok().filter(|value| *value >= 0.0).ok_or_else(|| "expected a finite number, zero or above".to_string())
 }
 
@@ -181,8 +200,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let (motion, duration) = read_motion(arguments)?;
     let curves = Curves::read(&arguments.groom)?;
     let scale = choose_scale(arguments, &curves)?;
+    let fineness = Fineness::choose(arguments, &curves)?;
     let recipe = StrandRecipe {
-        elements: arguments.elements as usize,
+        elements: fineness.elements as usize,
         material: arguments.material.material()?,
         natural: arguments.natural,
         gravity: arguments.up.gravity(),
@@ -190,12 +210,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let mut solver = Solver::new(SolverOptions {
         gravity: recipe.gravity,
         wind: arguments.wind.unwrap_or(Vector3::zeros()),
-        step: StepOptions {
-            integrator: arguments.integrator,
-            linear_solver: arguments.solver,
-            tolerance: arguments.tolerance,
-            ..StepOptions::default()
-        },
+        step: StepOptions { linear_solver: arguments.solver, ..fineness.step },
         workers: if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) },
     })?;
 
@@ -237,7 +252,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let ids = solver.add_strands(&definitions)?;
 
     let frame_count = (duration * arguments.fps + 1e-9).floor() as usize + 1;
-    let mut film = Film::create(arguments, scale, frame_count)?;
+    let mut film = Film::create(arguments, scale, frame_count, fineness.elements)?;
     let preparing_seconds = begun.elapsed().as_secs_f64();
     let mut report = Report::default();
     let mut quarantined = vec![false; ids.len()];
@@ -245,10 +260,10 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let mut roots = Vec::with_capacity(at_start.len());
     film.take(&solver, &ids, 0)?;
     bar.inc(1);
-    let step = 1.0 / (arguments.fps * f64::from(arguments.substeps));
+    let step = 1.0 / (arguments.fps * f64::from(fineness.substeps));
     for frame in 1..frame_count {
-        for substep in 0..arguments.substeps {
-            let steps = (frame - 1) as f64 * f64::from(arguments.substeps) + f64::from(substep) + 1.0;
+        for substep in 0..fineness.substeps {
+            let steps = (frame - 1) as f64 * f64::from(fineness.substeps) + f64::from(substep) + 1.0;
             head.roots(steps * step, &at_start, &mut roots);
             solver.set_root_frames(&ids, &roots, step)?;
             let outcome = solver.step(step, 1)?;
@@ -273,7 +288,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         metres_per_unit: scale,
         strands_in_file: curves.strand_count(),
         strands: strands.len(),
-        elements: arguments.elements,
+        elements: fineness.elements,
         skipped,
         fit: FitReport {
             rms_metres: Spread::of(strands.iter().map(|strand| strand.fit_error.0).collect()),
@@ -352,6 +367,32 @@ fn choose_scale(arguments: &SimulateArguments, curves: &Curves) -> Result<f64, F
     ))
 }
 
+/// How fine: what the flags say, else the preset, else this command's own defaults.
+struct Fineness {
+    step: StepOptions,
+    substeps: u32,
+    elements: u32,
+}
+
+impl Fineness {
+    fn choose(arguments: &SimulateArguments, curves: &Curves) -> Result<Self, Failure> {
+        let (mut step, mut substeps, mut elements) = (StepOptions { tolerance: 1e-4, ..StepOptions::default() }, 2, 10);
+        if let Some(preset) = arguments.preset {
+            // The turns of a strand do not depend on the unit of its file.
+            let turning = GroomStatistics::of(curves).turning_degrees.map_or(0.0, |turning| turning.p90.to_radians());
+            let settings = preset.settings(&HairShape { curvature: turning, length: 1.0 }, 1.0 / arguments.fps)?;
+            (step, substeps, elements) = (settings.step, settings.substeps, settings.elements);
+        }
+        step.integrator = arguments.integrator.unwrap_or(step.integrator);
+        step.tolerance = arguments.tolerance.unwrap_or(step.tolerance);
+        step.max_subdivisions = arguments.max_subdivisions.unwrap_or(step.max_subdivisions);
+        step.error_tolerance = arguments.error_tolerance.unwrap_or(step.error_tolerance);
+        step.reference_tolerance = arguments.reference_tolerance.unwrap_or(step.reference_tolerance);
+        step.max_iterations = arguments.max_iterations.unwrap_or(step.max_iterations);
+        Ok(Self { step, substeps: arguments.substeps.unwrap_or(substeps), elements: arguments.elements.unwrap_or(elements) })
+    }
+}
+
 fn warn(arguments: &SimulateArguments, strands: &[GroomStrand], skipped: usize) {
     if arguments.quiet {
         return;
@@ -375,13 +416,14 @@ struct Film {
     chosen: Vec<usize>,
     fps: f64,
     samples: usize,
+    elements: u32,
     units_a_metre: f64,
     points: Vec<[f32; 3]>,
 }
 
 impl Film {
     /// Opens what will be written, so that a directory that cannot be written to is found out before the work.
-    fn create(arguments: &SimulateArguments, scale: f64, frame_count: usize) -> Result<Self, Failure> {
+    fn create(arguments: &SimulateArguments, scale: f64, frame_count: usize, elements: u32) -> Result<Self, Failure> {
         let format = match arguments.format {
             Format::Obj => CacheFormat::Obj,
             Format::Hair => CacheFormat::Hair,
@@ -398,6 +440,7 @@ impl Film {
             chosen,
             fps: arguments.fps,
             samples: arguments.samples as usize,
+            elements,
             units_a_metre: 1.0 / scale,
             points: Vec::new(),
         })
@@ -440,7 +483,7 @@ impl Film {
                 name(&arguments.groom),
                 arguments.motion.as_deref().map_or_else(|| "still head".to_string(), name),
                 strands.len(),
-                arguments.elements
+                self.elements
             );
             let options =
                 SheetOptions { title, up: arguments.up, face: arguments.face, cell_width: 340, metres_per_unit: Some(scale) };

@@ -104,7 +104,10 @@ impl SimulateReport {
             report.iterations_mean,
             report.iterations_max
         );
-        text += &format!("strand-steps unconverged: {}, quarantined: {}\n", report.unconverged, report.quarantined);
+        text += &format!(
+            "strand-steps unconverged: {}, quarantined: {}, taken in parts: {}\n",
+            report.unconverged, report.quarantined, report.subdivided
+        );
         if let Some(cache) = &self.cache {
             text += &format!("cache: {} frames in {cache}\n", self.cache_frames);
         }

@@ -1,0 +1,133 @@
+//! The trajectories to compare with. The root is followed as it moves, not from frame to frame.
+//!
+//! Second order at [`RATE`] and twice that, extrapolated, follows the same equations as the reference integrator: [`Truth::of`] is
+//! made so, since dense matrices of 64 elements are out of reach where hair whips about. [`radau`] is the integrator itself.
+
+use nalgebra::Vector3;
+use superhelix::math::quadrature::Rules;
+use superhelix::rod::freedoms::Freedoms;
+use superhelix::rod::strand::StrandModel;
+use superhelix::solver::Solver;
+use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::step::equilibrium::EquilibriumOptions;
+use superhelix::step::options::{Integrator, StepOptions};
+use superhelix::step::state::{StrandState, rotation_matrix};
+use superhelix::step::workspace::Workspace;
+use superhelix::step::{self, Setting, Surroundings};
+
+use crate::hair::Hair;
+use crate::path::{Distance, FRAMES, POINTS, Path, Shape};
+use crate::scene::{DURATION, GRAVITY, Scene};
+use crate::walk::Walk;
+
+/// Steps a second of the coarser of two runs.
+pub const RATE: u32 = 1920;
+/// Where two trajectories of one motion are this far apart, in lengths, the motion has forgotten how it began.
+const PARTED: f64 = 0.02;
+
+/// Elements of the trajectories that settings are compared with; half as many again say what they are good for.
+pub fn elements(hair: Hair) -> usize {
+    match hair {
+        Hair::Straight | Hair::Wavy => 64,
+        // Coils need more for the same.
+        Hair::Curly | Hair::Fuzzy => 128,
+    }
+}
+
+/// The strand at the start: at rest under gravity, its root where the scene begins.
+pub fn strand(scene: Scene, hair: Hair, walk: &Walk, elements: usize, freedoms: Freedoms) -> StrandDef {
+    let mut def = hair.strand(scene.length(hair.length()), elements, freedoms);
+    def.root = scene.root(walk, 0.0);
+    let mut solver =
+        Solver::new(SolverOptions { gravity: Vector3::from(GRAVITY), ..SolverOptions::default() }).expect("a solver");
+    let ids = solver.add_strands(std::slice::from_ref(&def)).expect("a strand");
+    let options = EquilibriumOptions { tolerance: 1e-8, max_steps: 3000, check_stability: false };
+    let found = solver.settle(&ids, &options).expect("an equilibrium");
+    assert!(found[0].converged, "{} {} {elements}: no equilibrium, {found:?}", scene.name(), hair.name());
+    def.initial = Some(solver.curvatures(ids[0]).expect("curvatures").to_vec());
+    (def.root_velocity, def.root_angular_velocity) = scene.root_velocity(walk);
+    def
+}
+
+/// The path of a strand of `elements` elements, a multiple of eight, in `rate` calls a second, a multiple of 24.
+fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &StepOptions, rate: u32) -> Path {
+    let rules = Rules::default();
+    let def = strand(scene, hair, walk, elements, Freedoms::ALL);
+    let model = StrandModel::new(def.element_lengths.clone(), def.natural.clone(), def.material, def.freedoms);
+    let initial = def.initial.clone().expect("settled");
+    let rates = vec![[0.0; 3]; elements];
+    let mut state = StrandState::new(&model, &rules, initial, rates, def.root, def.root_velocity, def.root_angular_velocity);
+    let mut workspace = Workspace::default();
+    let mut path = Path::default();
+    let h = 1.0 / f64::from(rate);
+    for call in 0..(DURATION * f64::from(rate)).round() as u32 {
+        let from = h * f64::from(call);
+        let root_at = |elapsed: f64| scene.root(walk, from + elapsed);
+        let surroundings = Surroundings { gravity: Vector3::from(GRAVITY).into(), wind: scene.wind(from).into() };
+        let setting = Setting { model: &model, surroundings: &surroundings, options, rules: &rules };
+        let outcome = step::take(&setting, &mut state, &root_at, h, &mut workspace);
+        assert!(outcome.converged && !outcome.quarantined, "{} {} at {from} s: {outcome:?}", scene.name(), hair.name());
+        if (call + 1) % (rate / FRAMES) == 0 {
+            let rule = rules.rule(state.rule);
+            workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
+            path.frames.push(Some(std::array::from_fn(|point| {
+                let last = (point + 1) * elements / POINTS - 1;
+                Vector3::from(workspace.kinematics.elements[last].origin_right()) + state.root.origin
+            })));
+        }
+    }
+    path
+}
+
+/// By the reference integrator, to `tolerance` of the length a second.
+pub fn radau(scene: Scene, hair: Hair, walk: &Walk, elements: usize, tolerance: f64) -> Path {
+    let options = StepOptions { integrator: Integrator::Reference, reference_tolerance: tolerance, ..StepOptions::default() };
+    follow(scene, hair, walk, elements, &options, FRAMES)
+}
+
+/// How many elements the reference integrator is asked to bear: as many as the trajectories have wherever that takes it minutes.
+pub fn checked_elements(scene: Scene, hair: Hair) -> Vec<usize> {
+    let cheap = matches!(scene, Scene::CalmSway | Scene::StiffBristle) || (scene, hair) == (Scene::CurlyBounce, Hair::Wavy);
+    if cheap { vec![8, 64] } else { vec![8] }
+}
+
+/// By second order at `rate` and at twice as many steps a second, extrapolated; and how far the two are apart in lengths.
+pub fn extrapolated(scene: Scene, hair: Hair, walk: &Walk, elements: usize, rate: u32) -> (Path, Distance) {
+    let options = StepOptions { tolerance: 1e-8, max_iterations: 200, ..StepOptions::default() };
+    let coarse = follow(scene, hair, walk, elements, &options, rate);
+    let fine = follow(scene, hair, walk, elements, &options, 2 * rate);
+    let apart = coarse.distance(&fine, fine.frames.len(), scene.length(hair.length()));
+    let frames = coarse.frames.iter().zip(&fine.frames);
+    let extrapolate = |(coarse, fine): (&Option<Shape>, &Option<Shape>)| {
+        let (coarse, fine) = ((*coarse)?, (*fine)?);
+        Some(std::array::from_fn(|point| fine[point] + (fine[point] - coarse[point]) / 3.0))
+    };
+    (Path { frames: frames.map(extrapolate).collect() }, apart)
+}
+
+/// What settings are compared with.
+pub struct Truth {
+    /// The path.
+    pub path: Path,
+    /// Frames over which it can be trusted: until the run with more elements parts from it.
+    pub frames: usize,
+    /// How far it is from the run with more elements over these frames.
+    pub uncertainty: Distance,
+    /// How far its two runs are apart over all frames, before they are extrapolated.
+    pub steps: Distance,
+}
+
+impl Truth {
+    /// Of one scene and hair.
+    pub fn of(scene: Scene, hair: Hair, walk: &Walk) -> Self {
+        let count = elements(hair);
+        let (path, steps) = extrapolated(scene, hair, walk, count, RATE);
+        let (more, _) = extrapolated(scene, hair, walk, count + count / 2, RATE);
+        let length = scene.length(hair.length());
+        let tip = |shape: &Option<Shape>| shape.expect("every frame")[POINTS - 1];
+        let parted = path.frames.iter().zip(&more.frames).position(|(one, two)| (tip(one) - tip(two)).norm() > PARTED * length);
+        let frames = parted.unwrap_or(path.frames.len());
+        let uncertainty = path.distance(&more, frames.max(1), length);
+        Self { path, frames, uncertainty, steps }
+    }
+}
