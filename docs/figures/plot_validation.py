@@ -260,21 +260,21 @@ def whirl():
 def extremes():
     if not (FIGURES / "extremes.csv").exists():
         return
-    lines = ["| integrator | draws | cases | steps | strand-seconds | iterations a step | unconverged | in parts | not finite | quiet stretches | energy grew in | the same, unconverged | "
-             "worst stretch | worst frame | converged, checked | worst, L | wound up |", "|---" * 17 + "|"]
+    lines = ["| integrator | draws | cases | failed | steps | strand-seconds | iterations a step | unconverged | in parts | not finite | quiet stretches | energy grew in | the same, unconverged | "
+             "worst stretch | worst frame | converged, checked | worst, L | wound up |", "|---" * 18 + "|"]
     for row in rows("extremes.csv"):
         steps = int(row["steps"])
         grew = []
         for count, worst in (("grew", "worst_growth"), ("grew_unconverged", "worst_growth_unconverged")):
             growth = float(row[worst])
-            by = f"{100 * (growth - 1):.2g} %" if growth < 10 else f"{growth:.1g} times"
-            grew.append(f"{row[count]}, by {by}" if row[count] != "0" else "0")
+            by = f"{100 * (growth - 1):.2g} %" if growth < 1.99 else f"{growth:.2g} times"
+            grew.append(f"{row[count]}, to {by}" if growth >= 1.99 and row[count] != "0" else f"{row[count]}, by {by}" if row[count] != "0" else "0")
         probe = f"{float(row['worst_probe']):.0e}" if row["probes"] != "0" else ""
-        lines.append(f"| {row['integrator']} | {row['stratum']} | {int(row['cases']):,} | {steps:,} | {float(row['strand_seconds']):,.0f} | "
+        lines.append(f"| {row['integrator']} | {row['stratum']} | {int(row['cases']):,} | {int(row['failed_cases']):,} | {steps:,} | {float(row['strand_seconds']):,.0f} | "
                      f"{float(row['iterations_a_step']):.2f} | {100 * int(row['unconverged']) / steps:.2g} % | "
                      f"{100 * int(row['subdivided']) / steps:.2g} % | {row['quarantined']} | "
                      f"{int(row['quiet_stretches']):,} | {grew[0]} | {grew[1]} | {row['worst_stretch']} | {row['worst_skew']} | {row['probes']} | {probe} | {row['wound']} |")
-    put([line.replace(",0", ",0") for line in lines], "extremes.md", "extremes")
+    put(lines, "extremes.md", "extremes")
     cells, failed = defaultdict(lambda: [0, 0]), ["0", "below 1/2", "1/2 to 50", "above 50"]
     for row in rows("extremes_papers.csv"):
         cell = cells[int(row["h_decade"]), row["friction_number"]]
