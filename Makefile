@@ -28,8 +28,10 @@ demo: ## a real groom on a walking head, hosted by a C program: out/demo/ holds 
 	@scripts/setup.sh build
 	scripts/demo.sh
 
-soak: ## the randomised tests with a hundred thousand cases each (PROPTEST_CASES, or yours)
+soak: ## strands from the whole space for a million strand-seconds (docs/extremes.md), and the randomised tests with 100000 cases each (an hour)
 	@scripts/setup.sh test
+	EXTREMES_CASES=$${EXTREMES_CASES:-12000} EXTREMES_LONG=$${EXTREMES_LONG:-7500} EXTREMES_CSV="$(CURDIR)/docs/figures" \
+	  cargo test --locked --profile demo --test extremes -- --nocapture
 	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features \
 	  --test kernel_mathematics --test math_pose_spline --test files_fuzz --test hard_cases -- --nocapture
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Makes every figure and measured table of docs/: runs the programs that measure, into docs/figures/*.csv, then draws them with
 # matplotlib in an environment of its own, build/venv. The contact sheet of the README is the demonstration's.
+# docs/extremes.md shows what the last `make soak` recorded.
 #   FIGURES_MEASURE=no   draws from the committed numbers without measuring again
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -10,6 +11,8 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
   cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
   cargo run --quiet --locked --release --example newton -- docs/figures/newton.csv
+  VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test validation_statics --test validation_vibration \
+    --test validation_dynamics --test validation_whirl
   cargo run --quiet --locked --release --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
   scripts/demo.sh
   "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \
@@ -18,3 +21,4 @@ fi
 
 scripts/python_env.sh
 build/venv/bin/python docs/figures/plot.py
+build/venv/bin/python docs/figures/plot_validation.py

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 use superhelix::error::Error;
 use superhelix::math::frame::Frame;
+use superhelix::rod::freedoms::Freedoms;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{ParallelFor, SolverOptions, StrandDef, Workers};
 use superhelix::solver::id::StrandId;
@@ -283,4 +284,24 @@ fn memory_is_counted() {
     let each = (large.memory_usage() - small.memory_usage()) as f64 / 1000.0;
     println!("{each} bytes a strand of five elements");
     assert!((1000.0..4000.0).contains(&each), "{each}");
+}
+
+/// What a solver says of a strand it also takes: two-step differences of a frozen curvature once left it a rate of rounding, which was refused.
+#[test]
+fn shapes_and_rates_go_out_and_in_again() {
+    let mut solver = Solver::new(SolverOptions::default()).unwrap();
+    let mut def = strand(1);
+    def.freedoms = Freedoms::BEND1;
+    def.natural.iter_mut().for_each(|row| *row = [7.3, 11.1, -3.7]);
+    def.initial = None;
+    let id = solver.add_strands(&[def]).unwrap()[0];
+    for step in 0..20 {
+        solver.step(1e-4 * f64::from(1 + step), 1).unwrap();
+        let rates = solver.rates(id).unwrap().to_vec();
+        assert!(rates.iter().all(|row| row[0] == 0.0 && row[2] == 0.0 && row[1] != 0.0), "{rates:?}");
+        let shape = solver.curvatures(id).unwrap().to_vec();
+        let mut other = Solver::new(SolverOptions::default()).unwrap();
+        other.restore(&solver.snapshot()).unwrap();
+        other.set_curvatures(id, &shape, Some(&rates)).unwrap();
+    }
 }

@@ -4,11 +4,16 @@
 mod rods;
 
 use nalgebra::{UnitQuaternion, Vector3};
+use rods::judge::record;
 use rods::*;
 use serde_json::Value;
+use superhelix::math::frame::Frame;
 use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
+
+/// How a root moves: its pose at a time, s.
+type Way<'a> = &'a dyn Fn(f64) -> Frame;
 
 /// The strand of a reference case.
 fn released(case: &Value, count: usize, root: UnitQuaternion<f64>, natural: [f64; 3]) -> StrandDef {
@@ -32,13 +37,23 @@ fn released(case: &Value, count: usize, root: UnitQuaternion<f64>, natural: [f64
 
 /// Largest distance of the tip from the reference over the frames of the first `seconds`, in L; `per_frame` steps in each 1/60 s.
 fn error(def: &StrandDef, tips: &[Vector3<f64>], seconds: f64, per_frame: u32) -> f64 {
+    error_along(def, &|_| def.root, tips, seconds, per_frame)
+}
+
+/// The same with the root on its way; it is told where to be at every step.
+fn error_along(def: &StrandDef, root: Way, tips: &[Vector3<f64>], seconds: f64, per_frame: u32) -> f64 {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let id = solver.add_strands(std::slice::from_ref(def)).unwrap()[0];
     let length = def.length();
     let mut worst = 0.0_f64;
-    for tip in &tips[1..=(seconds * 60.0).round() as usize] {
-        let report = solver.step(1.0 / 60.0, per_frame).unwrap();
-        assert_eq!((report.unconverged, report.quarantined), (0, 0));
+    let h = 1.0 / (60.0 * f64::from(per_frame));
+    for (frame, tip) in tips.iter().enumerate().skip(1).take((seconds * 60.0).round() as usize) {
+        for step in 1..=per_frame {
+            let t = ((frame - 1) as f64) / 60.0 + h * f64::from(step);
+            solver.set_root_frames(&[id], &[root(t)], h).unwrap();
+            let report = solver.step(h, 1).unwrap();
+            assert_eq!((report.unconverged, report.quarantined), (0, 0));
+        }
         solver.sample_at(id, &[length], |_, sample| worst = worst.max((sample.position / length - tip).norm())).unwrap();
     }
     worst
@@ -57,6 +72,72 @@ fn print(name: &str, errors: &[f64]) {
     println!("| {name} | {} |", shown.join(" | "));
 }
 
+fn record_motion(name: &str, counts: &[usize], errors: &[f64]) {
+    for (count, error) in counts.iter().zip(errors) {
+        record("motions", "case,elements,error", format!("{name},{count},{error:.6e}"));
+    }
+}
+
+fn record_steps(name: &str, rates: &[u32], errors: &[f64]) {
+    for (rate, error) in rates.iter().zip(errors) {
+        record(
+            "steps",
+            "case,step,error",
+            format!("{},{:.9},{error:.6e}", name.replace('"', ""), 1.0 / (60.0 * f64::from(*rate))),
+        );
+    }
+}
+
+/// Roots on their way: R1 translated, R2 turned (hanging rods, in the plane), D5 a curl of one element translated.
+#[test]
+fn moving_roots() {
+    let reference = reference();
+    for (name, case) in reference["dynamics_moving_root"].as_object().unwrap() {
+        let turn = std::f64::consts::TAU;
+        let translated = |amplitude: f64, hertz: f64, root: UnitQuaternion<f64>| {
+            move |t: f64| Frame { origin: Vector3::x() * (amplitude * (1.0 - (turn * hertz * t).cos())), rotation: root }
+        };
+        let tips = |spatial: bool| if spatial { spatial_tips(case) } else { planar_tips(case) };
+        if name.starts_with("D5") {
+            let motion: Vec<f64> = rows(&case["root_motion"]).iter().map(number).collect();
+            assert_eq!(motion[2..], [1.0, 0.0, 0.0]);
+            let def = released(case, 1, clamp_from(&case["R0"]), triple(&case["un_L"]).into());
+            let root = translated(motion[0], motion[1], def.root.rotation);
+            let rates = [8, 16, 32, 64, 128];
+            let errors = rates.map(|per_frame| error_along(&def, &root, &tips(true), 0.5, per_frame));
+            print(name, &errors);
+            record_steps(name, &rates, &errors);
+            let order = (errors[3] / errors[4]).log2();
+            assert!((1.8..2.3).contains(&order) && errors[4] < 1e-3, "{name}: {errors:?}");
+            continue;
+        }
+        let shift = translated(0.02, 3.0, down());
+        // The clamp's angle from +x, −π/2 at the start; `down` bends towards +x for positive κ1, about −y.
+        let swing = |t: f64| Frame {
+            origin: Vector3::zeros(),
+            rotation: UnitQuaternion::from_axis_angle(
+                &-Vector3::y_axis(),
+                std::f64::consts::FRAC_PI_4 * (1.0 - (turn * 2.0 * t).cos()),
+            ) * down(),
+        };
+        let root: Way = if name.starts_with("R1") { &shift } else { &swing };
+        let at = |count: usize, per_frame: u32| {
+            error_along(&released(case, count, down(), [0.0; 3]), root, &tips(false), 0.5, per_frame)
+        };
+        let counts = [5, 10, 20, 40];
+        let elements = counts.map(|count| at(count, 64));
+        let steps = [1, 4, 16].map(|per_frame| at(20, per_frame));
+        print(
+            &format!("{name}: N = 5, 10, 20, 40 at 1/3840 s; N = 20 at 1/60, 1/240, 1/960 s"),
+            &[&elements[..], &steps[..]].concat(),
+        );
+        record_motion(name, &counts, &elements);
+        let order = (elements[1] / elements[2]).log2();
+        assert!((1.7..2.3).contains(&order), "{name}: {elements:?}");
+        assert!(elements[2] < 2.7 / 400.0, "{name}: {elements:?}");
+    }
+}
+
 /// One element: what is left is the step's error, and it falls by four when the step is halved.
 #[test]
 fn one_element_converges_at_second_order_in_the_step() {
@@ -72,8 +153,10 @@ fn one_element_converges_at_second_order_in_the_step() {
             (case["case"].to_string(), def, spatial_tips(case))
         }));
     for (name, def, tips) in cases {
-        let errors = [8, 16, 32, 64, 128].map(|per_frame| error(&def, &tips, 0.5, per_frame));
+        let rates = [8, 16, 32, 64, 128];
+        let errors = rates.map(|per_frame| error(&def, &tips, 0.5, per_frame));
         print(&name, &errors);
+        record_steps(&name, &rates, &errors);
         let order = (errors[3] / errors[4]).log2();
         assert!((1.8..2.3).contains(&order) && errors[4] < 1e-3, "{name}: {errors:?}");
     }
@@ -104,6 +187,7 @@ fn motions_of_the_continuous_rod() {
             &format!("{name}: N = 5, 10, 20, 40 at 1/3840 s; N = 20 at 1/60, 1/240, 1/960 s"),
             &[&elements[..], &steps[..]].concat(),
         );
+        record_motion(name, &[5, 10, 20, 40], &elements);
         for pair in elements[1..3].windows(2) {
             let order = (pair[0] / pair[1]).log2();
             assert!((1.7..2.3).contains(&order), "{name}: {elements:?}");

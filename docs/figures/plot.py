@@ -154,8 +154,9 @@ def friction():
     put(lines, "friction_fit.md", "friction")
 
 
-convergence()
-cost()
-limits()
-newton()
-friction()
+if __name__ == "__main__":
+    convergence()
+    cost()
+    limits()
+    newton()
+    friction()

@@ -94,7 +94,8 @@ const NEAR_SADDLE: f64 = 1e-2;
 const GROWTH: f64 = 3.0;
 /// The largest k, in units of the first: beyond it the pull ρS g k² drowns the digits of the positions.
 const LARGEST_STEP: f64 = 1e3;
-/// Newton's tolerance within a proximal step, rad.
+/// Newton's tolerance within a proximal step, rad: at 1e-8 a strand on a saddle was left a little off balance for good, every step being
+/// within it from its start.
 const NEWTON_TOLERANCE: f64 = 1e-10;
 
 /// The shape in which a strand of this definition rests under gravity (m/s²), a row of curvatures an element, searched for from its

@@ -171,7 +171,7 @@ fn solve_stage(
     total.condition = total.condition.max(outcome.condition);
     total.quarantined = outcome.quarantined;
     if !outcome.quarantined {
-        finish_stage(index, k, offset, workspace);
+        finish_stage(index, k, offset, problem.axes, workspace);
     }
 }
 
@@ -208,7 +208,7 @@ fn displace(index: usize, tableau: &Tableau, state: &StrandState, h: f64, worksp
 }
 
 /// What the stage's end says about velocities, accelerations and rates.
-fn finish_stage(index: usize, k: f64, offset: Vec3<f64>, workspace: &mut Workspace) {
+fn finish_stage(index: usize, k: f64, offset: Vec3<f64>, axes: &[usize], workspace: &mut Workspace) {
     let Workspace { stages, kinematics, curvatures, .. } = workspace;
     let Stage { start_positions, start_velocities, start_curvatures, velocities, accelerations, rates } = &mut stages[index];
     let inverse = 1.0 / k;
@@ -221,7 +221,12 @@ fn finish_stage(index: usize, k: f64, offset: Vec3<f64>, workspace: &mut Workspa
         accelerations.push((reached - *velocity).scale(inverse));
     }
     for (row, start) in curvatures.iter().zip(start_curvatures) {
-        rates.push(std::array::from_fn(|axis| (row[axis] - start[axis]) * inverse));
+        // A frozen curvature has no rate: the differences of the two-step start would leave it one, of rounding.
+        let mut rate = [0.0; 3];
+        for axis in axes {
+            rate[*axis] = (row[*axis] - start[*axis]) * inverse;
+        }
+        rates.push(rate);
     }
 }
 

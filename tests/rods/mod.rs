@@ -2,6 +2,9 @@
 
 #![allow(dead_code)]
 
+pub mod judge;
+pub mod modes;
+
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use serde_json::Value;
 use superhelix::rod::material::Material;
