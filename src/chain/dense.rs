@@ -165,7 +165,7 @@ pub fn solve(
 ) -> Direction<f64> {
     let dense = assemble(kinematics, system, axes);
     let size = dense.force.len();
-    let mut repaired = 0;
+    let mut repaired = 0_usize;
     let mut condition = 0.0;
     let solution = if dense.force.iter().all(|f| f.is_finite()) && is_finite(&dense.matrix) {
         match method {
@@ -190,7 +190,7 @@ pub fn solve(
         rotation_sum += rotation.norm_squared();
     }
     let descent = solution.iter().zip(&dense.force).map(|(d, f)| d * f).sum();
-    Direction { descent, rotation_squared, rotation_sum, repaired, condition }
+    Direction { descent, rotation_squared, rotation_sum, repaired: repaired as f64, condition }
 }
 
 fn is_finite(matrix: &Mat<f64>) -> bool {

@@ -47,7 +47,7 @@ pub struct Direction<T> {
     /// Sum of the squared rotations of all elements' right ends, rad².
     pub rotation_sum: T,
     /// How many pivots were not positive definite and were repaired (dense solves: eigenvalues).
-    pub repaired: usize,
+    pub repaired: T,
     /// Condition number of the matrix (dense singular values only; otherwise 0).
     pub condition: f64,
 }

@@ -33,6 +33,28 @@ pub trait Lane:
     fn any(mask: Self::Mask) -> bool;
     /// Whether the mask holds in all lanes.
     fn all(mask: Self::Mask) -> bool;
+    /// How many lanes there are.
+    const LANES: usize;
+    /// One lane.
+    fn lane(self, index: usize) -> f64;
+    /// Changes one lane.
+    fn set_lane(&mut self, index: usize, value: f64);
+    /// Whether the mask holds in lane `index`.
+    fn mask_lane(mask: Self::Mask, index: usize) -> bool;
+    /// Lanes in which both masks hold.
+    fn both(a: Self::Mask, b: Self::Mask) -> Self::Mask;
+    /// The same truth in every lane.
+    fn splat_mask(value: bool) -> Self::Mask;
+    /// Lane by lane the larger of the two; `self` where `other` is not a number.
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        Self::select(self.less(other), other, self)
+    }
+    /// Lane by lane the smaller of the two; `self` where `other` is not a number.
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        Self::select(other.less(self), other, self)
+    }
     /// Zero in every lane.
     fn zero() -> Self {
         Self::splat(0.0)
@@ -80,5 +102,26 @@ impl Lane for f64 {
     #[inline(always)]
     fn all(mask: bool) -> bool {
         mask
+    }
+    const LANES: usize = 1;
+    #[inline(always)]
+    fn lane(self, _index: usize) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn set_lane(&mut self, _index: usize, value: f64) {
+        *self = value;
+    }
+    #[inline(always)]
+    fn mask_lane(mask: bool, _index: usize) -> bool {
+        mask
+    }
+    #[inline(always)]
+    fn both(a: bool, b: bool) -> bool {
+        a && b
+    }
+    #[inline(always)]
+    fn splat_mask(value: bool) -> bool {
+        value
     }
 }

@@ -156,7 +156,7 @@ fn damped_direction(workspace: &mut Workspace, axes: &[usize], solver: LinearSol
     for _ in 0..MAX_DAMPINGS {
         workspace.system.rotation_stiffness = damping.value;
         let found = direction(workspace, axes, solver);
-        let good = found.repaired == 0 && found.rotation_squared <= (SHORTENED_AT_MOST * ROTATION_LIMIT).powi(2);
+        let good = found.repaired == 0.0 && found.rotation_squared <= (SHORTENED_AT_MOST * ROTATION_LIMIT).powi(2);
         // The dense solves repair by eigenvalues and know no damping; a direction that is not finite stays so.
         if good || solver != LinearSolver::LinearTime || !found.rotation_squared.is_finite() {
             return found;
