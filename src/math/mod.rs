@@ -1,5 +1,6 @@
 //! Numbers: lanes, entire functions, small vectors and matrices, quadrature, rigid poses and their motion.
 
+pub mod avx512;
 pub mod entire;
 pub mod frame;
 pub mod lane;
