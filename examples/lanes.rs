@@ -1,46 +1,65 @@
-//! What lanes bring: kinematics and elimination of strands side by side.
+//! What lanes bring.
+use nalgebra::{UnitQuaternion, Vector3};
 use std::time::Instant;
-use superhelix::chain::elimination::Elimination;
-use superhelix::chain::system::ChainSystem;
-use superhelix::math::lane::Lane;
-use superhelix::math::avx512::{V4, V8};
-use superhelix::math::quadrature::Rule;
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::Kinematics;
-
-#[inline(never)]
-fn run<T: Lane>(n: usize, reps: usize, points: usize) -> [f64; 2] {
-    let rule = Rule::gauss_legendre(points);
-    let lengths = vec![T::splat(0.02); n];
-    let curv: Vec<[T; 3]> = (0..n).map(|k| [T::splat(1.0), T::splat(5.0 + k as f64 * 0.1), T::splat(-2.0)]).collect();
-    let mut k = Kinematics::default();
-    let root = Mat3::identity();
-    let mut best = [f64::MAX; 2];
-    let mut system = ChainSystem::<T>::default();
-    system.resize(n, n * points);
-    for s in &mut system.point_stiffness { *s = T::splat(3.0); }
-    for f in &mut system.point_force { *f = Vec3([T::splat(0.01), T::splat(-0.02), T::splat(0.003)]); }
-    for c in &mut system.curvature_stiffness { *c = [T::splat(1e-2); 3]; }
-    let mut elimination = Elimination::default();
-    let mut change = Vec::new();
-    for _ in 0..20 {
-        let t = Instant::now();
-        for _ in 0..reps {
-            k.update(&root, &lengths, &curv, &rule);
-            std::hint::black_box(&k);
-        }
-        best[0] = best[0].min(t.elapsed().as_secs_f64());
-        let t = Instant::now();
-        for _ in 0..reps {
-            std::hint::black_box(elimination.solve(&k, &system, &[0, 1, 2], &mut change));
-        }
-        best[1] = best[1].min(t.elapsed().as_secs_f64());
-    }
-    best.map(|b| b / (reps * n * T::LANES) as f64 * 1e9)
-}
+use superhelix::math::frame::Frame;
+use superhelix::math::lane::Precision;
+use superhelix::math::lanes::InstructionSet;
+use superhelix::rod::material::Material;
+use superhelix::solver::Solver;
+use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::step::options::Integrator;
 
 fn main() {
-    for points in [3, 4, 6] {
-        println!("{points} points, ns an element [kinematics, elimination]: 1 lane {:.0?}, 4 {:.0?}, 8 {:.0?}", run::<f64>(5, 2000, points), run::<V4>(5, 1000, points), run::<V8>(5, 1000, points));
+    let arguments: Vec<String> = std::env::args().collect();
+    let number = |i: usize, d: usize| arguments.get(i).map_or(d, |a| a.parse().unwrap());
+    let (n, strands, steps) = (number(1, 5), number(2, 400), number(3, 60));
+    for integrator in [Integrator::SecondOrder, Integrator::LinearlyImplicit] {
+        for precision in [Precision::F64, Precision::F32] {
+            for set in [InstructionSet::Scalar, InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
+                let mut options = SolverOptions::default();
+                options.step.precision = precision;
+                options.step.integrator = integrator;
+                options.instruction_set = Some(set);
+                let mut solver = Solver::new(options).unwrap();
+                let rest = Frame { origin: Vector3::zeros(), rotation: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 1.2) };
+                let defs: Vec<_> = (0..strands)
+                    .map(|k| {
+                        let mut def = StrandDef::straight(0.2, n);
+                        def.material = Material { internal_friction: 1e-10, air_drag: 5e-6, ..Material::default() };
+                        def.root = rest;
+                        def.natural = vec![[1.0, 4.0 + 0.01 * k as f64, 0.0]; n];
+                        def
+                    })
+                    .collect();
+                let ids = solver.add_strands(&defs).unwrap();
+                let h = 1.0 / 60.0;
+                let (mut seconds, mut iterations) = (f64::MAX, 0.0);
+                let mut total = 0.0;
+                let mut unconverged = 0;
+                for step in 0..steps {
+                    let t = h * step as f64;
+                    let mut root = rest;
+                    root.origin.x += 0.01 * (std::f64::consts::PI * t).sin();
+                    solver.set_root_frames(&ids, &vec![root; strands], h).unwrap();
+                    let started = Instant::now();
+                    let report = solver.step(h, 1).unwrap();
+                    if step > 20 {
+                        total += started.elapsed().as_secs_f64();
+                        iterations += report.mean_iterations;
+                        seconds = seconds.min(started.elapsed().as_secs_f64() / report.mean_iterations);
+                        unconverged += report.unconverged + report.quarantined;
+                    }
+                }
+                let per = 1e9 / (strands * n) as f64;
+                println!(
+                    "{integrator:?} {precision:?} {:8} least {:6.0} ns/element-iteration, mean {:6.0} ns/element-step, {:.2} iterations, unconverged {unconverged}, energy {:?}",
+                    set.name(),
+                    seconds * per,
+                    total * per / (steps - 21) as f64,
+                    iterations / (steps - 21) as f64,
+                    solver.state_hash()
+                );
+            }
+        }
     }
 }

@@ -5,7 +5,7 @@
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
-use super::system::{ChainSystem, Direction};
+use super::system::{ChainSystem, Direction, LinearSolve};
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::segment;
@@ -19,6 +19,25 @@ pub enum DenseMethod {
     ConjugateGradients,
     /// Singular values; an indefinite matrix is repaired by them. Gives the condition number.
     SingularValues,
+}
+
+/// The dense solve as one of the chain's.
+#[derive(Debug, Clone, Copy)]
+pub struct Dense(pub DenseMethod);
+
+impl LinearSolve<f64> for Dense {
+    const DAMPED: bool = false;
+    const ROTATION_LIMIT: f64 = 1.0;
+
+    fn solve(
+        &mut self,
+        kinematics: &Kinematics<f64>,
+        system: &ChainSystem<f64>,
+        axes: &[usize],
+        change: &mut Vec<[f64; 3]>,
+    ) -> Direction<f64> {
+        solve(kinematics, system, axes, self.0, change)
+    }
 }
 
 /// The assembled matrix and right-hand side over the free curvatures, element by element.

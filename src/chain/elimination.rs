@@ -8,8 +8,8 @@
 //! right end, weighted by −f, −F, −M.
 
 use super::pivot::factorise;
-use super::system::{ChainSystem, Direction};
-use crate::math::lane::Lane;
+use super::system::{ChainSystem, Direction, LinearSolve};
+use crate::math::lane::{Kernel, Lane};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
 use crate::rod::segment::{self, CurvatureForm};
@@ -44,9 +44,12 @@ impl<T> Default for Elimination<T> {
     }
 }
 
-impl<T: Lane> Elimination<T> {
-    /// Solves the system for the change of the curvatures `axes` (ascending) of every element; the others get 0.
-    pub fn solve(
+impl<T: Lane> LinearSolve<T> for Elimination<T> {
+    const DAMPED: bool = true;
+    const ROTATION_LIMIT: f64 = 2.0;
+
+    #[inline(always)]
+    fn solve(
         &mut self,
         kinematics: &Kinematics<T>,
         system: &ChainSystem<T>,
@@ -54,12 +57,31 @@ impl<T: Lane> Elimination<T> {
         change: &mut Vec<[T; 3]>,
     ) -> Direction<T> {
         match *axes {
-            [a] => solve_for(&mut self.one, kinematics, system, [a], None, change).0,
-            [a, b] => solve_for(&mut self.two, kinematics, system, [a, b], None, change).0,
-            _ => solve_for(&mut self.three, kinematics, system, [0, 1, 2], None, change).0,
+            [a] => T::call(SolveFor { scratch: &mut self.one, kinematics, system, axes: [a], change }),
+            [a, b] => T::call(SolveFor { scratch: &mut self.two, kinematics, system, axes: [a, b], change }),
+            _ => T::call(SolveFor { scratch: &mut self.three, kinematics, system, axes: [0, 1, 2], change }),
         }
     }
+}
 
+/// The solve for D free curvatures an element, as a function of its own.
+struct SolveFor<'a, T, const D: usize> {
+    scratch: &'a mut Vec<Eliminated<T, D>>,
+    kinematics: &'a Kinematics<T>,
+    system: &'a ChainSystem<T>,
+    axes: [usize; D],
+    change: &'a mut Vec<[T; 3]>,
+}
+
+impl<T: Lane, const D: usize> Kernel for SolveFor<'_, T, D> {
+    type Output = Direction<T>;
+    #[inline(always)]
+    fn run(self) -> Direction<T> {
+        solve_for(self.scratch, self.kinematics, self.system, self.axes, None, self.change).0
+    }
+}
+
+impl<T: Lane> Elimination<T> {
     /// The same over all three curvatures, with a root that may turn against a spring of `root_stiffness` (N·m/rad): also gives the
     /// root's rotation in its own axes. For fitting, where the follicle's direction is part of what is sought.
     pub fn solve_with_turning_root(
@@ -233,6 +255,7 @@ fn solve_for<T: Lane, const D: usize>(
 }
 
 /// Solves (A + k I) ψ = moment at the root.
+#[inline(always)]
 fn turn_of_root<T: Lane>(root: &Downstream<T>, stiffness: T) -> Vec3<T> {
     let mut pivot = full(&root.a).0;
     for (i, row) in pivot.iter_mut().enumerate() {
@@ -364,7 +387,7 @@ fn eliminate<T: Lane, const D: usize>(
     }
     let mut smallest = own_stiffness[axes[0]];
     for axis in axes {
-        smallest = smallest.smaller(own_stiffness[axis]);
+        smallest = T::select(own_stiffness[axis].less(smallest), own_stiffness[axis], smallest);
     }
     let (factor, repair) = factorise(&pivot, smallest);
 
@@ -372,14 +395,16 @@ fn eliminate<T: Lane, const D: usize>(
         factor,
         coupling: [[T::zero(); 6]; D],
         reduced: [T::zero(); D],
-        force: std::array::from_fn(|i| force.0[axes[i]] + own_force[axes[i]]),
-        psi: std::array::from_fn(|i| psi.column(axes[i])),
-        jacobian: std::array::from_fn(|i| jacobian.column(axes[i])),
+        force: [T::zero(); D],
+        psi: [Vec3::zero(); D],
+        jacobian: [Vec3::zero(); D],
     };
     for i in 0..D {
         let axis = axes[i];
-        let mut row: [T; 6] =
-            std::array::from_fn(|column| if column < 3 { psi_k.0[column][axis] } else { rho_k.0[column - 3][axis] });
+        done.force[i] = force.0[axis] + own_force[axis];
+        (done.psi[i], done.jacobian[i]) = (psi.column(axis), jacobian.column(axis));
+        let ([a, b, c], [d, e, f]) = (psi_k.column(axis).0, rho_k.column(axis).0);
+        let mut row = [a, b, c, d, e, f];
         let mut value = reduced.0[axis] + own_force[axis];
         for k in 0..i {
             for column in 0..6 {

@@ -34,7 +34,8 @@ pub fn factorise<T: Lane, const D: usize>(pivot: &[[T; D]; D], smallest: T) -> (
     let (mut factor, good) = cholesky(pivot, T::splat(1e-3) * smallest);
     let mut repaired = T::zero();
     if !T::all(good) {
-        for lane in (0..T::LANES).filter(|lane| !T::mask_lane(good, *lane)) {
+        let good = T::bits(good);
+        for lane in (0..T::LANES).filter(|lane| good >> lane & 1 == 0) {
             let one: [[f64; D]; D] = std::array::from_fn(|i| std::array::from_fn(|j| pivot[i][j].lane(lane)));
             let one = repair(&one, smallest.lane(lane));
             for i in 0..D {

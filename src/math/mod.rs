@@ -1,10 +1,9 @@
 //! Numbers: lanes, entire functions, small vectors and matrices, quadrature, rigid poses and their motion.
 
-pub mod avx512;
 pub mod entire;
 pub mod frame;
 pub mod lane;
-pub mod pack;
+pub mod lanes;
 pub mod point_spline;
 pub mod pose_spline;
 pub mod quadrature;
