@@ -14,8 +14,8 @@ use crate::step::scratch::Scratch;
 use crate::step::state::StrandState;
 use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
 
-/// The most strands of a task: so many are enough to fill packs where kinds are mixed.
-pub(super) const MAX_TASK: usize = 128;
+/// The most strands of a task: so many fill packs where kinds are mixed, and their states stay in a core's cache between substeps.
+pub(super) const MAX_TASK: usize = 256;
 
 /// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds.
 pub(super) fn take(strands: &mut [Strand], setting: &Setting, h: f64, set: InstructionSet, scratch: &mut Scratch) {
