@@ -22,7 +22,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use crate::step::state::{Past, StrandState};
 
 /// Changes whenever an image of an older version could not be read.
-pub const SNAPSHOT_VERSION: u32 = 2;
+pub const SNAPSHOT_VERSION: u32 = 3;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -112,6 +112,7 @@ impl Writer {
         self.f64(step.reference_tolerance);
         self.u32(step.max_subdivisions);
         self.f64(step.error_tolerance);
+        self.f64(step.quadrature_tolerance);
     }
 
     /// The identifiers.
@@ -367,6 +368,7 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         reference_tolerance: reader.f64()?,
         max_subdivisions: reader.u32()?,
         error_tolerance: reader.f64()?,
+        quadrature_tolerance: reader.f64()?,
     };
     step.check("its options").map_err(|error| Error::Snapshot { reason: error.to_string() })?;
     let mark = reader.u32()? as u16;
@@ -436,6 +438,7 @@ impl Solver {
         self.options.gravity = image.gravity;
         self.options.wind = image.wind;
         self.options.step = image.step;
+        self.rules.set_tolerance(image.step.quadrature_tolerance);
         let later = std::mem::replace(&mut self.slots, image.slots);
         self.slots.remember(&later);
         self.strands = image.strands;

@@ -1,6 +1,7 @@
 //! How a step is taken: which integrator, which linear solve, how far Newton goes.
 
 use crate::error::{Error, Result};
+use crate::math::quadrature;
 
 /// The time integrator of a solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -76,6 +77,11 @@ pub struct StepOptions {
     /// least 0. 0: errors are not looked at, and cost nothing. It is estimated from the step itself. Where the halvings do not
     /// suffice the step is taken nevertheless, and [`StrandOutcome::error`](super::StrandOutcome::error) tells.
     pub error_tolerance: f64,
+    /// What the integrals along an element (inertia, drag, weight) may err by, relative; 1e-12 to 1e-2. It decides how many quadrature
+    /// points the elements of a strand get, by the most turned of them, and with that time and memory: `docs/mathematics.md` has the
+    /// table. No rule has more than 128 points: beyond a turn of about 200 rad the tolerance is missed, and
+    /// [`Solver::quadrature`](crate::solver::Solver::quadrature) tells by how much. [`Integrator::Reference`] uses finer rules of its own.
+    pub quadrature_tolerance: f64,
 }
 
 impl Default for StepOptions {
@@ -89,6 +95,7 @@ impl Default for StepOptions {
             reference_tolerance: 1e-8,
             max_subdivisions: 3,
             error_tolerance: 0.0,
+            quadrature_tolerance: quadrature::DEFAULT_TOLERANCE,
         }
     }
 }
@@ -122,6 +129,7 @@ impl StepOptions {
                 "a finite number, 0 or more (of the strand's length, per step)",
             ));
         }
+        quadrature::check_tolerance(&format!("{argument}.quadrature_tolerance"), self.quadrature_tolerance)?;
         Ok(())
     }
 }
