@@ -155,12 +155,12 @@ impl Rules {
     /// The smallest rule that integrates an element to the tolerance when it turns by `angle` = Ωℓ rad, as an index for
     /// [`Rules::rule`]. Beyond what the largest rule is for it is the largest; [`Rules::error`] then tells.
     pub fn for_angle(&self, angle: f64) -> usize {
-        self.limits.iter().position(|limit| angle <= *limit).unwrap_or(RULES.len() - 1)
+        self.limits.iter().position(|limit| angle < *limit).unwrap_or(RULES.len() - 1)
     }
 
     /// The same for a tolerance of its own, within [`TIGHTEST`] and [`LOOSEST`].
     pub fn for_angle_within(&self, angle: f64, tolerance: f64) -> usize {
-        let does = |index: &usize| angle <= quadrature_limits::largest_turn(*index, tolerance);
+        let does = |index: &usize| angle < quadrature_limits::largest_turn(*index, tolerance);
         (0..RULES.len()).find(does).unwrap_or(RULES.len() - 1)
     }
 
