@@ -43,7 +43,8 @@ struct Scene {
 
 impl Scene {
     fn new(def: StrandDef, integrator: Integrator) -> Self {
-        let step = StepOptions { integrator, tolerance: 1e-9, ..StepOptions::default() };
+        // Larger elements, which have the same number of points or a few more, are held to what smaller ones integrate.
+        let step = StepOptions { integrator, tolerance: 1e-9, quadrature_tolerance: 1e-10, ..StepOptions::default() };
         let mut solver = Solver::new(SolverOptions { step, ..SolverOptions::default() }).unwrap();
         let id = solver.add_strands(&[def]).unwrap()[0];
         Self { solver, id, time: 0.0 }

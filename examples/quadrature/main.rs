@@ -2,9 +2,11 @@
 //! src/math/quadrature_limits.rs), and what a tolerance adds to the error of motions (`motions`). The tables of docs/mathematics.md.
 //!
 //! `cargo run --release --example quadrature -- angles docs/figures/quadrature_angles.csv`
-//! `cargo run --release --example quadrature -- motions docs/figures/quadrature_motions.csv` (a few minutes)
+//! `cargo run --release --example quadrature -- motions docs/figures/quadrature_motions.csv` (a minute)
+//! `… -- cost TOLERANCE STEPS` takes steps for scripts/quadrature_cost.sh to count the instructions of.
 
 mod angles;
+mod cost;
 #[path = "../tradeoff/hair.rs"]
 #[allow(dead_code)]
 mod hair;
@@ -90,10 +92,16 @@ fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let (csv, path) = match words[..] {
+        ["cost", tolerance, steps] => {
+            let (points, iterations, element_steps) =
+                cost::run(tolerance.parse().expect("a tolerance"), steps.parse().expect("a number of steps"));
+            println!("{points} {iterations:.4} {element_steps}");
+            return;
+        }
         ["angles", path] => (angles(), path),
         ["motions", path] => (motions(), path),
         _ => {
-            eprintln!("usage: quadrature angles|motions FILE.csv");
+            eprintln!("usage: quadrature angles|motions FILE.csv, or cost TOLERANCE STEPS");
             std::process::exit(2);
         }
     };
