@@ -200,8 +200,11 @@ fn a_balance_made_for_a_tolerance_rests_there() {
     }
 }
 
+/// Positions and velocities along a strand.
+type Curve = Vec<(Vector3<f64>, Vector3<f64>)>;
+
 /// A wavy strand on a root that turns to and fro, after `seconds`.
-fn shaken(count: usize, tolerance: f64, seconds: f64) -> (Solver, Vec<(Vector3<f64>, Vector3<f64>)>) {
+fn shaken(count: usize, tolerance: f64, seconds: f64) -> (Solver, Curve) {
     let mut solver = solver_with(tolerance, WEIGHT);
     let mut def = StrandDef::straight(0.2, count);
     def.natural = vec![[8.0, 60.0, 0.0]; count];
@@ -222,7 +225,7 @@ fn shaken(count: usize, tolerance: f64, seconds: f64) -> (Solver, Vec<(Vector3<f
 
 #[test]
 fn the_default_adds_less_than_a_twentieth_of_what_the_elements_err_by() {
-    let rms = |one: &[(Vector3<f64>, Vector3<f64>)], two: &[(Vector3<f64>, Vector3<f64>)]| {
+    let rms = |one: &Curve, two: &Curve| {
         let squares = one.iter().zip(two).map(|(a, b)| ((a.0 - b.0).norm_squared(), (a.1 - b.1).norm_squared()));
         let (r, v) = squares.fold((0.0, 0.0), |sum, here| (sum.0 + here.0, sum.1 + here.1));
         (r.sqrt(), v.sqrt())

@@ -1,9 +1,10 @@
 //! How far elements may turn for a Gauss–Legendre rule to integrate their inertia to a tolerance.
 
-/// The largest error, relative, that a rule may be chosen for, and the exponents −log₁₀ of the columns of [`RULES`].
+/// The largest error, relative, that a rule may be chosen for.
 pub const LOOSEST: f64 = 1e-2;
 /// The smallest.
 pub const TIGHTEST: f64 = 1e-12;
+/// −log₁₀ of the first column of [`RULES`]; the others follow by one.
 const FIRST_EXPONENT: f64 = 2.0;
 const COLUMNS: usize = 11;
 
