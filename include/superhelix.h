@@ -355,6 +355,9 @@ typedef struct shx_solver_def {
   // SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
   // 1e-12 to 1e-2. Default 1e-8.
   double reference_tolerance;
+  // What the integrals along an element (inertia, drag, weight) may err by, relative: 1e-12 to 1e-2. Default 1e-4. It decides how
+  // many quadrature points elements get by how far they turn, and with that time and memory.
+  double quadrature_tolerance;
 } shx_solver_def;
 
 // A right-handed pose in the world: where a root or a cross-section sits and how it is turned.
@@ -548,7 +551,7 @@ typedef struct shx_fit {
 } shx_fit;
 
 // Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
-// integrator, max_iterations, max_subdivisions, tolerance and error_tolerance into a shx_solver_def, element_count into a
+// integrator, max_iterations, max_subdivisions and the three tolerances into a shx_solver_def, element_count into a
 // shx_strand_def, and step each frame in substeps.
 typedef struct shx_settings {
   // Set by shx_settings_init.
@@ -573,6 +576,8 @@ typedef struct shx_settings {
   // Processor time a strand and simulated second in the dearest of them, microseconds, one thread, on the machine of
   // docs/tradeoff.md. Negative: not measured.
   double cost;
+  // What integrals along an element may err by.
+  double quadrature_tolerance;
 } shx_settings;
 
 // What to fit and how. Fill with shx_friction_def_init, then set at least coefficients. What is pointed to is read during the call
@@ -845,6 +850,14 @@ SHX_API shx_result shx_solver_strand_status(const shx_solver *solver, const shx_
 SHX_API shx_result shx_solver_strand_iterations(const shx_solver *solver, const shx_strand_id *ids, size_t count,
     uint32_t *out_iterations);
 
+// With how many quadrature points the elements of each of count strands are integrated, into out_points, and what inertia, drag and
+// weight of the most turned element then err by in the present shape, relative, into out_errors: at most the solver's
+// quadrature_tolerance, unless an element has turned further than any rule is for (about 200 rad), or since the last step began. 1e-12
+// stands for that or less, infinity for more than 1e-2.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_quadrature(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    uint32_t *out_points, double *out_errors);
+
 // The largest angle by which an element of each of count strands turns, in its natural or its present shape, rad, into out_turns.
 // Above pi/2 a strand moves too stiffly: give it more elements.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
@@ -1018,7 +1031,8 @@ SHX_API shx_result shx_fit_polyline(const shx_input *polyline, uint32_t element_
 
 // Natural curvatures for which a strand of this definition hangs still under gravity (three doubles, m/s^2) in the shape of
 // curvatures (count rows, rad/m; count is def.element_count): the sag-free natural shape. They go to out_natural, which holds
-// count rows. Only the material, the lengths and the root of the definition matter.
+// count rows. Only the material, the lengths and the root of the definition matter. In a solver of the default quadrature_tolerance
+// the strand is in balance to rounding, in others to that tolerance.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
 SHX_API shx_result shx_fit_natural_curvatures(const shx_strand_def *def, const double *curvatures, size_t count,
     const double gravity[3], double *out_natural);

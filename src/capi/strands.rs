@@ -245,6 +245,31 @@ pub unsafe extern "C" fn shx_solver_strand_iterations(
     }
 }
 
+/// With how many quadrature points the elements of each of count strands are integrated, into out_points, and what inertia, drag and
+/// weight of the most turned element then err by in the present shape, relative, into out_errors: at most the solver's
+/// quadrature_tolerance, unless an element has turned further than any rule is for (about 200 rad), or since the last step began. 1e-12
+/// stands for that or less, infinity for more than 1e-2.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_quadrature(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    out_points: *mut u32,
+    out_errors: *mut f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and places for count numbers each.
+    unsafe {
+        read("shx_solver_strand_quadrature", solver, |core| {
+            let points = Places::new("out_points", "count", out_points, count)?;
+            let errors = Places::new("out_errors", "count", out_errors, count)?;
+            let found = each(&strand_ids(ids, count)?, |id| core.quadrature(id))?;
+            points.write(&found.iter().map(|quadrature| quadrature.points).collect::<Vec<_>>())?;
+            errors.write(&found.iter().map(|quadrature| quadrature.error).collect::<Vec<_>>())
+        })
+    }
+}
+
 /// The largest angle by which an element of each of count strands turns, in its natural or its present shape, rad, into out_turns.
 /// Above pi/2 a strand moves too stiffly: give it more elements.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.

@@ -7,6 +7,7 @@ pub mod lanes;
 pub mod point_spline;
 pub mod pose_spline;
 pub mod quadrature;
+mod quadrature_limits;
 pub mod rotation;
 pub mod trigonometry;
 pub mod vector;

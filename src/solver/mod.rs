@@ -53,7 +53,7 @@ impl Solver {
     pub fn new(options: SolverOptions) -> Result<Self> {
         options.check("options")?;
         let crew = Crew::new(&options.workers)?;
-        let rules = Box::<Rules>::default();
+        let rules = Box::new(Rules::new(options.step.quadrature_tolerance));
         // Identifiers of two living solvers differ by where the solvers are: no counter is shared between them.
         let address = std::ptr::from_ref::<Rules>(&rules) as u64;
         let mark = (address >> 4).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 48;

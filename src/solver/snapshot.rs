@@ -117,6 +117,7 @@ impl Writer {
             Precision::F64 => 1,
             Precision::F32 => 2,
         });
+        self.f64(step.quadrature_tolerance);
     }
 
     /// The identifiers.
@@ -382,6 +383,7 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         max_subdivisions: reader.u32()?,
         error_tolerance: reader.f64()?,
         precision: precision_from(reader.u32()?)?,
+        quadrature_tolerance: reader.f64()?,
     };
     step.check("its options").map_err(|error| Error::Snapshot { reason: error.to_string() })?;
     let mark = reader.u32()? as u16;
@@ -451,6 +453,7 @@ impl Solver {
         self.options.gravity = image.gravity;
         self.options.wind = image.wind;
         self.options.step = image.step;
+        self.rules.set_tolerance(image.step.quadrature_tolerance);
         let later = std::mem::replace(&mut self.slots, image.slots);
         self.slots.remember(&later);
         self.strands = image.strands;

@@ -191,7 +191,7 @@ pub fn take(model: &StrandModel, state: &StrandState, new: &StrandModel, rules: 
     }
     fit(&old, new, &new_borders, &state.root, &mut curvatures, rules);
     out.curvatures = curvatures;
-    out.rule = rules.next_for_angle(0, new.largest_angle(&out.curvatures));
+    out.rule = rules.next_for_angle(state.rule, new.largest_angle(&out.curvatures));
     out.velocities = resampled(&mut old, &new_borders, rules, out.rule, &state.velocities);
     project(&mut old, new, &new_borders, &mut out, rules);
     let report = distances(&old, new, &out, &new_borders, rules);

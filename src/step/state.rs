@@ -159,7 +159,9 @@ impl StrandState {
         velocity::for_each_point(&kinematics, &self.rates, &root, |p, v, _| velocities[p] = v);
     }
 
-    /// Goes to the quadrature rule that the present shape needs, taking the velocities along by interpolation.
+    /// Goes to the quadrature rule that the present shape needs, taking the velocities along: to more points by interpolation, to
+    /// fewer as the polynomial that is nearest in the mean square. Kinetic energy stays or, by what fewer points cannot hold, falls;
+    /// momentum stays.
     pub fn adapt_rule(&mut self, model: &StrandModel, rules: &Rules, scratch: &mut RuleScratch) {
         let wanted = rules.next_for_angle(self.rule, model.largest_angle(&self.curvatures));
         if wanted == self.rule {
@@ -170,8 +172,8 @@ impl StrandState {
         for velocities in [Some(&mut self.velocities), past].into_iter().flatten() {
             scratch.velocities.clear();
             scratch.velocities.resize(model.element_count() * to.len(), Vec3::zero());
-            for (node, x) in to.nodes.iter().enumerate() {
-                from.interpolation(*x, &mut scratch.coefficients);
+            for node in 0..to.len() {
+                from.transfer(to, node, &mut scratch.coefficients);
                 for element in 0..model.element_count() {
                     let mut sum = Vec3::zero();
                     for (k, coefficient) in scratch.coefficients.iter().enumerate() {
