@@ -5,6 +5,8 @@ pub mod freedoms;
 pub mod kinematics;
 pub mod material;
 pub mod segment;
+
 pub mod strand;
 pub mod turning;
+pub mod uniform_points;
 pub mod velocity;

@@ -34,6 +34,11 @@ impl StrandModel {
         self.lengths.len()
     }
 
+    /// Whether all elements are as long as the first, to rounding.
+    pub fn has_equal_elements(&self) -> bool {
+        self.lengths.iter().all(|length| (length - self.lengths[0]).abs() <= 1e-14 * self.lengths[0])
+    }
+
     /// L, m.
     pub fn length(&self) -> f64 {
         self.lengths.iter().sum()

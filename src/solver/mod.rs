@@ -1,5 +1,6 @@
 //! The scene: strands, their roots, the step, and everything a host reads back.
 
+mod bulk_sampling;
 pub mod definition;
 mod editing;
 pub mod id;
@@ -15,6 +16,7 @@ mod workers;
 
 use nalgebra::Vector3;
 
+pub use bulk_sampling::{SampleSink, Tile, Wanted};
 pub use sampling::Sample;
 pub use snapshot::SNAPSHOT_VERSION;
 pub use stepping::SHORTEST_STEP;
@@ -108,7 +110,8 @@ impl Solver {
     }
 
     fn indices(&self, ids: &[StrandId]) -> Result<Vec<usize>> {
-        ids.iter().enumerate().map(|(k, id)| self.index(&format!("ids[{k}]"), *id)).collect()
+        let named = |(k, id): (usize, &StrandId)| self.slots.index(*id).ok_or_else(|| stale(k, *id));
+        ids.iter().enumerate().map(named).collect()
     }
 
     fn indices_with(&self, ids: &[StrandId], frames: usize) -> Result<Vec<usize>> {
@@ -117,6 +120,11 @@ impl Solver {
         }
         self.indices(ids)
     }
+}
+
+/// What is said of the `k`th of a call's identifiers when it names nothing. Only then: a name for each would cost more than the look-up.
+fn stale(k: usize, id: StrandId) -> Error {
+    Error::InvalidId { argument: format!("ids[{k}]"), bits: id.bits() }
 }
 
 fn check_vector(argument: &str, vector: Vector3<f64>) -> Result<()> {
