@@ -109,6 +109,13 @@ impl Rules {
         &self.rules[index]
     }
 
+    /// Bytes on the heap, of this value in a box.
+    pub fn heap_bytes(&self) -> usize {
+        let lists = |rule: &Rule| rule.nodes.capacity() + rule.weights.capacity() + rule.barycentric.capacity();
+        let numbers: usize = self.rules.iter().map(lists).sum();
+        size_of::<Self>() + self.rules.capacity() * size_of::<Rule>() + numbers * size_of::<f64>()
+    }
+
     /// Number of rules.
     pub fn count(&self) -> usize {
         self.rules.len()

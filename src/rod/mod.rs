@@ -4,8 +4,8 @@ pub mod definition;
 pub mod freedoms;
 pub mod kinematics;
 pub mod material;
+pub mod section;
 pub mod segment;
-
 pub mod strand;
 pub mod turning;
 pub mod uniform_points;

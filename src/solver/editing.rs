@@ -83,7 +83,7 @@ impl Solver {
     /// [`Error::InvalidId`].
     pub fn reset_strands(&mut self, ids: &[StrandId]) -> Result<()> {
         for index in self.indices(ids)? {
-            self.put(index, self.strands[index].model.natural.clone(), None);
+            self.put(index, self.strands[index].model.natural.to_vec(), None);
         }
         Ok(())
     }

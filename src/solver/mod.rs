@@ -9,6 +9,7 @@ mod population;
 mod reading;
 pub mod report;
 mod sampling;
+mod sections;
 mod snapshot;
 mod stepping;
 mod strand;
@@ -25,6 +26,7 @@ use crate::error::{Error, Result, check_finite};
 use crate::math::quadrature::Rules;
 use definition::SolverOptions;
 use id::{SlotMap, StrandId};
+use sections::Sections;
 use strand::Strand;
 use workers::Crew;
 
@@ -37,6 +39,7 @@ pub struct Solver {
     rules: Box<Rules>,
     slots: SlotMap,
     strands: Vec<Strand>,
+    sections: Sections,
     crew: Crew,
 }
 
@@ -58,7 +61,7 @@ impl Solver {
         // Identifiers of two living solvers differ by where the solvers are: no counter is shared between them.
         let address = std::ptr::from_ref::<Rules>(&rules) as u64;
         let mark = (address >> 4).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 48;
-        Ok(Self { options, rules, slots: SlotMap::new(mark as u16), strands: Vec::new(), crew })
+        Ok(Self { options, rules, slots: SlotMap::new(mark as u16), strands: Vec::new(), sections: Sections::default(), crew })
     }
 
     /// What the solver was made from, with later changes.
@@ -90,15 +93,17 @@ impl Solver {
         Ok(())
     }
 
-    /// Bytes that the solver holds, its strands included; scratch memory of the workers and their stacks are not.
+    /// Bytes that the solver holds, its strands included, as it asked the allocator for them. Not among them: what the allocator itself
+    /// adds (glibc: 8 to 24 bytes a piece, of which a strand has seven or eight), and what belongs to the threads: their stacks, and
+    /// the scratch memory of a step, which grows with the longest strand and not with their number.
     pub fn memory_usage(&self) -> u64 {
-        let strands: usize = self.strands.iter().map(Strand::heap_bytes).sum();
-        (size_of::<Self>()
-            + size_of::<Rules>()
+        let strands: f64 = self.strands.iter().map(Strand::heap_bytes).sum();
+        let lists = size_of::<Self>()
+            + self.rules.heap_bytes()
             + self.strands.capacity() * size_of::<Strand>()
-            + strands
             + self.slots.slots.capacity() * size_of::<id::Slot>()
-            + self.slots.free.capacity() * size_of::<u32>()) as u64
+            + self.slots.free.capacity() * size_of::<u32>();
+        (lists as f64 + strands + self.sections.heap_bytes()).round() as u64
     }
 
     fn index(&self, argument: &str, id: StrandId) -> Result<usize> {
