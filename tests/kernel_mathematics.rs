@@ -253,7 +253,7 @@ proptest! {
         let direction = Elimination::default().solve(&kinematics, &system, &axes, &mut fast);
         let method = [DenseMethod::Cholesky, DenseMethod::ConjugateGradients, DenseMethod::SingularValues][method];
         let reference = dense::solve(&kinematics, &system, &axes, method, &mut slow);
-        prop_assert_eq!(direction.repaired, 0);
+        prop_assert_eq!(direction.repaired, 0.0);
         let size = slow.iter().flatten().fold(0.0_f64, |a, x| a.max(x.abs()));
         for (a, b) in fast.iter().flatten().zip(slow.iter().flatten()) {
             prop_assert!((a - b).abs() <= 1e-9 * size, "{} against {} of {}", a, b, size);

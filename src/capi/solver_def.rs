@@ -11,6 +11,8 @@ use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_ERROR, SHX_LOG_WARN, shx_log_fn
 use super::parallel::{HostParallelFor, shx_parallel_for_fn};
 use super::versioned::{Versioned, initialise};
 use crate::error::{Error, Result};
+use crate::math::lane::Precision;
+use crate::math::lanes::InstructionSet;
 use crate::solver::definition::{SolverOptions, Workers};
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
 
@@ -35,8 +37,20 @@ pub const SHX_LINEAR_SOLVER_DENSE_SVD: u32 = 4;
 
 /// Double precision. The default.
 pub const SHX_PRECISION_F64: u32 = 1;
-/// Single precision. Not in this version: SHX_ERROR_UNSUPPORTED.
+/// Single precision: twice as many strands side by side, for up to 30 elements a strand and substeps of 1 ms or more; what it errs by
+/// is told in docs/lanes.md. With SHX_LINEAR_SOLVER_LINEAR_TIME only, and not with SHX_INTEGRATOR_REFERENCE.
 pub const SHX_PRECISION_F32: u32 = 2;
+
+/// The best vector instructions that the machine has. The default.
+pub const SHX_INSTRUCTION_SET_BEST: u32 = 0;
+/// None: strands go one by one.
+pub const SHX_INSTRUCTION_SET_SCALAR: u32 = 1;
+/// What every machine of the kind has: SSE2 on x86-64, NEON on AArch64.
+pub const SHX_INSTRUCTION_SET_BASELINE: u32 = 2;
+/// AVX2.
+pub const SHX_INSTRUCTION_SET_AVX2: u32 = 3;
+/// AVX-512 (F, BW, DQ, VL).
+pub const SHX_INSTRUCTION_SET_AVX512: u32 = 4;
 
 /// What a solver is made from. Fill with shx_solver_def_init, then change what you need.
 #[repr(C)]
@@ -78,8 +92,9 @@ pub struct shx_solver_def {
     /// How often a strand's substep may be halved where it does not converge, turns non-finite or errs by more than error_tolerance;
     /// only that strand takes it in parts. 0 to 10; default 3; 0: never. Implicit Euler and second order only.
     pub max_subdivisions: u32,
-    /// 0.
-    pub reserved_word: u32,
+    /// SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST. Results are the same to the bit with all of them; one that the machine
+    /// lacks is SHX_ERROR_UNSUPPORTED.
+    pub instruction_set: u32,
     /// The error that a substep, or a part of it, may add to a point's position before it is halved, in units of the strand's length.
     /// 0 (default): errors are not looked at, and cost nothing. Where the halvings do not suffice the report's max_error tells.
     pub error_tolerance: f64,
@@ -113,7 +128,7 @@ unsafe impl Versioned for shx_solver_def {
             exact_hessian: u32::from(options.step.exact_hessian),
             tolerance: options.step.tolerance,
             max_subdivisions: options.step.max_subdivisions,
-            reserved_word: 0,
+            instruction_set: SHX_INSTRUCTION_SET_BEST,
             error_tolerance: options.step.error_tolerance,
             reserved: [0; 2],
             reference_tolerance: options.step.reference_tolerance,
@@ -155,21 +170,19 @@ impl shx_solver_def {
             .ok_or_else(|| Error::invalid("def.integrator", self.integrator, "one of SHX_INTEGRATOR_"))?;
         let linear_solver = LinearSolver::from_u32(self.linear_solver)
             .ok_or_else(|| Error::invalid("def.linear_solver", self.linear_solver, "one of SHX_LINEAR_SOLVER_"))?;
-        match self.precision {
-            SHX_PRECISION_F64 => {}
-            SHX_PRECISION_F32 => {
-                return Err(Error::Unsupported {
-                    argument: "def.precision".into(),
-                    value: "SHX_PRECISION_F32".into(),
-                    hint: "this version computes in SHX_PRECISION_F64".into(),
-                });
-            }
+        let precision = match self.precision {
+            SHX_PRECISION_F64 => Precision::F64,
+            SHX_PRECISION_F32 => Precision::F32,
             other => return Err(Error::invalid("def.precision", other, "one of SHX_PRECISION_")),
-        }
+        };
+        let instruction_set = match self.instruction_set {
+            0 => None,
+            other => Some(
+                InstructionSet::from_u32(other)
+                    .ok_or_else(|| Error::invalid("def.instruction_set", other, "one of SHX_INSTRUCTION_SET_"))?,
+            ),
+        };
         check_reserved("def", &self.reserved)?;
-        if self.reserved_word != 0 {
-            return Err(Error::invalid("def.reserved_word", self.reserved_word, "0"));
-        }
         let workers = if let Some(function) = self.parallel_for {
             Workers::Host(Arc::new(HostParallelFor::new(function, self.parallel_for_user)))
         } else if self.worker_count > 1 {
@@ -189,8 +202,10 @@ impl shx_solver_def {
                 reference_tolerance: self.reference_tolerance,
                 max_subdivisions: self.max_subdivisions,
                 error_tolerance: self.error_tolerance,
+                precision,
             },
             workers,
+            instruction_set,
         };
         options.check("def")?;
         Ok(options)

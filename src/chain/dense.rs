@@ -5,7 +5,7 @@
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
-use super::system::{ChainSystem, Direction};
+use super::system::{ChainSystem, Direction, LinearSolve};
 use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::segment;
@@ -19,6 +19,25 @@ pub enum DenseMethod {
     ConjugateGradients,
     /// Singular values; an indefinite matrix is repaired by them. Gives the condition number.
     SingularValues,
+}
+
+/// The dense solve as one of the chain's.
+#[derive(Debug, Clone, Copy)]
+pub struct Dense(pub DenseMethod);
+
+impl LinearSolve<f64> for Dense {
+    const DAMPED: bool = false;
+    const ROTATION_LIMIT: f64 = 1.0;
+
+    fn solve(
+        &mut self,
+        kinematics: &Kinematics<f64>,
+        system: &ChainSystem<f64>,
+        axes: &[usize],
+        change: &mut Vec<[f64; 3]>,
+    ) -> Direction<f64> {
+        solve(kinematics, system, axes, self.0, change)
+    }
 }
 
 /// The assembled matrix and right-hand side over the free curvatures, element by element.
@@ -165,7 +184,7 @@ pub fn solve(
 ) -> Direction<f64> {
     let dense = assemble(kinematics, system, axes);
     let size = dense.force.len();
-    let mut repaired = 0;
+    let mut repaired = 0_usize;
     let mut condition = 0.0;
     let solution = if dense.force.iter().all(|f| f.is_finite()) && is_finite(&dense.matrix) {
         match method {
@@ -190,7 +209,7 @@ pub fn solve(
         rotation_sum += rotation.norm_squared();
     }
     let descent = solution.iter().zip(&dense.force).map(|(d, f)| d * f).sum();
-    Direction { descent, rotation_squared, rotation_sum, repaired, condition }
+    Direction { descent, rotation_squared, rotation_sum, repaired: repaired as f64, condition }
 }
 
 fn is_finite(matrix: &Mat<f64>) -> bool {

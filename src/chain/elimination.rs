@@ -7,9 +7,9 @@
 //! stiffness k and force f at place x moves by ρ + ψ×x + J_x δκ. The exact Hessian adds tension: the second variations of x and of the
 //! right end, weighted by −f, −F, −M.
 
-use super::pivot::{cholesky, reflect};
-use super::system::{ChainSystem, Direction};
-use crate::math::lane::Lane;
+use super::pivot::factorise;
+use super::system::{ChainSystem, Direction, LinearSolve};
+use crate::math::lane::{Kernel, Lane};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
 use crate::rod::segment::{self, CurvatureForm};
@@ -44,31 +44,53 @@ impl<T> Default for Elimination<T> {
     }
 }
 
-impl Elimination<f64> {
-    /// Solves the system for the change of the curvatures `axes` (ascending) of every element; the others get 0.
-    pub fn solve(
+impl<T: Lane> LinearSolve<T> for Elimination<T> {
+    const DAMPED: bool = true;
+    const ROTATION_LIMIT: f64 = 2.0;
+
+    #[inline(always)]
+    fn solve(
         &mut self,
-        kinematics: &Kinematics<f64>,
-        system: &ChainSystem<f64>,
+        kinematics: &Kinematics<T>,
+        system: &ChainSystem<T>,
         axes: &[usize],
-        change: &mut Vec<[f64; 3]>,
-    ) -> Direction<f64> {
+        change: &mut Vec<[T; 3]>,
+    ) -> Direction<T> {
         match *axes {
-            [a] => solve_for(&mut self.one, kinematics, system, [a], None, change).0,
-            [a, b] => solve_for(&mut self.two, kinematics, system, [a, b], None, change).0,
-            _ => solve_for(&mut self.three, kinematics, system, [0, 1, 2], None, change).0,
+            [a] => T::call(SolveFor { scratch: &mut self.one, kinematics, system, axes: [a], change }),
+            [a, b] => T::call(SolveFor { scratch: &mut self.two, kinematics, system, axes: [a, b], change }),
+            _ => T::call(SolveFor { scratch: &mut self.three, kinematics, system, axes: [0, 1, 2], change }),
         }
     }
+}
 
+/// The solve for D free curvatures an element, as a function of its own.
+struct SolveFor<'a, T, const D: usize> {
+    scratch: &'a mut Vec<Eliminated<T, D>>,
+    kinematics: &'a Kinematics<T>,
+    system: &'a ChainSystem<T>,
+    axes: [usize; D],
+    change: &'a mut Vec<[T; 3]>,
+}
+
+impl<T: Lane, const D: usize> Kernel for SolveFor<'_, T, D> {
+    type Output = Direction<T>;
+    #[inline(always)]
+    fn run(self) -> Direction<T> {
+        solve_for(self.scratch, self.kinematics, self.system, self.axes, None, self.change).0
+    }
+}
+
+impl<T: Lane> Elimination<T> {
     /// The same over all three curvatures, with a root that may turn against a spring of `root_stiffness` (N·m/rad): also gives the
     /// root's rotation in its own axes. For fitting, where the follicle's direction is part of what is sought.
     pub fn solve_with_turning_root(
         &mut self,
-        kinematics: &Kinematics<f64>,
-        system: &ChainSystem<f64>,
-        root_stiffness: f64,
-        change: &mut Vec<[f64; 3]>,
-    ) -> (Direction<f64>, Vec3<f64>) {
+        kinematics: &Kinematics<T>,
+        system: &ChainSystem<T>,
+        root_stiffness: T,
+        change: &mut Vec<[T; 3]>,
+    ) -> (Direction<T>, Vec3<T>) {
         solve_for(&mut self.three, kinematics, system, [0, 1, 2], Some(root_stiffness), change)
     }
 }
@@ -177,34 +199,35 @@ impl<T: Lane> Downstream<T> {
     }
 }
 
-fn solve_for<const D: usize>(
-    scratch: &mut Vec<Eliminated<f64, D>>,
-    kinematics: &Kinematics<f64>,
-    system: &ChainSystem<f64>,
+#[inline(always)]
+fn solve_for<T: Lane, const D: usize>(
+    scratch: &mut Vec<Eliminated<T, D>>,
+    kinematics: &Kinematics<T>,
+    system: &ChainSystem<T>,
     axes: [usize; D],
-    root_stiffness: Option<f64>,
-    change: &mut Vec<[f64; 3]>,
-) -> (Direction<f64>, Vec3<f64>) {
+    root_stiffness: Option<T>,
+    change: &mut Vec<[T; 3]>,
+) -> (Direction<T>, Vec3<T>) {
     let count = kinematics.elements.len();
     scratch.clear();
-    let mut repaired = 0;
+    let mut repaired = T::zero();
     let mut down = Downstream::nothing();
     for index in (0..count).rev() {
         let (eliminated, left, repair) = eliminate(&down, kinematics, system, axes, index);
-        repaired += usize::from(repair);
+        repaired += repair;
         scratch.push(eliminated);
         down = if index > 0 { left.turned(&kinematics.elements[index - 1].turn) } else { left };
     }
     // From root to tip: the root does not move, or turns as the last reduced system says.
     change.clear();
-    change.resize(count, [0.0; 3]);
+    change.resize(count, [T::zero(); 3]);
     let root_turn = root_stiffness.map_or(Vec3::zero(), |stiffness| turn_of_root(&down, stiffness));
-    let (mut psi, mut rho) = (root_turn, Vec3::<f64>::zero());
+    let (mut psi, mut rho) = (root_turn, Vec3::<T>::zero());
     let (mut descent, mut rotation_squared) = (root_turn.dot(down.whole_moment), root_turn.norm_squared());
-    let mut rotation_sum = 0.0;
+    let mut rotation_sum = T::zero();
     for (index, element) in kinematics.elements.iter().enumerate() {
         let done = &scratch[count - 1 - index];
-        let mut delta = [0.0; D];
+        let mut delta = [T::zero(); D];
         for i in (0..D).rev() {
             let mut value = done.reduced[i];
             for axis in 0..3 {
@@ -223,7 +246,7 @@ fn solve_for<const D: usize>(
             next_rho += done.jacobian[i].scale(delta[i]);
         }
         let turned = next_psi.norm_squared();
-        rotation_squared = rotation_squared.max(turned);
+        rotation_squared = rotation_squared.larger(turned);
         rotation_sum += turned;
         psi = element.turn.apply_transposed(next_psi);
         rho = element.turn.apply_transposed(next_rho);
@@ -232,7 +255,8 @@ fn solve_for<const D: usize>(
 }
 
 /// Solves (A + k I) ψ = moment at the root.
-fn turn_of_root(root: &Downstream<f64>, stiffness: f64) -> Vec3<f64> {
+#[inline(always)]
+fn turn_of_root<T: Lane>(root: &Downstream<T>, stiffness: T) -> Vec3<T> {
     let mut pivot = full(&root.a).0;
     for (i, row) in pivot.iter_mut().enumerate() {
         row[i] += stiffness;
@@ -243,26 +267,26 @@ fn turn_of_root(root: &Downstream<f64>, stiffness: f64) -> Vec3<f64> {
         for k in 0..i {
             y[i] -= factor[i][k] * y[k];
         }
-        y[i] *= factor[i][i];
+        y[i] = y[i] * factor[i][i];
     }
     for i in (0..3).rev() {
         for k in i + 1..3 {
             y[i] -= factor[k][i] * y[k];
         }
-        y[i] *= factor[i][i];
+        y[i] = y[i] * factor[i][i];
     }
     Vec3(y)
 }
 
 /// Eliminates one element's curvatures: what it and all downstream are to its left end, and what the second pass needs.
 #[inline(always)]
-fn eliminate<const D: usize>(
-    right: &Downstream<f64>,
-    kinematics: &Kinematics<f64>,
-    system: &ChainSystem<f64>,
+fn eliminate<T: Lane, const D: usize>(
+    right: &Downstream<T>,
+    kinematics: &Kinematics<T>,
+    system: &ChainSystem<T>,
     axes: [usize; D],
     index: usize,
-) -> (Eliminated<f64, D>, Downstream<f64>, bool) {
+) -> (Eliminated<T, D>, Downstream<T>, T) {
     let mut right = *right;
     right.a[0] += system.rotation_stiffness;
     right.a[3] += system.rotation_stiffness;
@@ -288,7 +312,7 @@ fn eliminate<const D: usize>(
     if system.exact {
         let (f, m) = (right.tension_force, right.tension_moment);
         left.add_tension(f, end);
-        psi_k = psi_k.add(&jacobian.crossed_from_left(f)).add(&psi.crossed_from_left(m.scale(0.5)));
+        psi_k = psi_k.add(&jacobian.crossed_from_left(f)).add(&psi.crossed_from_left(m.scale(T::splat(0.5))));
         form.subtract_force(f, kappa, length, element.kappa_squared, &element.c);
         form.subtract_moment(m, kappa, length, element.kappa_squared, &element.c);
     }
@@ -296,10 +320,10 @@ fn eliminate<const D: usize>(
     // The element's own points.
     let per_element = kinematics.points_per_element;
     let first = index * per_element;
-    let mut stiffness_sum = 0.0;
+    let mut stiffness_sum = T::zero();
     let mut first_moment = Vec3::zero();
     let mut point_rho_k = Mat3::zero();
-    let mut own = [0.0; 6];
+    let mut own = [T::zero(); 6];
     for p in first..first + per_element {
         let point = &kinematics.points[p];
         let stiffness = system.point_stiffness[p];
@@ -354,31 +378,33 @@ fn eliminate<const D: usize>(
     // The pivot of the free curvatures.
     let own_stiffness = &system.curvature_stiffness[index];
     let own_force = &system.curvature_force[index];
-    let mut pivot = [[0.0; D]; D];
+    let mut pivot = [[T::zero(); D]; D];
     for i in 0..D {
         for j in 0..D {
-            pivot[i][j] = 0.5 * (kk.0[axes[i]][axes[j]] + kk.0[axes[j]][axes[i]]);
+            pivot[i][j] = T::splat(0.5) * (kk.0[axes[i]][axes[j]] + kk.0[axes[j]][axes[i]]);
         }
         pivot[i][i] += own_stiffness[axes[i]];
     }
     let mut smallest = own_stiffness[axes[0]];
     for axis in axes {
-        smallest = smallest.min(own_stiffness[axis]);
+        smallest = T::select(own_stiffness[axis].less(smallest), own_stiffness[axis], smallest);
     }
     let (factor, repair) = factorise(&pivot, smallest);
 
     let mut done = Eliminated {
         factor,
-        coupling: [[0.0; 6]; D],
-        reduced: [0.0; D],
-        force: std::array::from_fn(|i| force.0[axes[i]] + own_force[axes[i]]),
-        psi: std::array::from_fn(|i| psi.column(axes[i])),
-        jacobian: std::array::from_fn(|i| jacobian.column(axes[i])),
+        coupling: [[T::zero(); 6]; D],
+        reduced: [T::zero(); D],
+        force: [T::zero(); D],
+        psi: [Vec3::zero(); D],
+        jacobian: [Vec3::zero(); D],
     };
     for i in 0..D {
         let axis = axes[i];
-        let mut row: [f64; 6] =
-            std::array::from_fn(|column| if column < 3 { psi_k.0[column][axis] } else { rho_k.0[column - 3][axis] });
+        done.force[i] = force.0[axis] + own_force[axis];
+        (done.psi[i], done.jacobian[i]) = (psi.column(axis), jacobian.column(axis));
+        let ([a, b, c], [d, e, f]) = (psi_k.column(axis).0, rho_k.column(axis).0);
+        let mut row = [a, b, c, d, e, f];
         let mut value = reduced.0[axis] + own_force[axis];
         for k in 0..i {
             for column in 0..6 {
@@ -416,24 +442,4 @@ fn eliminate<const D: usize>(
         }
     }
     (done, left, repair)
-}
-
-/// The pivot's factor; a pivot that is not positive definite is repaired, and said to be. `smallest` is the least stiffness that the
-/// element's own curvatures have: nothing smaller is a curvature of the potential worth following.
-#[inline(always)]
-fn factorise<const D: usize>(pivot: &[[f64; D]; D], smallest: f64) -> ([[f64; D]; D], bool) {
-    let floor = 1e-3 * smallest;
-    if let Some(factor) = cholesky(pivot, floor) {
-        return (factor, false);
-    }
-    let mut largest = 0.0_f64;
-    for i in 0..D {
-        largest = largest.max(pivot[i][i].abs());
-    }
-    let repaired = reflect(pivot, (smallest).max(1e-12 * largest));
-    match cholesky(&repaired, 0.0) {
-        Some(factor) => (factor, true),
-        // Not finite: the caller sees a direction that is not finite, and gives the strand up.
-        None => ([[f64::NAN; D]; D], true),
-    }
 }

@@ -2,18 +2,18 @@
 
 use crate::math::lane::Lane;
 
-/// The lower Cholesky factor of a symmetric D×D matrix, its diagonal inverted; `None` when a pivot is not above `floor`.
+/// The lower Cholesky factor of a symmetric D×D matrix, its diagonal inverted, and the lanes in which every pivot was above `floor`: in
+/// the others the factor means nothing.
 #[inline(always)]
-pub fn cholesky<T: Lane, const D: usize>(matrix: &[[T; D]; D], floor: T) -> Option<[[T; D]; D]> {
+pub fn cholesky<T: Lane, const D: usize>(matrix: &[[T; D]; D], floor: T) -> ([[T; D]; D], T::Mask) {
     let mut factor = [[T::zero(); D]; D];
+    let mut good = T::splat_mask(true);
     for j in 0..D {
         let mut pivot = matrix[j][j];
         for k in 0..j {
             pivot -= factor[j][k] * factor[j][k];
         }
-        if !T::all(T::less(floor, pivot)) {
-            return None;
-        }
+        good = T::both(good, T::less(floor, pivot));
         let inverse = T::one() / pivot.sqrt();
         factor[j][j] = inverse;
         for i in j + 1..D {
@@ -24,7 +24,41 @@ pub fn cholesky<T: Lane, const D: usize>(matrix: &[[T; D]; D], floor: T) -> Opti
             factor[i][j] = value * inverse;
         }
     }
-    Some(factor)
+    (factor, good)
+}
+
+/// The pivot's factor; in lanes where it is not positive definite it is repaired, and those lanes are told (1, else 0). `smallest` is the
+/// least stiffness that the element's own curvatures have: nothing smaller is a curvature of the potential worth following.
+#[inline(always)]
+pub fn factorise<T: Lane, const D: usize>(pivot: &[[T; D]; D], smallest: T) -> ([[T; D]; D], T) {
+    let (mut factor, good) = cholesky(pivot, T::splat(1e-3) * smallest);
+    let mut repaired = T::zero();
+    if !T::all(good) {
+        let good = T::bits(good);
+        for lane in (0..T::LANES).filter(|lane| good >> lane & 1 == 0) {
+            let one: [[f64; D]; D] = std::array::from_fn(|i| std::array::from_fn(|j| pivot[i][j].lane(lane)));
+            let one = repair(&one, smallest.lane(lane));
+            for i in 0..D {
+                for j in 0..D {
+                    factor[i][j].set_lane(lane, one[i][j]);
+                }
+            }
+            repaired.set_lane(lane, 1.0);
+        }
+    }
+    (factor, repaired)
+}
+
+/// The factor of a pivot that is not positive definite, repaired. Not finite where the pivot is not: the caller sees a direction that is not
+/// finite, and gives the strand up.
+#[cold]
+fn repair<const D: usize>(pivot: &[[f64; D]; D], smallest: f64) -> [[f64; D]; D] {
+    let mut largest = 0.0_f64;
+    for i in 0..D {
+        largest = largest.max(pivot[i][i].abs());
+    }
+    let (factor, good) = cholesky(&reflect(pivot, smallest.max(1e-12 * largest)), 0.0);
+    if good { factor } else { [[f64::NAN; D]; D] }
 }
 
 /// Eigenvalues and eigenvectors (columns) of a symmetric matrix by Jacobi's rotations.
@@ -103,7 +137,8 @@ mod tests {
     #[test]
     fn factorises_and_refuses() {
         let matrix = [[4.0, 1.0, 0.5], [1.0, 3.0, -0.2], [0.5, -0.2, 2.0]];
-        let factor = cholesky(&matrix, 0.0).expect("positive definite");
+        let (factor, good) = cholesky(&matrix, 0.0);
+        assert!(good);
         for i in 0..3 {
             for j in 0..=i {
                 let mut sum = 0.0;
@@ -115,8 +150,8 @@ mod tests {
                 assert!((sum - matrix[i][j]).abs() < 1e-15);
             }
         }
-        assert!(cholesky(&[[1.0, 2.0], [2.0, 1.0]], 0.0).is_none());
-        assert!(cholesky(&[[f64::NAN]], 0.0).is_none());
+        assert!(!cholesky(&[[1.0, 2.0], [2.0, 1.0]], 0.0).1);
+        assert!(!cholesky(&[[f64::NAN]], 0.0).1);
     }
 
     #[test]

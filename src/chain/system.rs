@@ -2,6 +2,7 @@
 
 use crate::math::lane::Lane;
 use crate::math::vector::Vec3;
+use crate::rod::kinematics::Kinematics;
 
 /// A spring at every quadrature point and at every curvature. In the linear solves they are stiffness and force; in Newton's
 /// iteration the forces follow from the targets and the present state.
@@ -47,9 +48,26 @@ pub struct Direction<T> {
     /// Sum of the squared rotations of all elements' right ends, rad².
     pub rotation_sum: T,
     /// How many pivots were not positive definite and were repaired (dense solves: eigenvalues).
-    pub repaired: usize,
+    pub repaired: T,
     /// Condition number of the matrix (dense singular values only; otherwise 0).
     pub condition: f64,
+}
+
+/// A solver of the chain's linear system.
+pub trait LinearSolve<T> {
+    /// Whether it tells pivots that are not positive, so that damping can hold them back.
+    const DAMPED: bool;
+    /// No element turns by more than this in an iteration, rad: beyond it the quadratic model says nothing.
+    const ROTATION_LIMIT: f64;
+
+    /// The change of the curvatures `axes` (ascending) of every element; the others get 0.
+    fn solve(
+        &mut self,
+        kinematics: &Kinematics<T>,
+        system: &ChainSystem<T>,
+        axes: &[usize],
+        change: &mut Vec<[T; 3]>,
+    ) -> Direction<T>;
 }
 
 impl<T: Lane> ChainSystem<T> {
@@ -60,6 +78,7 @@ impl<T: Lane> ChainSystem<T> {
     }
 
     /// Makes room for a strand.
+    #[inline(always)]
     pub fn resize(&mut self, elements: usize, points: usize) {
         self.point_stiffness.resize(points, T::zero());
         self.point_force.resize(points, Vec3::zero());

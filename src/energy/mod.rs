@@ -6,9 +6,12 @@
 
 pub mod drag;
 pub mod elastic;
+pub mod energies;
 pub mod friction;
 pub mod gravity;
 pub mod inertia;
+
+pub use energies::Energies;
 
 use crate::math::lane::Lane;
 use crate::math::vector::Vec3;

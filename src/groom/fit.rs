@@ -11,7 +11,7 @@ use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use super::polyline::Polyline;
 pub use super::rest_shape::natural_under_gravity;
 use crate::chain::elimination::Elimination;
-use crate::chain::system::ChainSystem;
+use crate::chain::system::{ChainSystem, LinearSolve};
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rule;

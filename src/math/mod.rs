@@ -3,6 +3,7 @@
 pub mod entire;
 pub mod frame;
 pub mod lane;
+pub mod lanes;
 pub mod point_spline;
 pub mod pose_spline;
 pub mod quadrature;

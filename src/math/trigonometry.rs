@@ -5,9 +5,6 @@
 
 use super::lane::Lane;
 
-/// π/2 in parts of 33 bits, so that their products with a quadrant number below 2²⁰ are exact.
-const HALF_PI_PARTS: [f64; 3] = [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
-
 const SINE: [f64; 6] = [
     -1.666_666_666_666_663_2e-1,
     8.333_333_333_322_49e-3,
@@ -30,8 +27,8 @@ const COSINE: [f64; 6] = [
 #[inline(always)]
 pub fn sine_cosine<T: Lane>(x: T) -> (T, T) {
     let quadrant = (x * T::splat(std::f64::consts::FRAC_2_PI)).round();
-    let r =
-        x - quadrant * T::splat(HALF_PI_PARTS[0]) - quadrant * T::splat(HALF_PI_PARTS[1]) - quadrant * T::splat(HALF_PI_PARTS[2]);
+    let parts = T::PRECISION.constants().half_pi_parts;
+    let r = x - quadrant * T::splat(parts[0]) - quadrant * T::splat(parts[1]) - quadrant * T::splat(parts[2]);
     let z = r * r;
     let mut sine = T::splat(SINE[5]);
     let mut cosine = T::splat(COSINE[5]);

@@ -6,6 +6,36 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::lane::Lane;
 
+/// A vector from a function of the row. Written out: a closure handed to the standard library would not be compiled for the vector
+/// instructions of its surroundings.
+macro_rules! vector {
+    (|$i:ident| $value:expr) => {
+        $crate::math::vector::vector!(@ |$i| $value; 0, 1, 2)
+    };
+    (@ |$i:ident| $value:expr; $($row:literal),*) => {
+        $crate::math::vector::Vec3([$({
+            let $i: usize = $row;
+            $value
+        }),*])
+    };
+}
+
+/// A matrix from a function of row and column, written out as well.
+macro_rules! matrix {
+    (|$i:ident, $j:ident| $value:expr) => {
+        $crate::math::vector::Mat3([
+            $crate::math::vector::matrix!(@ |$i, $j| $value; 0),
+            $crate::math::vector::matrix!(@ |$i, $j| $value; 1),
+            $crate::math::vector::matrix!(@ |$i, $j| $value; 2),
+        ])
+    };
+    (@ |$i:ident, $j:ident| $value:expr; $row:literal) => {{
+        let $i: usize = $row;
+        $crate::math::vector::vector!(|$j| $value).0
+    }};
+}
+pub(crate) use {matrix, vector};
+
 /// A 3-vector.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vec3<T>(pub [T; 3]);
@@ -101,11 +131,6 @@ impl<T: Lane> Mat3<T> {
         }
         out
     }
-    /// A matrix from a function of row and column.
-    #[inline(always)]
-    pub fn from_fn(f: impl Fn(usize, usize) -> T) -> Self {
-        Self(std::array::from_fn(|i| std::array::from_fn(|j| f(i, j))))
-    }
     /// `[a]×`, the matrix of the cross product from the left.
     #[inline(always)]
     pub fn cross(a: Vec3<T>) -> Self {
@@ -117,51 +142,51 @@ impl<T: Lane> Mat3<T> {
     #[inline(always)]
     pub fn apply(&self, v: Vec3<T>) -> Vec3<T> {
         let m = &self.0;
-        Vec3(std::array::from_fn(|i| m[i][0] * v.0[0] + m[i][1] * v.0[1] + m[i][2] * v.0[2]))
+        vector!(|i| m[i][0] * v.0[0] + m[i][1] * v.0[1] + m[i][2] * v.0[2])
     }
     /// Product of the transpose with a vector.
     #[inline(always)]
     pub fn apply_transposed(&self, v: Vec3<T>) -> Vec3<T> {
         let m = &self.0;
-        Vec3(std::array::from_fn(|i| m[0][i] * v.0[0] + m[1][i] * v.0[1] + m[2][i] * v.0[2]))
+        vector!(|i| m[0][i] * v.0[0] + m[1][i] * v.0[1] + m[2][i] * v.0[2])
     }
     /// Matrix product.
     #[inline(always)]
     pub fn mul(&self, other: &Self) -> Self {
         let (a, b) = (&self.0, &other.0);
-        Self::from_fn(|i, j| a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j])
+        matrix!(|i, j| a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j])
     }
     /// Product of the transpose with another matrix.
     #[inline(always)]
     pub fn transposed_mul(&self, other: &Self) -> Self {
         let (a, b) = (&self.0, &other.0);
-        Self::from_fn(|i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j])
+        matrix!(|i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j])
     }
     /// Product with the transpose of another matrix.
     #[inline(always)]
     pub fn mul_transposed(&self, other: &Self) -> Self {
         let (a, b) = (&self.0, &other.0);
-        Self::from_fn(|i, j| a[i][0] * b[j][0] + a[i][1] * b[j][1] + a[i][2] * b[j][2])
+        matrix!(|i, j| a[i][0] * b[j][0] + a[i][1] * b[j][1] + a[i][2] * b[j][2])
     }
     /// Transpose.
     #[inline(always)]
     pub fn transpose(&self) -> Self {
-        Self::from_fn(|i, j| self.0[j][i])
+        matrix!(|i, j| self.0[j][i])
     }
     /// Sum.
     #[inline(always)]
     pub fn add(&self, other: &Self) -> Self {
-        Self::from_fn(|i, j| self.0[i][j] + other.0[i][j])
+        matrix!(|i, j| self.0[i][j] + other.0[i][j])
     }
     /// Difference.
     #[inline(always)]
     pub fn sub(&self, other: &Self) -> Self {
-        Self::from_fn(|i, j| self.0[i][j] - other.0[i][j])
+        matrix!(|i, j| self.0[i][j] - other.0[i][j])
     }
     /// Product with a number.
     #[inline(always)]
     pub fn scale(&self, factor: T) -> Self {
-        Self::from_fn(|i, j| self.0[i][j] * factor)
+        matrix!(|i, j| self.0[i][j] * factor)
     }
     /// `[a]×` times this matrix.
     #[inline(always)]
@@ -196,7 +221,7 @@ impl From<Vec3<f64>> for Vector3<f64> {
 
 impl From<Matrix3<f64>> for Mat3<f64> {
     fn from(m: Matrix3<f64>) -> Self {
-        Self::from_fn(|i, j| m[(i, j)])
+        matrix!(|i, j| m[(i, j)])
     }
 }
 

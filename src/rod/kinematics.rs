@@ -103,6 +103,7 @@ impl<T: Lane> ElementState<T> {
 
 impl<T: Lane> Kinematics<T> {
     /// Brings all elements and points to the curvatures `curvatures` (a row an element).
+    #[inline(always)]
     pub fn update(&mut self, root: &Mat3<T>, lengths: &[T], curvatures: &[[T; 3]], rule: &Rule) {
         self.elements.clear();
         self.points.clear();

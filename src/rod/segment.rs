@@ -12,7 +12,7 @@
 
 use crate::math::entire::Stumpff;
 use crate::math::lane::Lane;
-use crate::math::vector::{Mat3, Vec3};
+use crate::math::vector::{Mat3, Vec3, matrix};
 
 /// `factor_i I + factor_x [θ]× + factor_d θθᵀ`.
 #[inline(always)]
@@ -118,7 +118,7 @@ impl<T: Lane> CurvatureForm<T> {
         let k = kappa.0;
         let w = Vec3([self.with_kappa.0[0] * half, self.with_kappa.0[1] * half, self.with_kappa.0[2] * half]).0;
         let t = self.with_tangent.scale(half).0;
-        let mut out = Mat3::from_fn(|i, j| self.kk * k[i] * k[j] + (k[i] * w[j] + w[i] * k[j]));
+        let mut out = matrix!(|i, j| self.kk * k[i] * k[j] + (k[i] * w[j] + w[i] * k[j]));
         for i in 0..3 {
             out.0[i][i] += self.unit;
             out.0[0][i] += t[i];

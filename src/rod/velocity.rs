@@ -1,23 +1,25 @@
 //! Velocities and velocity-product accelerations along a strand from the rates of its curvatures (`docs/mathematics.md`).
 
-use super::kinematics::Kinematics;
+use super::kinematics::{ElementState, Kinematics};
 use super::segment;
+use crate::math::entire::Stumpff;
+use crate::math::lane::Lane;
 use crate::math::vector::Vec3;
 
 /// How the root moves: linear and angular velocity, linear and angular acceleration, world axes.
 #[derive(Debug, Clone, Copy)]
-pub struct RootMotion {
+pub struct RootMotion<T = f64> {
     /// m/s.
-    pub velocity: Vec3<f64>,
+    pub velocity: Vec3<T>,
     /// rad/s.
-    pub angular_velocity: Vec3<f64>,
+    pub angular_velocity: Vec3<T>,
     /// m/s².
-    pub acceleration: Vec3<f64>,
+    pub acceleration: Vec3<T>,
     /// rad/s².
-    pub angular_acceleration: Vec3<f64>,
+    pub angular_acceleration: Vec3<T>,
 }
 
-impl RootMotion {
+impl<T: Lane> RootMotion<T> {
     /// A root that does not move.
     pub fn still() -> Self {
         let zero = Vec3::zero();
@@ -25,34 +27,54 @@ impl RootMotion {
     }
 }
 
+/// Velocity and acceleration without q̈ of the left end of an element, and the rates of its own frame.
+#[derive(Clone, Copy)]
+struct LeftEnd<T> {
+    velocity: Vec3<T>,
+    acceleration: Vec3<T>,
+    omega: Vec3<T>,
+    alpha: Vec3<T>,
+}
+
+impl<T: Lane> LeftEnd<T> {
+    /// Velocity and acceleration of the element's point at arclength `s`.
+    #[inline(always)]
+    fn point(&self, element: &ElementState<T>, rate: Vec3<T>, s: T, c: &Stumpff<T>, local: Vec3<T>) -> (Vec3<T>, Vec3<T>) {
+        let theta = element.kappa.scale(s);
+        let z = element.kappa_squared * s * s;
+        let rho = element.frame_left.apply(local);
+        let moved = element.frame_left.apply(segment::chord_gradient(theta, z, c).apply(rate)).scale(s * s);
+        let bent = element.frame_left.apply(segment::second_variation(element.kappa, rate, s, element.kappa_squared, c));
+        let (omega, alpha) = (self.omega, self.alpha);
+        let velocity = self.velocity + omega.cross(rho) + moved;
+        let turning = omega.cross(omega.cross(rho)) + omega.cross(moved).scale(T::splat(2.0));
+        (velocity, self.acceleration + alpha.cross(rho) + turning + bent)
+    }
+}
+
 /// Calls `emit(point index, velocity, acceleration without q̈)` for every quadrature point, for curvature rates `rates`:
 /// v = v_root + ω_root×r + J q̇, a = a_root + α_root×r + ω×(ω×r) + … + J̇ q̇, all of them relative to the world.
-pub fn for_each_point(
-    kinematics: &Kinematics<f64>,
-    rates: &[[f64; 3]],
-    root: &RootMotion,
-    mut emit: impl FnMut(usize, Vec3<f64>, Vec3<f64>),
+#[inline(always)]
+pub fn for_each_point<T: Lane>(
+    kinematics: &Kinematics<T>,
+    rates: &[[T; 3]],
+    root: &RootMotion<T>,
+    mut emit: impl FnMut(usize, Vec3<T>, Vec3<T>),
 ) {
-    let (mut v_left, mut omega) = (root.velocity, root.angular_velocity);
-    let (mut a_left, mut alpha) = (root.acceleration, root.angular_acceleration);
+    let mut left = LeftEnd {
+        velocity: root.velocity,
+        acceleration: root.acceleration,
+        omega: root.angular_velocity,
+        alpha: root.angular_acceleration,
+    };
     for (index, element) in kinematics.elements.iter().enumerate() {
         let rate = Vec3(rates[index]);
-        let at = |s: f64, c: &crate::math::entire::Stumpff<f64>, local: Vec3<f64>| {
-            let theta = element.kappa.scale(s);
-            let z = element.kappa_squared * s * s;
-            let rho = element.frame_left.apply(local);
-            let moved = element.frame_left.apply(segment::chord_gradient(theta, z, c).apply(rate)).scale(s * s);
-            let bent = element.frame_left.apply(segment::second_variation(element.kappa, rate, s, element.kappa_squared, c));
-            let velocity = v_left + omega.cross(rho) + moved;
-            let acceleration = a_left + alpha.cross(rho) + omega.cross(omega.cross(rho)) + omega.cross(moved).scale(2.0) + bent;
-            (velocity, acceleration)
-        };
         for p in index * kinematics.points_per_element..(index + 1) * kinematics.points_per_element {
             let point = &kinematics.points[p];
-            let (velocity, acceleration) = at(point.s, &point.c, point.local);
+            let (velocity, acceleration) = left.point(element, rate, point.s, &point.c, point.local);
             emit(p, velocity, acceleration);
         }
-        let (velocity, acceleration) = at(element.length, &element.c, element.end);
+        let (velocity, acceleration) = left.point(element, rate, element.length, &element.c, element.end);
         let theta = element.kappa.scale(element.length);
         let z = element.kappa_squared * element.length * element.length;
         let spin = element.frame_left.apply(segment::mean_frame(theta, z, &element.c).apply(rate)).scale(element.length);
@@ -63,8 +85,7 @@ pub fn for_each_point(
             element.kappa_squared,
             &element.c,
         ));
-        alpha = alpha + omega.cross(spin) + turned;
-        omega += spin;
-        (v_left, a_left) = (velocity, acceleration);
+        let alpha = left.alpha + left.omega.cross(spin) + turned;
+        left = LeftEnd { velocity, acceleration, omega: left.omega + spin, alpha };
     }
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::Vector3;
 
 use crate::error::{Error, Result, check_finite};
+use crate::math::lanes::InstructionSet;
 pub use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
 use crate::step::options::StepOptions;
 
@@ -48,6 +49,8 @@ pub struct SolverOptions {
     pub step: StepOptions,
     /// Who runs the strands.
     pub workers: Workers,
+    /// The vector instructions to use; `None`: the best that the machine has. Results are the same to the bit with all of them.
+    pub instruction_set: Option<InstructionSet>,
 }
 
 impl Default for SolverOptions {
@@ -57,6 +60,7 @@ impl Default for SolverOptions {
             wind: Vector3::zeros(),
             step: StepOptions::default(),
             workers: Workers::default(),
+            instruction_set: None,
         }
     }
 }
@@ -76,6 +80,15 @@ impl SolverOptions {
             && !(2..=256).contains(&count)
         {
             return Err(Error::invalid(format!("{argument}.worker_count"), count, "2 to 256 threads, or 0 or 1 for none"));
+        }
+        if let Some(set) = self.instruction_set
+            && set > InstructionSet::detected()
+        {
+            return Err(Error::Unsupported {
+                argument: format!("{argument}.instruction_set"),
+                value: set.name().into(),
+                hint: format!("this machine has {}", InstructionSet::detected().name()),
+            });
         }
         Ok(())
     }

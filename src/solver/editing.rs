@@ -103,7 +103,7 @@ impl Solver {
         self.crew.for_each_on_own(&mut settled, |(index, curvatures, found), workspace| {
             let Strand { model, state, .. } = &strands[*index];
             (*curvatures, *found) =
-                equilibrium::search(model, state.curvatures.clone(), &state.root, gravity, options, rules, workspace);
+                equilibrium::search(model, state.curvatures.clone(), &state.root, gravity, options, rules, &mut workspace.one);
         });
         let mut found = Vec::with_capacity(settled.len());
         for (index, curvatures, equilibrium) in settled {

@@ -10,6 +10,7 @@ mod reading;
 pub mod report;
 mod sampling;
 mod sections;
+mod side_by_side;
 mod snapshot;
 mod stepping;
 mod strand;
@@ -77,8 +78,8 @@ impl Solver {
         check_vector("gravity", gravity)?;
         self.options.gravity = gravity;
         let rules = &self.rules;
-        self.crew.for_each(&mut self.strands, |strand, workspace| {
-            strand.update_energies(gravity, rules, &mut workspace.kinematics);
+        self.crew.for_each(&mut self.strands, |strand, scratch| {
+            strand.update_energies(gravity, rules, &mut scratch.one.workspace.iterate.kinematics);
         });
         Ok(())
     }

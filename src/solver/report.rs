@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 
+pub use crate::energy::Energies;
+
 /// What happened in a call of [`Solver::step`](super::Solver::step), all its substeps together.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepReport {
@@ -28,17 +30,6 @@ pub struct StepReport {
     pub energies: Energies,
     /// Wall-clock time of the call, s.
     pub seconds: f64,
-}
-
-/// Energies of a strand or of all strands, J.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Energies {
-    /// ½ ∫ ρS |v|² ds, v the velocity of the material points.
-    pub kinetic: f64,
-    /// ½ ∫ Σ EIᵢ (κᵢ − κᵢⁿ)² ds.
-    pub elastic: f64,
-    /// −∫ ρS g·r ds, measured from the world's origin.
-    pub gravity: f64,
 }
 
 /// What a strand does to its follicle.

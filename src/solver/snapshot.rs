@@ -12,6 +12,7 @@ use super::sections::Sections;
 use super::strand::{Authored, Strand, Tally};
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
+use crate::math::lane::Precision;
 use crate::math::quadrature::Rules;
 use crate::math::rotation::PoseMove;
 use crate::math::vector::Vec3;
@@ -23,7 +24,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use crate::step::state::{Earlier, Past, StrandState};
 
 /// Changes whenever an image of an older version could not be read.
-pub const SNAPSHOT_VERSION: u32 = 2;
+pub const SNAPSHOT_VERSION: u32 = 3;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -114,6 +115,10 @@ impl Writer {
         self.f64(step.reference_tolerance);
         self.u32(step.max_subdivisions);
         self.f64(step.error_tolerance);
+        self.u32(match step.precision {
+            Precision::F64 => 1,
+            Precision::F32 => 2,
+        });
     }
 
     /// The identifiers.
@@ -346,13 +351,22 @@ impl Reader<'_> {
             residual: self.f64()?,
             condition: self.f64()?,
             error: self.f64()?,
+            energies: Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? },
         };
-        let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
+        let energies = outcome.energies;
         let model = StrandModel::of_section(lengths, natural, sections.of(&material, freedoms));
         let mut strand =
             Strand { id, user_data, model, authored: None, state, root_move, outcome, tally: Tally::default(), energies };
         strand.shrink();
         Ok(strand)
+    }
+}
+
+fn precision_from(value: u32) -> Result<Precision> {
+    match value {
+        1 => Ok(Precision::F64),
+        2 => Ok(Precision::F32),
+        other => Err(Error::Snapshot { reason: format!("its precision is {other}") }),
     }
 }
 
@@ -373,6 +387,7 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         reference_tolerance: reader.f64()?,
         max_subdivisions: reader.u32()?,
         error_tolerance: reader.f64()?,
+        precision: precision_from(reader.u32()?)?,
     };
     step.check("its options").map_err(|error| Error::Snapshot { reason: error.to_string() })?;
     let mark = reader.u32()? as u16;

@@ -4,9 +4,11 @@ use std::time::Instant;
 
 use super::Solver;
 use super::report::StepReport;
-use super::strand::{self, Strand, Tally};
+use super::side_by_side;
+use super::strand::Tally;
 use crate::error::{Error, Result, check_positive};
-use crate::step::{self, Setting, Surroundings};
+use crate::math::lanes::InstructionSet;
+use crate::step::{Setting, Surroundings, packs};
 
 /// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
 pub const SHORTEST_STEP: f64 = 1e-9;
@@ -30,24 +32,15 @@ impl Solver {
             return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP} s or more")));
         }
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
-        let (options, rules) = (self.options.step, &*self.rules);
-        let gravity = self.options.gravity;
-        self.crew.for_each(&mut self.strands, |strand, workspace| {
-            strand.tally = Tally::default();
-            for _ in 0..substeps {
-                strand.begin_root_way(h);
-                let Strand { model, state, root_move, .. } = strand;
-                let start = state.root;
-                let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
-                let setting = Setting { model, surroundings: &surroundings, options: &options, rules };
-                strand.outcome = step::take(&setting, state, &root_at, h, workspace);
-                strand.advance_root(h);
-                strand.tally.add(&strand.outcome);
+        let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
+        let set = self.options.instruction_set.unwrap_or_else(InstructionSet::detected);
+        let width = packs::width(self.options.step.precision, set);
+        self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+            for strand in strands.iter_mut() {
+                strand.tally = Tally::default();
             }
-            if strand.outcome.quarantined {
-                strand.update_energies(gravity, rules, &mut workspace.kinematics);
-            } else {
-                strand.energies = strand.energies_from(gravity, rules, &workspace.kinematics);
+            for _ in 0..substeps {
+                side_by_side::take(strands, &setting, h, set, scratch);
             }
         });
         Ok(self.report(substeps, started))

@@ -6,15 +6,17 @@ use std::thread::JoinHandle;
 
 use super::definition::{ParallelFor, Workers};
 use crate::error::{Error, Result};
-use crate::step::workspace::Workspace;
+use crate::step::scratch::Scratch;
 
-/// Strands a task takes at a time: enough to be worth handing out, few enough to share evenly.
+/// Items a task takes at a time where nothing else is said: enough to be worth handing out, few enough to share evenly.
 const CHUNK: usize = 8;
+/// Tasks a thread, at least: so many that the last to end is not far behind the first.
+const TASKS_PER_THREAD: usize = 4;
 
 /// Who runs, and the scratch memory of those who do.
 pub(super) struct Crew {
     runner: Runner,
-    workspaces: Mutex<Vec<Workspace>>,
+    workspaces: Mutex<Vec<Scratch>>,
 }
 
 enum Runner {
@@ -78,27 +80,48 @@ impl Crew {
             Workers::Pool(count) => Runner::Pool(Pool::new(*count)?),
             Workers::Host(host) => Runner::Host(host.clone()),
         };
-        Ok(Self { runner, workspaces: Mutex::new(vec![Workspace::default()]) })
+        Ok(Self { runner, workspaces: Mutex::new(vec![Scratch::default()]) })
     }
 
     /// Calls `work` on every item once, each call with scratch memory of its own.
-    pub fn for_each<T: Send>(&self, items: &mut [T], work: impl Fn(&mut T, &mut Workspace) + Sync) {
-        let run = |chunk: &mut [T]| {
-            let mut workspace = self.lock().pop().unwrap_or_default();
+    pub fn for_each<T: Send>(&self, items: &mut [T], work: impl Fn(&mut T, &mut Scratch) + Sync) {
+        self.for_each_task(items, CHUNK, CHUNK, |chunk, scratch| {
             for item in chunk {
-                work(item, &mut workspace);
+                work(item, scratch);
             }
-            self.lock().push(workspace);
+        });
+    }
+
+    /// Calls `work` on slices that make up `items`, each call with scratch memory of its own. Slices are multiples of `least` long (the
+    /// last may be shorter), and at most `most`.
+    pub fn for_each_task<T: Send>(
+        &self,
+        items: &mut [T],
+        least: usize,
+        most: usize,
+        work: impl Fn(&mut [T], &mut Scratch) + Sync,
+    ) {
+        let run = |chunk: &mut [T]| {
+            let mut scratch = self.lock().pop().unwrap_or_default();
+            work(chunk, &mut scratch);
+            self.lock().push(scratch);
         };
+        // A host's threads are not known: its tasks are as small as may be.
+        let threads = match &self.runner {
+            Runner::Serial => 1,
+            Runner::Pool(Pool { pool: Some(pool), .. }) => pool.current_num_threads() * TASKS_PER_THREAD,
+            Runner::Pool(_) => 1,
+            Runner::Host(_) => usize::MAX,
+        };
+        let chunk = (items.len() / threads / least * least).clamp(least, most);
         match &self.runner {
-            Runner::Serial => run(items),
-            Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if items.len() > CHUNK && crew.is_here() => pool.install(|| {
+            Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if items.len() > chunk && crew.is_here() => pool.install(|| {
                 use rayon::prelude::*;
-                items.par_chunks_mut(CHUNK).for_each(run);
+                items.par_chunks_mut(chunk).for_each(run);
             }),
-            Runner::Pool(_) => run(items),
+            Runner::Serial | Runner::Pool(_) => items.chunks_mut(chunk).for_each(run),
             Runner::Host(host) => {
-                let chunks: Vec<Mutex<Option<&mut [T]>>> = items.chunks_mut(CHUNK).map(|chunk| Mutex::new(Some(chunk))).collect();
+                let chunks: Vec<Mutex<Option<&mut [T]>>> = items.chunks_mut(chunk).map(|chunk| Mutex::new(Some(chunk))).collect();
                 let take = |index: usize| {
                     let chunk = chunks[index].lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
                     if let Some(chunk) = chunk {
@@ -119,7 +142,7 @@ impl Crew {
     }
 
     /// As [`Crew::for_each`], but never on the host's threads: the calling thread does what the host's would.
-    pub fn for_each_on_own<T: Send>(&self, items: &mut [T], work: impl Fn(&mut T, &mut Workspace) + Sync) {
+    pub fn for_each_on_own<T: Send>(&self, items: &mut [T], work: impl Fn(&mut T, &mut Scratch) + Sync) {
         if let Runner::Host(_) = self.runner {
             let mut workspace = self.lock().pop().unwrap_or_default();
             for item in items {
@@ -131,7 +154,7 @@ impl Crew {
         }
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Vec<Workspace>> {
+    fn lock(&self) -> std::sync::MutexGuard<'_, Vec<Scratch>> {
         self.workspaces.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 }

@@ -9,10 +9,10 @@
 use faer::{Mat, Side};
 use nalgebra::Vector3;
 
-use super::newton::{self, Problem};
+use super::newton::{self, Iterate, Problem};
 use super::options::StepOptions;
+use super::scratch::Bench;
 use super::state::rotation_matrix;
-use super::workspace::Workspace;
 use crate::chain::dense;
 use crate::chain::force::generalised;
 use crate::chain::system::ChainSystem;
@@ -111,7 +111,7 @@ pub fn of_strand(
     options.check("options")?;
     let model = checked_model(strand, gravity)?;
     let start = strand.initial.clone().unwrap_or_else(|| strand.natural.clone());
-    Ok(search(&model, start, &strand.root, gravity, options, &Rules::default(), &mut Workspace::default()))
+    Ok(search(&model, start, &strand.root, gravity, options, &Rules::default(), &mut Bench::default()))
 }
 
 /// The smallest eigenvalue λ of H x = λ K x for a strand of this definition held in the shape `curvatures` (a row an element; frozen
@@ -148,7 +148,7 @@ pub fn search(
     gravity: Vector3<f64>,
     options: &EquilibriumOptions,
     rules: &Rules,
-    workspace: &mut Workspace,
+    bench: &mut Bench<f64>,
 ) -> (Vec<[f64; 3]>, Equilibrium) {
     for (row, natural) in curvatures.iter_mut().zip(&model.natural) {
         for axis in 0..3 {
@@ -157,6 +157,8 @@ pub fn search(
             }
         }
     }
+    let Bench { workspace, elimination } = bench;
+    let iterate = &mut workspace.iterate;
     let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
     let rotation = rotation_matrix(root);
     let newton_options = StepOptions { max_iterations: 100, tolerance: NEWTON_TOLERANCE, ..StepOptions::default() };
@@ -168,24 +170,24 @@ pub fn search(
         rule_index = rules.next_for_angle(rule_index, model.largest_angle(&curvatures));
         let rule = rules.rule(rule_index);
         let problem = Problem { root: &rotation, lengths: &model.lengths, axes: &axes[..free], rule, tension_at_start: true };
-        workspace.kinematics.update(&rotation, &model.lengths, &curvatures, rule);
-        draw_on(model, &rule.weights, gravity, k, workspace);
-        workspace.curvatures.clone_from(&curvatures);
-        let step = newton::minimise(&problem, &newton_options, workspace);
+        iterate.kinematics.update(&rotation, &model.lengths, &curvatures, rule);
+        draw_on(model, &rule.weights, gravity, k, iterate);
+        iterate.curvatures.clone_from(&curvatures);
+        let step = newton::minimise_one(&problem, &newton_options, iterate, elimination);
         found.iterations += step.iterations;
-        if step.quarantined || !workspace.curvatures.iter().flatten().all(|x| x.is_finite()) {
+        if step.quarantined || !iterate.curvatures.iter().flatten().all(|x| x.is_finite()) {
             found.residual = f64::INFINITY;
             return (curvatures, found);
         }
-        curvatures.clone_from(&workspace.curvatures);
+        curvatures.clone_from(&iterate.curvatures);
         let weight = weights(model, &rule.weights, gravity);
-        found.residual = imbalance(model, &workspace.kinematics, &curvatures, &weight, gravity);
+        found.residual = imbalance(model, &iterate.kinematics, &curvatures, &weight, gravity);
         if found.residual <= options.tolerance {
             if !options.check_stability {
                 found.converged = true;
                 return (curvatures, found);
             }
-            let (eigenvalue, mode) = softest(model, &workspace.kinematics, &weight);
+            let (eigenvalue, mode) = softest(model, &iterate.kinematics, &weight);
             found.smallest_eigenvalue = Some(eigenvalue);
             if eigenvalue >= -NEUTRAL || found.saddles == MAX_SADDLES {
                 found.converged = eigenvalue >= -NEUTRAL;
@@ -198,7 +200,7 @@ pub fn search(
             && found.residual < NEAR_SADDLE
             && options.check_stability
             && found.saddles < MAX_SADDLES
-            && let (eigenvalue, mode) = softest(model, &workspace.kinematics, &weight)
+            && let (eigenvalue, mode) = softest(model, &iterate.kinematics, &weight)
             && eigenvalue < -NEUTRAL
         {
             // Where symmetry holds the strand near a saddle, Newton is damped for good and creeps towards it: it is left at once.
@@ -211,10 +213,10 @@ pub fn search(
     }
     if options.check_stability {
         let rule = rules.rule(rule_index);
-        workspace.kinematics.update(&rotation, &model.lengths, &curvatures, rule);
+        iterate.kinematics.update(&rotation, &model.lengths, &curvatures, rule);
         let weight = weights(model, &rule.weights, gravity);
-        found.residual = imbalance(model, &workspace.kinematics, &curvatures, &weight, gravity);
-        found.smallest_eigenvalue = Some(softest(model, &workspace.kinematics, &weight).0);
+        found.residual = imbalance(model, &iterate.kinematics, &curvatures, &weight, gravity);
+        found.smallest_eigenvalue = Some(softest(model, &iterate.kinematics, &weight).0);
     }
     (curvatures, found)
 }
@@ -235,8 +237,8 @@ pub(crate) fn weights(model: &StrandModel, rule_weights: &[f64], gravity: Vector
 }
 
 /// The springs of a proximal step of k seconds from where the kinematics are.
-fn draw_on(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>, k: f64, workspace: &mut Workspace) {
-    let Workspace { kinematics, system, point_target, curvature_target, .. } = workspace;
+fn draw_on(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>, k: f64, iterate: &mut Iterate<f64>) {
+    let Iterate { kinematics, system, point_target, curvature_target, .. } = iterate;
     let points = kinematics.points.len();
     system.resize(model.element_count(), points);
     point_target.resize(points, Vec3::zero());

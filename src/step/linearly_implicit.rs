@@ -2,95 +2,131 @@
 //! Kelvin–Voigt friction implicit; gravity, drag, internal friction γ and velocity products explicit; one linear solve:
 //! (M + h²K + hμK) Δ = h [A − K(q + h q̇ − qⁿ) − (μK + γ) q̇], q̇ ← q̇ + Δ, q ← q + h q̇.
 
+use super::members::{Members, Reads};
 use super::newton;
-use super::stages::root_velocity;
-use super::state::{StrandState, rotation_matrix};
+use super::root_velocity::root_velocity;
+use super::stages;
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome};
-use crate::math::frame::Frame;
+use crate::chain::system::LinearSolve;
+use crate::math::lane::{Lane, MAX_LANES};
 use crate::math::vector::Vec3;
 use crate::rod::velocity::{self, RootMotion};
 
-/// Takes one strand through a step; see [`super::take`].
-pub fn take(setting: &Setting, state: &mut StrandState, root: &Frame, h: f64, workspace: &mut Workspace) -> StrandOutcome {
-    let Setting { model, surroundings, options, rules } = *setting;
-    let rule = rules.rule(state.rule);
-    let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
-    // The root's mean velocity over the step, and the acceleration to it from the last one.
-    let (velocity_end, angular_end) = root_velocity(&state.root, root, h);
-    let motion = RootMotion {
-        velocity: state.root_velocity.into(),
-        angular_velocity: state.root_angular_velocity.into(),
-        acceleration: ((velocity_end - state.root_velocity) / h).into(),
-        angular_acceleration: ((angular_end - state.root_angular_velocity) / h).into(),
-    };
+/// Takes strands through a step of `h` seconds; see [`super::whole::Take`].
+#[inline(always)]
+pub fn take<T: Lane, S: LinearSolve<T>>(
+    members: &dyn Members,
+    setting: &Setting,
+    h: f64,
+    workspace: &mut Workspace<T>,
+    solver: &mut S,
+    outcomes: &mut [StrandOutcome; MAX_LANES],
+) {
+    let rule = setting.rules.rule(members.state(0).rule);
+    let freedoms = members.model(0).freedoms;
+    let (axes, free) = (freedoms.axes(), freedoms.count());
+    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: false, past: false });
+    let (end_rotation, _) = stages::move_roots(h, members, workspace);
+    let (start, end) = root_motions(members, h, workspace);
+    let Workspace { loaded, iterate, stages, .. } = workspace;
+    let step = loaded.step;
 
-    workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
-    let points = workspace.kinematics.points.len();
-    workspace.system.resize(model.element_count(), points);
-    workspace.system.exact = false;
-    let density = model.linear_density;
+    iterate.kinematics.update(&loaded.rotation, &loaded.lengths, &loaded.curvatures, rule);
+    let points = iterate.kinematics.points.len();
     let per_element = rule.len();
+    iterate.system.resize(loaded.lengths.len(), points);
+    iterate.system.exact = false;
+    iterate.system.rotation_stiffness = T::zero();
     {
-        let system = &mut workspace.system;
-        let (gravity, wind, drag) = (surroundings.gravity, surroundings.wind, model.material.air_drag);
-        velocity::for_each_point(&workspace.kinematics, &state.rates, &motion, |p, v, a| {
-            let weight = rule.weights[p % per_element] * model.lengths[p / per_element];
-            let force = (gravity - a).scale(density) - (v - wind).scale(drag);
+        let system = &mut iterate.system;
+        let (density, drag) = (loaded.linear_density, loaded.air_drag);
+        velocity::for_each_point(&iterate.kinematics, &loaded.rates, &start, |p, v, a| {
+            let weight = T::splat(rule.weights[p % per_element]) * loaded.lengths[p / per_element];
+            let mut force = (loaded.gravity - a).scale(density);
+            if loaded.has_drag {
+                force -= (v - loaded.wind).scale(drag);
+            }
             system.point_stiffness[p] = density * weight;
-            system.point_force[p] = force.scale(h * weight);
+            system.point_force[p] = force.scale(step * weight);
         });
-        for (element, length) in model.lengths.iter().enumerate() {
+        for (element, length) in loaded.lengths.iter().enumerate() {
             for axis in 0..3 {
-                let (stiffness, viscosity) = (model.stiffness[axis], model.material.viscosity * model.stiffness[axis]);
-                let (strain, rate) = (state.curvatures[element][axis] - model.natural[element][axis], state.rates[element][axis]);
-                system.curvature_stiffness[element][axis] = length * (h * h * stiffness + h * viscosity);
+                let (stiffness, dissipation) = (loaded.stiffness[axis], loaded.dissipation[axis]);
+                let viscosity = loaded.viscosity[axis];
+                let (curvature, rate) = (loaded.curvatures[element][axis], loaded.rates[element][axis]);
+                let strain = curvature - loaded.natural[element][axis];
+                system.curvature_stiffness[element][axis] = *length * (step * step * stiffness + step * viscosity);
                 system.curvature_force[element][axis] =
-                    -h * length * (stiffness * (strain + h * rate) + (viscosity + model.material.internal_friction) * rate);
+                    -(step * *length * (stiffness * (strain + step * rate) + dissipation * rate));
             }
         }
     }
-    let found = newton::direction(workspace, &axes[..free], options.linear_solver);
-    let finite = found.rotation_squared.is_finite() && found.descent.is_finite();
-    let outcome = StrandOutcome {
-        iterations: 1,
-        converged: finite,
-        quarantined: !finite,
-        condition: found.condition,
-        ..StrandOutcome::default()
-    };
-    if outcome.quarantined {
-        return outcome;
+    let found = solver.solve(&iterate.kinematics, &iterate.system, &axes[..free], &mut iterate.change);
+    for (lane, outcome) in outcomes.iter_mut().enumerate().take(loaded.count) {
+        let finite = found.rotation_squared.lane(lane).is_finite() && found.descent.lane(lane).is_finite();
+        *outcome = StrandOutcome {
+            iterations: 1,
+            converged: finite,
+            quarantined: !finite,
+            condition: found.condition,
+            ..StrandOutcome::default()
+        };
     }
 
     // The follicle feels weight, drag and inertia of the whole motion: a = J q̈ + what needs no q̈.
-    let accelerations: &[[f64; 3]] = &workspace.change;
-    let inertia = &mut workspace.system.point_force;
-    velocity::for_each_point(&workspace.kinematics, accelerations, &RootMotion::still(), |p, change, _| {
-        let weight = rule.weights[p % per_element] * model.lengths[p / per_element];
-        inertia[p] = (inertia[p] - change.scale(density * weight)).scale(1.0 / h);
+    let inertia = &mut iterate.system.point_force;
+    let (density, rate) = (loaded.linear_density, T::one() / step);
+    velocity::for_each_point(&iterate.kinematics, &iterate.change, &RootMotion::still(), |p, change, _| {
+        let weight = T::splat(rule.weights[p % per_element]) * loaded.lengths[p / per_element];
+        inertia[p] = (inertia[p] - change.scale(density * weight)).scale(rate);
     });
-    (state.wrench_force, state.wrench_torque) = newton::wrench(&workspace.kinematics, inertia);
+    (workspace.wrench_force, workspace.wrench_torque) = newton::wrench(&iterate.kinematics, inertia);
 
-    for (element, change) in workspace.change.iter().enumerate() {
+    let stage = &mut stages[0];
+    stage.resize(loaded.lengths.len(), points);
+    iterate.curvatures.resize(loaded.lengths.len(), [T::zero(); 3]);
+    for (element, row) in iterate.curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
-            if model.freedoms.contains(axis) {
-                state.rates[element][axis] += change[axis];
-                state.curvatures[element][axis] += h * state.rates[element][axis];
+            if freedoms.contains(axis) {
+                let rate = loaded.rates[element][axis] + iterate.change[element][axis];
+                stage.rates[element][axis] = rate;
+                row[axis] = loaded.curvatures[element][axis] + step * rate;
             } else {
-                state.rates[element][axis] = 0.0;
-                state.curvatures[element][axis] = model.natural[element][axis];
+                stage.rates[element][axis] = T::zero();
+                row[axis] = loaded.natural[element][axis];
             }
         }
     }
-    state.root_velocity = velocity_end;
-    state.root_angular_velocity = angular_end;
-    state.root = *root;
+    iterate.kinematics.update(&end_rotation, &loaded.lengths, &iterate.curvatures, rule);
+    let velocities = &mut stage.velocities;
+    velocity::for_each_point(&iterate.kinematics, &stage.rates, &end, |p, v, _| velocities[p] = v);
+    workspace.last_stage = 0;
+}
 
-    workspace.kinematics.update(&rotation_matrix(root), &model.lengths, &state.curvatures, rule);
-    let root_motion =
-        RootMotion { velocity: Vec3::from(velocity_end), angular_velocity: Vec3::from(angular_end), ..RootMotion::still() };
-    let velocities = &mut state.velocities;
-    velocity::for_each_point(&workspace.kinematics, &state.rates, &root_motion, |p, v, _| velocities[p] = v);
-    outcome
+/// How the roots move over the step, from the start's point of view and from the end's: with the step's mean velocity at its end, and
+/// the acceleration to that from the last one.
+#[inline(always)]
+fn root_motions<T: Lane>(members: &dyn Members, h: f64, workspace: &Workspace<T>) -> (RootMotion<T>, RootMotion<T>) {
+    let (mut start, mut end) = (RootMotion::still(), RootMotion::still());
+    for lane in 0..T::LANES {
+        let member = if lane < workspace.loaded.count { lane } else { 0 };
+        let (state, units) = (members.state(member), &workspace.loaded.units[lane]);
+        let (velocity, angular) = root_velocity(&state.root, &workspace.roots[member], h);
+        let acceleration = (velocity - state.root_velocity) / h;
+        let angular_acceleration = (angular - state.root_angular_velocity) / h;
+        let put = |to: &mut Vec3<T>, from: nalgebra::Vector3<f64>, factor: f64| {
+            for axis in 0..3 {
+                to.0[axis].set_lane(lane, from[axis] * factor);
+            }
+        };
+        let time = units.time;
+        put(&mut start.velocity, state.root_velocity, 1.0 / units.speed());
+        put(&mut start.angular_velocity, state.root_angular_velocity, time);
+        put(&mut start.acceleration, acceleration, time / units.speed());
+        put(&mut start.angular_acceleration, angular_acceleration, time * time);
+        put(&mut end.velocity, velocity, 1.0 / units.speed());
+        put(&mut end.angular_velocity, angular, time);
+    }
+    (start, end)
 }

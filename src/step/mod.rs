@@ -5,24 +5,34 @@ pub mod dynamics;
 pub mod equilibrium;
 pub mod linearly_implicit;
 pub mod local_error;
+pub mod members;
 pub mod newton;
 pub mod options;
+pub mod packs;
 pub mod radau;
 pub mod reference;
 pub mod regrid;
 pub mod root_path;
+pub mod root_velocity;
+pub mod scratch;
+pub mod single;
 pub mod stages;
 pub mod state;
 pub mod subdivision;
 pub mod tableau;
+pub mod whole;
 pub mod workspace;
 
-use crate::math::frame::Frame;
+use crate::energy::Energies;
+use crate::math::lane::{Lane, MAX_LANES, Precision};
+use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
-use crate::rod::strand::StrandModel;
+use members::{Members, One};
 use options::{Integrator, StepOptions};
-use state::StrandState;
+use scratch::{Bench, Scratch};
+use single::Single;
+use state::RuleScratch;
 use workspace::Workspace;
 
 /// What acts on all strands alike.
@@ -34,12 +44,10 @@ pub struct Surroundings {
     pub wind: Vec3<f64>,
 }
 
-/// What a strand's step needs to know beside its state.
+/// What a step needs to know beside the strands.
 #[derive(Debug, Clone, Copy)]
 pub struct Setting<'a> {
-    /// The strand's constants.
-    pub model: &'a StrandModel,
-    /// What acts on it.
+    /// What acts on them.
     pub surroundings: &'a Surroundings,
     /// How the step is taken.
     pub options: &'a StepOptions,
@@ -65,11 +73,22 @@ pub struct StrandOutcome {
     /// What the step, or the worst of its parts, added to the error of a point's position, in units of the strand's length; 0 where
     /// [`StepOptions::error_tolerance`] is 0.
     pub error: f64,
+    /// Energies at the step's end; nothing in particular where the state was rolled back.
+    pub energies: Energies,
 }
 
 impl Default for StrandOutcome {
     fn default() -> Self {
-        Self { iterations: 0, substeps: 1, converged: false, quarantined: false, residual: 0.0, condition: 0.0, error: 0.0 }
+        Self {
+            iterations: 0,
+            substeps: 1,
+            converged: false,
+            quarantined: false,
+            residual: 0.0,
+            condition: 0.0,
+            error: 0.0,
+            energies: Energies::default(),
+        }
     }
 }
 
@@ -81,46 +100,101 @@ impl StrandOutcome {
         self.residual = self.residual.max(part.residual);
         self.condition = self.condition.max(part.condition);
         self.error = self.error.max(part.error);
+        self.energies = part.energies;
     }
 }
 
-/// Takes one strand through a step of `h` seconds; `root_at(seconds)` is the root's pose that long after the step's start. A strand that
-/// turns non-finite is rolled back.
+/// Takes one strand through a step of `h` seconds. A strand that turns non-finite is rolled back.
 ///
 /// A step that does not serve is taken in parts; see [`StepOptions::max_subdivisions`].
-pub fn take(
-    setting: &Setting,
-    state: &mut StrandState,
-    root_at: &dyn Fn(f64) -> Frame,
-    h: f64,
-    workspace: &mut Workspace,
-) -> StrandOutcome {
-    subdivision::take(setting, state, root_at, h, workspace)
+pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> StrandOutcome {
+    if setting.options.integrator == Integrator::Reference {
+        return take_reference(setting, one, h, scratch);
+    }
+    let begin = one.state.subdivision.min(subdivision::levels(setting.options));
+    if begin > 0 {
+        return take_in_parts(setting, one, h, begin, scratch);
+    }
+    let whole = match setting.options.precision {
+        Precision::F64 => take_whole(setting, one, h, &mut scratch.one, &mut scratch.rule),
+        Precision::F32 => take_whole(setting, one, h, &mut scratch.one_f32, &mut scratch.rule),
+    };
+    finish(setting, one, h, &whole, scratch)
 }
 
-/// Takes one strand through a step in one piece; `workspace.rolled_back` is then the state at its start.
-fn take_whole(
+/// Takes strands of one kind, none of which goes in parts from the start and at most as many as [`packs::width`] tells, through a step of
+/// `h` seconds side by side; otherwise as [`take`], to the bit. Those that the step does not serve are for [`finish`].
+pub fn take_pack(
     setting: &Setting,
-    state: &mut StrandState,
-    root_at: &dyn Fn(f64) -> Frame,
+    members: &mut dyn Members,
     h: f64,
-    workspace: &mut Workspace,
-) -> StrandOutcome {
-    workspace.rolled_back.clone_from(state);
-    if setting.options.integrator != Integrator::SecondOrder {
-        state.past.step = 0.0;
+    set: InstructionSet,
+    scratch: &mut Scratch,
+) -> [StrandOutcome; MAX_LANES] {
+    packs::take(members, setting, h, set, scratch)
+}
+
+/// Ends the step of a strand that took it in one piece: in parts where that did not serve.
+pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut Scratch) -> StrandOutcome {
+    if subdivision::levels(setting.options) == 0 || subdivision::serves(setting.options, whole) {
+        one.state.subdivision = 0;
+        return *whole;
     }
-    state.adapt_rule(setting.model, setting.rules, &mut workspace.rule_scratch);
-    let mut outcome = match setting.options.integrator {
-        Integrator::LinearlyImplicit => linearly_implicit::take(setting, state, &root_at(h), h, workspace),
-        Integrator::ImplicitEuler => stages::take(&tableau::IMPLICIT_EULER, setting, state, root_at, h, workspace),
-        Integrator::SecondOrder => stages::two_step(setting, state, root_at, h, workspace),
-        Integrator::Reference => reference::take(setting, state, root_at, h, workspace),
-    };
-    if outcome.quarantined || !state.is_finite() {
-        state.clone_from(&workspace.rolled_back);
+    let mut outcome = take_in_parts(setting, one, h, 1, scratch);
+    outcome.iterations += whole.iterations;
+    outcome
+}
+
+fn take_in_parts(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut Scratch) -> StrandOutcome {
+    let Scratch { one: bench, one_f32, rule, before_step, .. } = scratch;
+    let begin = before_step.get_or_insert_default();
+    match setting.options.precision {
+        Precision::F64 => subdivision::in_parts(one, setting, h, level, bench, rule, begin),
+        Precision::F32 => subdivision::in_parts(one, setting, h, level, one_f32, rule, begin),
+    }
+}
+
+/// A step in one piece of one strand; it becomes the state where it serves, and where it may not be subdivided.
+fn take_whole<T: Single>(
+    setting: &Setting,
+    one: &mut One,
+    h: f64,
+    bench: &mut Bench<T>,
+    rule: &mut RuleScratch,
+) -> StrandOutcome {
+    let outcome = T::attempt(one, setting, h, bench);
+    let may_subdivide = subdivision::levels(setting.options) > 0;
+    if subdivision::serves(setting.options, &outcome) || !(may_subdivide || outcome.quarantined) {
+        keep(one, 0, setting, h, &mut bench.workspace, rule);
+    }
+    outcome
+}
+
+/// Makes the end of a step in one piece a strand's state, at the quadrature rule that its new shape needs.
+fn keep<T: Lane>(
+    members: &mut dyn Members,
+    lane: usize,
+    setting: &Setting,
+    h: f64,
+    workspace: &mut Workspace<T>,
+    rule: &mut RuleScratch,
+) {
+    whole::save(members, lane, setting, h, workspace);
+    let (model, state) = members.parts(lane);
+    state.adapt_rule(model, setting.rules, rule);
+}
+
+/// A step of the reference integrator, which works on the state itself.
+fn take_reference(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> StrandOutcome {
+    let before = scratch.before_step.get_or_insert_default();
+    before.clone_from(one.state);
+    one.state.past.step = 0.0;
+    let mut outcome = reference::take(setting, one, h, &mut scratch.one, &mut scratch.rule);
+    if outcome.quarantined || !one.state.is_finite() {
+        one.state.clone_from(before);
         outcome.quarantined = true;
         outcome.converged = false;
     }
+    one.state.adapt_rule(one.model, setting.rules, &mut scratch.rule);
     outcome
 }

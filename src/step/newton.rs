@@ -14,18 +14,15 @@
 use super::StrandOutcome;
 use super::damping::Damping;
 use super::options::{LinearSolver, StepOptions};
-use super::workspace::Workspace;
-use crate::chain::dense::{self, DenseMethod};
+use crate::chain::dense::{Dense, DenseMethod};
 use crate::chain::displacement;
-use crate::chain::system::Direction;
+use crate::chain::elimination::Elimination;
+use crate::chain::system::{ChainSystem, Direction, LinearSolve};
+use crate::math::lane::{Kernel, Lane, MAX_LANES};
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
 
-/// No element turns by more than this in an iteration, rad: beyond it the quadratic model says nothing.
-const ROTATION_LIMIT: f64 = 2.0;
-/// The same for the dense solves.
-const DENSE_ROTATION_LIMIT: f64 = 1.0;
 /// A direction that would turn an element by more than this many limits is damped, not only shortened.
 const SHORTENED_AT_MOST: f64 = 20.0;
 /// An undamped iteration that turned by θ leaves at most about this times θ² to turn: 99 of 100 iterations on shaken and walking heads
@@ -41,7 +38,7 @@ const ARMIJO: f64 = 1e-4;
 const MAX_HALVINGS: u32 = 40;
 
 /// The potential and how far rounding may move it.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Potential {
     value: f64,
     noise: f64,
@@ -49,11 +46,11 @@ struct Potential {
 
 /// What does not change during the iteration.
 #[derive(Debug, Clone, Copy)]
-pub struct Problem<'a> {
+pub struct Problem<'a, T> {
     /// The root's rotation at the step's end.
-    pub root: &'a Mat3<f64>,
+    pub root: &'a Mat3<T>,
     /// Element lengths.
-    pub lengths: &'a [f64],
+    pub lengths: &'a [T],
     /// Free curvatures, ascending.
     pub axes: &'a [usize],
     /// Quadrature rule.
@@ -62,141 +59,334 @@ pub struct Problem<'a> {
     pub tension_at_start: bool,
 }
 
-/// Solves the workspace's linear system with the solver that the options name.
-pub fn direction(workspace: &mut Workspace, axes: &[usize], solver: LinearSolver) -> Direction<f64> {
-    let Workspace { kinematics, system, elimination, change, .. } = workspace;
-    let method = match solver {
-        LinearSolver::LinearTime => return elimination.solve(kinematics, system, axes, change),
-        LinearSolver::DenseCholesky => DenseMethod::Cholesky,
-        LinearSolver::DenseConjugateGradients => DenseMethod::ConjugateGradients,
-        LinearSolver::DenseSingularValues => DenseMethod::SingularValues,
-    };
-    dense::solve(kinematics, system, axes, method, change)
+/// Where the iteration is.
+#[derive(Debug, Clone)]
+pub struct Iterate<T> {
+    /// The accepted iterate.
+    pub kinematics: Kinematics<T>,
+    /// The iterate on trial.
+    pub trial: Kinematics<T>,
+    /// Stiffnesses and forces.
+    pub system: ChainSystem<T>,
+    /// Where each quadrature point is drawn to, relative to the root's new origin, world axes.
+    pub point_target: Vec<Vec3<T>>,
+    /// Where each curvature is drawn to.
+    pub curvature_target: Vec<[T; 3]>,
+    /// The accepted curvatures.
+    pub curvatures: Vec<[T; 3]>,
+    /// The curvatures on trial.
+    pub trial_curvatures: Vec<[T; 3]>,
+    /// Newton's direction.
+    pub change: Vec<[T; 3]>,
+    /// Tension that is laid aside.
+    spare_tension: Vec<Vec3<T>>,
 }
 
-/// Minimises the potential that `point_target`, `curvature_target` and the stiffnesses of the workspace's system describe, from
-/// `curvatures`, which ends at the minimum; `kinematics` and the system's forces end there too.
-pub fn minimise(problem: &Problem, options: &StepOptions, workspace: &mut Workspace) -> StrandOutcome {
-    let mut outcome = StrandOutcome::default();
-    workspace.system.exact = options.exact_hessian && problem.tension_at_start;
-    workspace.system.point_tension.clear();
-    place(problem, &mut workspace.kinematics, &workspace.curvatures);
-    let mut potential = evaluate(workspace, false);
-    if !potential.value.is_finite() {
-        outcome.quarantined = true;
-        return outcome;
+impl<T: Lane> Default for Iterate<T> {
+    fn default() -> Self {
+        Self {
+            kinematics: Kinematics::default(),
+            trial: Kinematics::default(),
+            system: ChainSystem::default(),
+            point_target: Vec::new(),
+            curvature_target: Vec::new(),
+            curvatures: Vec::new(),
+            trial_curvatures: Vec::new(),
+            change: Vec::new(),
+            spare_tension: Vec::new(),
+        }
     }
-    let dense = options.linear_solver != LinearSolver::LinearTime;
-    let limit = if dense { DENSE_ROTATION_LIMIT } else { ROTATION_LIMIT };
-    let mut damping = Damping::new(usual_damping(workspace));
-    // The last iteration's rotation, if Newton went its whole way undamped.
-    let mut before: Option<f64> = None;
+}
+
+/// What the iteration knows of every lane; lanes are sets of bits.
+struct Control {
+    potential: [Potential; MAX_LANES],
+    next: [Potential; MAX_LANES],
+    damping: [Damping; MAX_LANES],
+    /// The last iteration's rotation, if Newton went its whole way undamped.
+    before: [Option<f64>; MAX_LANES],
+    /// The share of the direction that was gone.
+    gone: [f64; MAX_LANES],
+}
+
+/// The lanes of a set, ascending.
+#[inline(always)]
+fn lanes(set: u32) -> impl Iterator<Item = usize> {
+    (0..MAX_LANES).filter(move |lane| set >> lane & 1 == 1)
+}
+
+/// Minimises the potential of one strand with the solver that the options name; see [`minimise`].
+pub fn minimise_one<T: Lane>(
+    problem: &Problem<T>,
+    options: &StepOptions,
+    iterate: &mut Iterate<T>,
+    elimination: &mut Elimination<T>,
+) -> StrandOutcome {
+    let mut outcomes = [StrandOutcome::default(); MAX_LANES];
+    let start = place_accepted(problem, iterate);
+    minimise(problem, options, iterate, elimination, start, 1, &mut outcomes);
+    outcomes[0]
+}
+
+/// The dense solve of that name.
+pub fn dense_solver(solver: LinearSolver) -> Option<Dense> {
+    match solver {
+        LinearSolver::LinearTime => None,
+        LinearSolver::DenseCholesky => Some(Dense(DenseMethod::Cholesky)),
+        LinearSolver::DenseConjugateGradients => Some(Dense(DenseMethod::ConjugateGradients)),
+        LinearSolver::DenseSingularValues => Some(Dense(DenseMethod::SingularValues)),
+    }
+}
+
+/// Minimises the potentials that `point_target`, `curvature_target` and the stiffnesses of the system describe, those of the lanes in
+/// `active`, from `curvatures` (placed, `start` the potentials and their rounding), which end at the minima; `kinematics` and the system's forces end there too. No lane's result
+/// depends on the others.
+#[inline(always)]
+pub fn minimise<T: Lane, S: LinearSolve<T>>(
+    problem: &Problem<T>,
+    options: &StepOptions,
+    it: &mut Iterate<T>,
+    solver: &mut S,
+    start: (T, T),
+    active: u32,
+    outcomes: &mut [StrandOutcome; MAX_LANES],
+) {
+    it.system.exact = options.exact_hessian && problem.tension_at_start;
+    it.system.point_tension.clear();
+    let (value, noise) = start;
+    let usual = usual_damping(it);
+    let mut control = Control {
+        potential: [Potential::default(); MAX_LANES],
+        next: [Potential::default(); MAX_LANES],
+        damping: std::array::from_fn(|lane| Damping::new(if lane < T::LANES { usual.lane(lane) } else { 0.0 })),
+        before: [None; MAX_LANES],
+        gone: [0.0; MAX_LANES],
+    };
+    let mut running = active;
+    for lane in lanes(active) {
+        outcomes[lane] = StrandOutcome::default();
+        control.potential[lane] = Potential { value: value.lane(lane), noise: noise.lane(lane) };
+        if !control.potential[lane].value.is_finite() {
+            outcomes[lane].quarantined = true;
+            running &= !(1 << lane);
+        }
+    }
     for iteration in 1..=options.max_iterations {
-        outcome.iterations = iteration;
-        forces(workspace);
-        let found = damped_direction(workspace, problem.axes, options.linear_solver, &mut damping);
-        outcome.condition = found.condition;
-        let rotation = found.rotation_squared.sqrt();
-        if !(rotation.is_finite() && found.descent.is_finite()) {
-            outcome.quarantined = true;
-            return outcome;
-        }
-        outcome.residual = rotation;
-        let part = if rotation > limit { limit / rotation } else { 1.0 };
-        let Some((next, gone)) = walk(problem, workspace, potential, found.descent, part) else {
-            // No way down that rounding lets us see: the state is as good as this potential can tell.
-            return outcome;
-        };
-        if !dense {
-            // The model promised f·d − ½ d·H d with H d = f − λ·(rotations).
-            let promised = 0.5 * (found.descent + damping.value * found.rotation_sum);
-            let seen = promised >= 8.0 * potential.noise;
-            damping.learn(if seen { (potential.value - next.value) / promised } else { 1.0 });
-        }
-        potential = next;
-        std::mem::swap(&mut workspace.kinematics, &mut workspace.trial);
-        std::mem::swap(&mut workspace.curvatures, &mut workspace.trial_curvatures);
-        let newton = damping.value == 0.0 && gone == 1.0;
-        let quadratic = newton && workspace.system.exact;
-        outcome.residual = if quadratic { rotation * (constant(rotation, before) * rotation).min(1.0) } else { rotation };
-        if outcome.residual <= options.tolerance && (newton || stationary(problem, workspace, options)) {
-            outcome.converged = true;
+        if running == 0 {
             break;
         }
-        before = newton.then_some(rotation);
-        foresee(workspace, gone);
-        workspace.system.exact = options.exact_hessian;
+        forces(it);
+        let found = damped_direction(it, problem.axes, solver, &mut control, running);
+        let mut part = [0.0; MAX_LANES];
+        let mut rotations = [0.0; MAX_LANES];
+        for lane in lanes(running) {
+            let (outcome, rotation) = (&mut outcomes[lane], found.rotation_squared.lane(lane).sqrt());
+            outcome.iterations = iteration;
+            outcome.condition = found.condition;
+            if !(rotation.is_finite() && found.descent.lane(lane).is_finite()) {
+                outcome.quarantined = true;
+                running &= !(1 << lane);
+                continue;
+            }
+            outcome.residual = rotation;
+            rotations[lane] = rotation;
+            part[lane] = if rotation > S::ROTATION_LIMIT { S::ROTATION_LIMIT / rotation } else { 1.0 };
+        }
+        // Lanes with no way down that rounding lets us see are as good as their potential can tell.
+        running &= !walk(problem, it, &mut control, &found, part, running);
+        std::mem::swap(&mut it.kinematics, &mut it.trial);
+        std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
+        let mut to_check = 0;
+        for lane in lanes(running) {
+            let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
+            let (from, next) = (control.potential[lane], control.next[lane]);
+            if S::DAMPED {
+                // The model promised f·d − ½ d·H d with H d = f − λ·(rotations).
+                let promised = 0.5 * (found.descent.lane(lane) + damping.value * found.rotation_sum.lane(lane));
+                let seen = promised >= 8.0 * from.noise;
+                damping.learn(if seen { (from.value - next.value) / promised } else { 1.0 });
+            }
+            control.potential[lane] = next;
+            let newton = damping.value == 0.0 && control.gone[lane] == 1.0;
+            let quadratic = newton && it.system.exact;
+            let left = constant(rotation, control.before[lane]) * rotation;
+            outcome.residual = if quadratic { rotation * left.min(1.0) } else { rotation };
+            if outcome.residual <= options.tolerance {
+                if newton {
+                    outcome.converged = true;
+                    running &= !(1 << lane);
+                } else {
+                    to_check |= 1 << lane;
+                }
+            }
+            control.before[lane] = newton.then_some(rotation);
+        }
+        if running == 0 {
+            break;
+        }
+        foresee(it, &control.gone);
+        if S::DAMPED && to_check != 0 {
+            let still = stationary(problem, it, solver, options);
+            for lane in lanes(to_check) {
+                if still.lane(lane).sqrt() <= options.tolerance {
+                    outcomes[lane].converged = true;
+                    running &= !(1 << lane);
+                }
+            }
+        }
+        it.system.exact = options.exact_hessian;
     }
-    forces(workspace);
-    outcome
+    forces(it);
 }
 
-/// Of two starts, keeps the one with the lower potential: `curvatures` or `trial_curvatures`.
-pub fn choose_start(problem: &Problem, workspace: &mut Workspace) {
-    place(problem, &mut workspace.kinematics, &workspace.curvatures);
-    place(problem, &mut workspace.trial, &workspace.trial_curvatures);
-    let (first, second) = (evaluate(workspace, false), evaluate(workspace, true));
-    if second.value < first.value {
-        std::mem::swap(&mut workspace.curvatures, &mut workspace.trial_curvatures);
+/// Of two starts, keeps the one with the lower potential: `curvatures` or `trial_curvatures`. Gives its potential and the rounding of
+/// it.
+#[inline(always)]
+pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
+    let first = place_accepted(problem, it);
+    let second = place_trial(problem, it);
+    let better = second.0.less(first.0);
+    if !T::any(better) {
+        return first;
     }
+    if T::all(better) {
+        std::mem::swap(&mut it.kinematics, &mut it.trial);
+        std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
+        return second;
+    }
+    for (row, trial) in it.curvatures.iter_mut().zip(&it.trial_curvatures) {
+        for axis in 0..3 {
+            row[axis] = T::select(better, trial[axis], row[axis]);
+        }
+    }
+    place_accepted(problem, it)
 }
 
 /// The forces that the springs would have come to had the points gone `gone` of the direction along their tangents, from the
 /// forces at hand and the kinematics of where they went from, which are those on trial now.
-fn foresee(workspace: &mut Workspace, gone: f64) {
-    let Workspace { trial, system, change, .. } = workspace;
+#[inline(always)]
+fn foresee<T: Lane>(it: &mut Iterate<T>, gone: &[f64; MAX_LANES]) {
+    let Iterate { trial, system, change, .. } = it;
     system.point_tension.clone_from(&system.point_force);
-    let (tension, stiffness) = (&mut system.point_tension, &system.point_stiffness);
-    displacement::for_each_point(trial, change, |p, moved| tension[p] -= moved.scale(gone * stiffness[p]));
+    let gone = T::from_lanes(|lane| gone[lane]);
+    T::call(Foresee { trial, tension: &mut system.point_tension, stiffness: &system.point_stiffness, change, gone });
+}
+
+struct Foresee<'a, T> {
+    trial: &'a Kinematics<T>,
+    tension: &'a mut [Vec3<T>],
+    stiffness: &'a [T],
+    change: &'a [[T; 3]],
+    gone: T,
+}
+
+impl<T: Lane> Kernel for Foresee<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let (tension, stiffness, gone) = (self.tension, self.stiffness, self.gone);
+        displacement::for_each_point(self.trial, self.change, |p, moved| tension[p] -= moved.scale(gone * stiffness[p]));
+    }
 }
 
 /// Newton's direction; the linear-time solve damps it until every pivot is positive and no element turns far beyond the limit.
-fn damped_direction(workspace: &mut Workspace, axes: &[usize], solver: LinearSolver, damping: &mut Damping) -> Direction<f64> {
-    damping.begin();
-    for _ in 0..MAX_DAMPINGS {
-        workspace.system.rotation_stiffness = damping.value;
-        let found = direction(workspace, axes, solver);
-        let good = found.repaired == 0 && found.rotation_squared <= (SHORTENED_AT_MOST * ROTATION_LIMIT).powi(2);
-        // The dense solves repair by eigenvalues and know no damping; a direction that is not finite stays so.
-        if good || solver != LinearSolver::LinearTime || !found.rotation_squared.is_finite() {
-            return found;
-        }
-        damping.grow();
+#[inline(always)]
+fn damped_direction<T: Lane, S: LinearSolve<T>>(
+    it: &mut Iterate<T>,
+    axes: &[usize],
+    solver: &mut S,
+    control: &mut Control,
+    running: u32,
+) -> Direction<T> {
+    for lane in lanes(running) {
+        control.damping[lane].begin();
     }
-    direction(workspace, axes, solver)
-}
-
-/// Goes along the direction, `part` of it at first, halving until the potential falls enough; the trial state is then where it is.
-fn walk(problem: &Problem, workspace: &mut Workspace, from: Potential, descent: f64, mut part: f64) -> Option<(Potential, f64)> {
-    for _ in 0..MAX_HALVINGS {
-        workspace.trial_curvatures.clone_from(&workspace.curvatures);
-        for (row, change) in workspace.trial_curvatures.iter_mut().zip(&workspace.change) {
-            for axis in 0..3 {
-                row[axis] += part * change[axis];
+    let largest = (SHORTENED_AT_MOST * S::ROTATION_LIMIT) * (SHORTENED_AT_MOST * S::ROTATION_LIMIT);
+    let mut tries = 0;
+    loop {
+        it.system.rotation_stiffness = T::from_lanes(|lane| control.damping[lane].value);
+        let found = solver.solve(&it.kinematics, &it.system, axes, &mut it.change);
+        // The dense solves repair by eigenvalues and know no damping; a direction that is not finite stays so. A lane that does keeps
+        // its damping, and gets the same direction again.
+        let mut good = true;
+        if S::DAMPED && tries < MAX_DAMPINGS {
+            for lane in lanes(running) {
+                let squared = found.rotation_squared.lane(lane);
+                if squared.is_finite() && (found.repaired.lane(lane) != 0.0 || squared > largest) {
+                    control.damping[lane].grow();
+                    good = false;
+                }
             }
         }
-        place(problem, &mut workspace.trial, &workspace.trial_curvatures);
-        let trial = evaluate(workspace, true);
-        if trial.value <= from.value - ARMIJO * part * descent + from.noise {
-            return Some((trial, part));
+        if good {
+            return found;
         }
-        part *= 0.5;
+        tries += 1;
     }
-    None
 }
 
-/// Whether the accepted state, which damped iterations crept to, solves the step's equations without being a minimum: a strand that
-/// symmetry balances on its end, in a step too long for inertia to hold it there. Reflected pivots turn the direction, not its size.
-fn stationary(problem: &Problem, workspace: &mut Workspace, options: &StepOptions) -> bool {
-    if options.linear_solver != LinearSolver::LinearTime {
-        return false;
+/// Goes along the direction, `part` of it at first, halving until the potential falls enough; the trial state is then where it is. The
+/// lanes that found no way down are told, and stay where they are, as those that do not run.
+#[inline(always)]
+fn walk<T: Lane>(
+    problem: &Problem<T>,
+    it: &mut Iterate<T>,
+    control: &mut Control,
+    found: &Direction<T>,
+    mut part: [f64; MAX_LANES],
+    running: u32,
+) -> u32 {
+    let mut pending = running;
+    let mut moving = running;
+    for _ in 0..MAX_HALVINGS {
+        let (value, noise) = place_on_way(problem, it, &part, moving);
+        for lane in lanes(pending) {
+            let from = control.potential[lane];
+            let trial = Potential { value: value.lane(lane), noise: noise.lane(lane) };
+            if trial.value <= from.value - ARMIJO * part[lane] * found.descent.lane(lane) + from.noise {
+                control.next[lane] = trial;
+                control.gone[lane] = part[lane];
+                pending &= !(1 << lane);
+            } else {
+                part[lane] *= 0.5;
+            }
+        }
+        if pending == 0 {
+            return 0;
+        }
     }
-    forces(workspace);
-    workspace.system.point_tension.clear();
-    workspace.system.exact = options.exact_hessian;
-    workspace.system.rotation_stiffness = 0.0;
-    let found = direction(workspace, problem.axes, options.linear_solver);
-    found.rotation_squared.sqrt() <= options.tolerance
+    moving &= !pending;
+    place_on_way(problem, it, &part, moving);
+    pending
+}
+
+/// Puts the trial state `part` of the direction on from the accepted one, in the lanes of `moving`.
+#[inline(always)]
+fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
+    let share = T::from_lanes(|lane| part[lane]);
+    let moving = T::mask(moving);
+    it.trial_curvatures.clone_from(&it.curvatures);
+    for (row, change) in it.trial_curvatures.iter_mut().zip(&it.change) {
+        for axis in 0..3 {
+            row[axis] = T::select(moving, row[axis] + share * change[axis], row[axis]);
+        }
+    }
+    place_trial(problem, it)
+}
+
+/// Whether the accepted states, which damped iterations crept to, solve the step's equations without being minima: the squared rotation
+/// that the undamped equations ask for. So a strand that symmetry balances on its end, in a step too long for inertia to hold it there.
+/// Reflected pivots turn the direction, not its size.
+#[inline(always)]
+fn stationary<T: Lane, S: LinearSolve<T>>(problem: &Problem<T>, it: &mut Iterate<T>, solver: &mut S, options: &StepOptions) -> T {
+    forces(it);
+    std::mem::swap(&mut it.system.point_tension, &mut it.spare_tension);
+    it.system.point_tension.clear();
+    it.system.exact = options.exact_hessian;
+    it.system.rotation_stiffness = T::zero();
+    let found = solver.solve(&it.kinematics, &it.system, problem.axes, &mut it.change);
+    std::mem::swap(&mut it.system.point_tension, &mut it.spare_tension);
+    found.rotation_squared
 }
 
 /// The constant C of Newton's quadratic convergence, θₖ₊₁ ≤ C θₖ²: the usual one, or what the last two rotations show.
@@ -205,54 +395,102 @@ fn constant(rotation: f64, before: Option<f64>) -> f64 {
 }
 
 /// The damping to try first: a hundredth of what the points' springs hold the rotation of one element's share with.
-fn usual_damping(workspace: &Workspace) -> f64 {
-    let stiffness: f64 = workspace.system.point_stiffness.iter().sum();
-    let length: f64 = workspace.kinematics.elements.iter().map(|element| element.length).sum();
-    0.01 * stiffness * length * length / workspace.kinematics.elements.len() as f64
-}
-
-fn place(problem: &Problem, kinematics: &mut Kinematics<f64>, curvatures: &[[f64; 3]]) {
-    kinematics.update(problem.root, problem.lengths, curvatures, problem.rule);
-}
-
-/// The potential at the accepted state or at the one on trial.
-fn evaluate(workspace: &Workspace, trial: bool) -> Potential {
-    let (kinematics, curvatures) =
-        if trial { (&workspace.trial, &workspace.trial_curvatures) } else { (&workspace.kinematics, &workspace.curvatures) };
-    let mut value = 0.0;
-    let mut lever = 0.0;
-    for (p, point) in kinematics.points.iter().enumerate() {
-        let stiffness = workspace.system.point_stiffness[p];
-        let off = point.position - workspace.point_target[p];
-        let square = off.norm_squared();
-        value += 0.5 * stiffness * square;
-        lever += stiffness * (square * point.position.norm_squared()).sqrt();
+#[inline(always)]
+fn usual_damping<T: Lane>(it: &Iterate<T>) -> T {
+    let mut stiffness = T::zero();
+    for value in &it.system.point_stiffness {
+        stiffness += *value;
     }
-    for (element, row) in curvatures.iter().enumerate() {
-        for axis in 0..3 {
-            let off = row[axis] - workspace.curvature_target[element][axis];
-            value += 0.5 * workspace.system.curvature_stiffness[element][axis] * off * off;
+    let mut length = T::zero();
+    for element in &it.kinematics.elements {
+        length += element.length;
+    }
+    T::splat(0.01) * stiffness * length * length / T::splat(it.kinematics.elements.len() as f64)
+}
+
+/// Places the accepted state; its potential and the rounding of it.
+#[inline(always)]
+pub fn place_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
+    let Iterate { kinematics, system, point_target, curvature_target, curvatures, .. } = it;
+    T::call(Place { problem, kinematics, curvatures, system, point_target, curvature_target })
+}
+
+/// Places the state on trial.
+#[inline(always)]
+fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
+    let Iterate { trial, system, point_target, curvature_target, trial_curvatures, .. } = it;
+    T::call(Place { problem, kinematics: trial, curvatures: trial_curvatures, system, point_target, curvature_target })
+}
+
+/// Brings kinematics to curvatures, and evaluates the potential there.
+struct Place<'a, T> {
+    problem: &'a Problem<'a, T>,
+    kinematics: &'a mut Kinematics<T>,
+    curvatures: &'a [[T; 3]],
+    system: &'a ChainSystem<T>,
+    point_target: &'a [Vec3<T>],
+    curvature_target: &'a [[T; 3]],
+}
+
+impl<T: Lane> Kernel for Place<'_, T> {
+    type Output = (T, T);
+    #[inline(always)]
+    fn run(self) -> (T, T) {
+        self.kinematics.update(self.problem.root, self.problem.lengths, self.curvatures, self.problem.rule);
+        let half = T::splat(0.5);
+        let mut value = T::zero();
+        let mut lever = T::zero();
+        for (p, point) in self.kinematics.points.iter().enumerate() {
+            let stiffness = self.system.point_stiffness[p];
+            let off = point.position - self.point_target[p];
+            let square = off.norm_squared();
+            value += half * stiffness * square;
+            lever += stiffness * (square * point.position.norm_squared()).sqrt();
         }
+        for (element, row) in self.curvatures.iter().enumerate() {
+            for axis in 0..3 {
+                let off = row[axis] - self.curvature_target[element][axis];
+                value += half * self.system.curvature_stiffness[element][axis] * off * off;
+            }
+        }
+        (value, T::splat(4.0 * T::PRECISION.constants().epsilon) * (value + lever))
     }
-    Potential { value, noise: 4.0 * f64::EPSILON * (value + lever) }
 }
 
 /// The forces of the springs at the accepted state.
-pub fn forces(workspace: &mut Workspace) {
-    let Workspace { kinematics, system, point_target, curvature_target, curvatures, .. } = workspace;
-    for (p, point) in kinematics.points.iter().enumerate() {
-        system.point_force[p] = (point_target[p] - point.position).scale(system.point_stiffness[p]);
-    }
-    for (element, row) in curvatures.iter().enumerate() {
-        for axis in 0..3 {
-            system.curvature_force[element][axis] =
-                system.curvature_stiffness[element][axis] * (curvature_target[element][axis] - row[axis]);
+#[inline(always)]
+pub fn forces<T: Lane>(it: &mut Iterate<T>) {
+    let Iterate { kinematics, system, point_target, curvature_target, curvatures, .. } = it;
+    T::call(Forces { kinematics, system, point_target, curvature_target, curvatures });
+}
+
+struct Forces<'a, T> {
+    kinematics: &'a Kinematics<T>,
+    system: &'a mut ChainSystem<T>,
+    point_target: &'a [Vec3<T>],
+    curvature_target: &'a [[T; 3]],
+    curvatures: &'a [[T; 3]],
+}
+
+impl<T: Lane> Kernel for Forces<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        for (p, point) in self.kinematics.points.iter().enumerate() {
+            self.system.point_force[p] = (self.point_target[p] - point.position).scale(self.system.point_stiffness[p]);
+        }
+        for (element, row) in self.curvatures.iter().enumerate() {
+            for axis in 0..3 {
+                self.system.curvature_force[element][axis] =
+                    self.system.curvature_stiffness[element][axis] * (self.curvature_target[element][axis] - row[axis]);
+            }
         }
     }
 }
 
 /// Sum of the forces on the points and of their moments about the root.
-pub fn wrench(kinematics: &Kinematics<f64>, forces: &[Vec3<f64>]) -> (Vec3<f64>, Vec3<f64>) {
+#[inline(always)]
+pub fn wrench<T: Lane>(kinematics: &Kinematics<T>, forces: &[Vec3<T>]) -> (Vec3<T>, Vec3<T>) {
     let (mut force, mut torque) = (Vec3::zero(), Vec3::zero());
     for (point, f) in kinematics.points.iter().zip(forces) {
         force += *f;

@@ -1,6 +1,7 @@
 //! How a step is taken: which integrator, which linear solve, how far Newton goes.
 
 use crate::error::{Error, Result};
+use crate::math::lane::Precision;
 
 /// The time integrator of a solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -76,6 +77,9 @@ pub struct StepOptions {
     /// least 0. 0: errors are not looked at, and cost nothing. It is estimated from the step itself. Where the halvings do not
     /// suffice the step is taken nevertheless, and [`StrandOutcome::error`](super::StrandOutcome::error) tells.
     pub error_tolerance: f64,
+    /// The precision of the step's arithmetic. [`Precision::F32`] is for [`LinearSolver::LinearTime`] and not for
+    /// [`Integrator::Reference`]; what it is good for is in `docs/lanes.md`. States are kept in f64 either way.
+    pub precision: Precision,
 }
 
 impl Default for StepOptions {
@@ -89,11 +93,17 @@ impl Default for StepOptions {
             reference_tolerance: 1e-8,
             max_subdivisions: 3,
             error_tolerance: 0.0,
+            precision: Precision::F64,
         }
     }
 }
 
 impl StepOptions {
+    /// Whether the linear systems are solved by elimination.
+    pub fn is_linear_time(&self) -> bool {
+        self.linear_solver == LinearSolver::LinearTime
+    }
+
     /// Checks every value; `argument` is the name put before the field in the message.
     ///
     /// # Errors
@@ -121,6 +131,14 @@ impl StepOptions {
                 self.error_tolerance,
                 "a finite number, 0 or more (of the strand's length, per step)",
             ));
+        }
+        let in_f64 = self.linear_solver != LinearSolver::LinearTime || self.integrator == Integrator::Reference;
+        if self.precision == Precision::F32 && in_f64 {
+            return Err(Error::Unsupported {
+                argument: format!("{argument}.precision"),
+                value: "f32".into(),
+                hint: "dense linear solvers and the reference integrator compute in f64".into(),
+            });
         }
         Ok(())
     }

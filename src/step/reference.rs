@@ -8,12 +8,14 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
 use super::dynamics::{Dynamics, Rows};
+use super::members::One;
 use super::options::StepOptions;
 use super::radau::{self, Motion, Step};
 use super::root_path::RootPath;
-use super::state::{StrandState, rotation_matrix};
-use super::workspace::Workspace;
-use super::{Setting, StrandOutcome, Surroundings, newton, stages, tableau};
+use super::scratch::Bench;
+use super::single::Single;
+use super::state::{RuleScratch, StrandState};
+use super::{Setting, StrandOutcome, Surroundings, keep, newton};
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
@@ -41,14 +43,10 @@ const TIMES_TRIED: u32 = 12;
 const JUMP: f64 = 1e-8;
 
 /// Takes one strand through `h` seconds; see [`super::take`].
-pub fn take(
-    setting: &Setting,
-    state: &mut StrandState,
-    root_at: &dyn Fn(f64) -> Frame,
-    h: f64,
-    workspace: &mut Workspace,
-) -> StrandOutcome {
-    let Setting { model, surroundings, options, rules } = *setting;
+pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, scratch: &mut RuleScratch) -> StrandOutcome {
+    let Setting { surroundings, options, rules } = *setting;
+    let One { model, root_at, .. } = *one;
+    let state = &mut *one.state;
     let mut run = Run {
         model,
         surroundings,
@@ -66,7 +64,7 @@ pub fn take(
     };
     let Some(pieces) = RootPath::pieces(root_at, h) else {
         // A root that jumps about is not to be followed to any tolerance.
-        let outcome = stages::take(&tableau::IMPLICIT_EULER, setting, state, root_at, h, workspace);
+        let outcome = implicit_euler(setting, one, h, bench, scratch);
         return StrandOutcome { converged: false, ..outcome };
     };
     for path in &pieces {
@@ -82,7 +80,7 @@ pub fn take(
             // The best that is left: the strand as far as it came, and a forgiving step over the rest.
             publish(state, &motion, &known, root_at(end));
             let rest = |seconds: f64| root_at(end + seconds);
-            let last = stages::take(&tableau::IMPLICIT_EULER, setting, state, &rest, h - end, workspace);
+            let last = implicit_euler(setting, &mut One { model, state, root_at: &rest }, h - end, bench, scratch);
             run.outcome.iterations += last.iterations;
             run.outcome.quarantined |= last.quarantined;
             return run.outcome;
@@ -94,9 +92,16 @@ pub fn take(
         let (kinematics, forces) = dynamics.point_forces(path.end, &motion.curvatures, &motion.rates, &motion.accelerations);
         (state.wrench_force, state.wrench_torque) = newton::wrench(&kinematics, &forces);
     }
-    let rule = rules.rule(state.rule);
-    workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
     run.outcome
+}
+
+/// A forgiving step; a state that is not finite is not kept.
+fn implicit_euler(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, rule: &mut RuleScratch) -> StrandOutcome {
+    let outcome = f64::attempt(one, setting, h, bench);
+    if !outcome.quarantined {
+        keep(one, 0, setting, h, &mut bench.workspace, rule);
+    }
+    outcome
 }
 
 /// What a strand was last seen to do.

@@ -8,7 +8,7 @@
 
 use super::state::{Earlier, Past, StrandState, rotation_matrix};
 use crate::chain::elimination::Elimination;
-use crate::chain::system::ChainSystem;
+use crate::chain::system::{ChainSystem, LinearSolve};
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;

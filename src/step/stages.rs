@@ -4,197 +4,294 @@
 //! Vᵢ = (r − r̃)/k, Aᵢ = (Vᵢ − ṽ)/k, q̇ᵢ = (q − q̃)/k. r̃ need not be a shape of the strand: it is where each point is drawn to.
 //! Velocity products need no code: they are in r(q). The root moves first, rigidly; r̃ stays in the world.
 
-use nalgebra::Vector3;
-
-use super::newton::{self, Problem};
-use super::state::{StrandState, rotation_matrix};
+use super::members::{self, Loaded, Members, Reads};
+use super::newton::{self, Iterate, Problem};
+use super::state::StrandState;
 use super::tableau::{self, Tableau};
 use super::workspace::{Stage, Workspace};
 use super::{Setting, StrandOutcome, local_error};
+use crate::chain::system::LinearSolve;
 use crate::energy::{CurvatureQuadratic, PointQuadratic, drag, elastic, friction, gravity, inertia};
-use crate::math::frame::Frame;
-use crate::math::rotation::rotation_vector;
-use crate::math::vector::Vec3;
-use crate::rod::strand::StrandModel;
+use crate::math::lane::{Kernel, Lane, MAX_LANES};
+use crate::math::quadrature::Rule;
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::freedoms::Freedoms;
+use crate::rod::kinematics::Kinematics;
 
-/// Takes one strand through a step of `h` seconds; `root_at(seconds)` is the root's pose that long after the step's start.
-pub fn take(
+/// Takes strands through a step of `h` seconds; the workspace then holds its end. See [`super::whole::take`].
+#[inline(always)]
+pub fn take<T: Lane, S: LinearSolve<T>>(
     tableau: &Tableau,
+    members: &dyn Members,
     setting: &Setting,
-    state: &mut StrandState,
-    root_at: &dyn Fn(f64) -> Frame,
     h: f64,
-    workspace: &mut Workspace,
-) -> StrandOutcome {
-    let Setting { model, rules, .. } = *setting;
-    let rule = rules.rule(state.rule);
-    let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
-    workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
-    workspace.base.clear();
-    workspace.base.extend(workspace.kinematics.points.iter().map(|point| point.position));
-    workspace.curvatures.clone_from(&state.curvatures);
+    workspace: &mut Workspace<T>,
+    solver: &mut S,
+    outcomes: &mut [StrandOutcome; MAX_LANES],
+) {
+    let rule = setting.rules.rule(members.state(0).rule);
+    let freedoms = members.model(0).freedoms;
+    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: false });
+    base(rule, workspace);
 
-    let start = state.root;
-    let mut total = StrandOutcome { converged: true, ..StrandOutcome::default() };
-    let mut root = state.root;
+    let mut total = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
+    let mut active = (1_u32 << workspace.loaded.count) - 1;
     for index in 0..tableau.stages {
-        root = root_at(tableau.times[index] * h);
-        let end_rotation = rotation_matrix(&root);
-        let problem =
-            Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule, tension_at_start: false };
-        displace(index, tableau, state, h, workspace);
-        let offset = Vec3::from(root.origin - start.origin);
-        let way = if index == 0 { tableau.times[0] * h } else { (tableau.times[index] - tableau.times[index - 1]) * h };
-        let k = tableau.gamma * h;
-        solve_stage(&StageTimes { index, k, way }, setting, state, offset, &problem, workspace, &mut total);
-        if total.quarantined {
-            return total;
+        displace(index, tableau, workspace);
+        let way = tableau.times[index] - if index == 0 { 0.0 } else { tableau.times[index - 1] };
+        let step = workspace.loaded.step;
+        let (rotation, offset) = move_roots(tableau.times[index] * h, members, workspace);
+        let times = StageTimes { index, k: T::splat(tableau.gamma) * step, way: T::splat(way) * step };
+        T::call(SolveStage {
+            times,
+            setting,
+            rule,
+            freedoms,
+            rotation: &rotation,
+            offset,
+            workspace,
+            solver,
+            active,
+            total: &mut total,
+        });
+        for (lane, outcome) in total.iter().enumerate() {
+            active &= !(u32::from(outcome.quarantined) << lane);
         }
     }
+    workspace.last_stage = tableau.stages - 1;
+    *outcomes = total;
     if setting.options.error_tolerance > 0.0 {
-        total.error = local_error::of_stages(tableau, h, &state.velocities, workspace) / model.length();
+        let error = local_error::of_stages(tableau, workspace);
+        tell_error(error, members, workspace, outcomes);
     }
-    end_step(tableau.stages - 1, state, &root, h, workspace);
-    total
 }
 
 /// One step of the two-step backward differentiation formula: one stage over k = h/a₀ from where the past two positions, velocities and
 /// curvatures point, r̃ = ((1+ω)² r_t − ω² r_{t−1})/(1+2ω) and likewise ṽ and q̃, ω the ratio of this step to the last,
-/// a₀ = (1+2ω)/(1+ω). Needs a past; see [`two_step`].
-fn backward_difference(
+/// a₀ = (1+2ω)/(1+ω). Needs a past; see [`leans_on_past`].
+#[inline(always)]
+fn backward_difference<T: Lane, S: LinearSolve<T>>(
+    members: &dyn Members,
     setting: &Setting,
-    state: &mut StrandState,
-    root_at: &dyn Fn(f64) -> Frame,
     h: f64,
-    workspace: &mut Workspace,
-) -> StrandOutcome {
-    let Setting { model, rules, .. } = *setting;
-    let rule = rules.rule(state.rule);
-    let (axes, free) = (model.freedoms.axes(), model.freedoms.count());
-    let past_offset = Vec3::from(state.past.root.origin - state.root.origin);
-    workspace.kinematics.update(&rotation_matrix(&state.past.root), &model.lengths, &state.past.curvatures, rule);
-    workspace.past_base.clear();
-    workspace.past_base.extend(workspace.kinematics.points.iter().map(|point| point.position + past_offset));
-    workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
-    workspace.base.clear();
-    workspace.base.extend(workspace.kinematics.points.iter().map(|point| point.position));
-    workspace.curvatures.clone_from(&state.curvatures);
+    workspace: &mut Workspace<T>,
+    solver: &mut S,
+    outcomes: &mut [StrandOutcome; MAX_LANES],
+) {
+    let rule = setting.rules.rule(members.state(0).rule);
+    let freedoms = members.model(0).freedoms;
+    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: true });
+    past_base(rule, workspace);
+    base(rule, workspace);
 
-    let ratio = h / state.past.step;
-    let divisor = 1.0 / (1.0 + 2.0 * ratio);
-    let (now, then) = ((1.0 + ratio) * (1.0 + ratio) * divisor, ratio * ratio * divisor);
-    let stage = &mut workspace.stages[0];
-    stage.start_positions.clear();
-    stage.start_velocities.clear();
-    stage.start_curvatures.clear();
-    for (base, past) in workspace.base.iter().zip(&workspace.past_base) {
-        stage.start_positions.push(base.scale(now) - past.scale(then));
+    let Workspace { loaded, stages, base, past_base, .. } = workspace;
+    let (one, two) = (T::one(), T::splat(2.0));
+    let ratio = loaded.step / loaded.past_step;
+    let divisor = one / (one + two * ratio);
+    let (now, then) = ((one + ratio) * (one + ratio) * divisor, ratio * ratio * divisor);
+    let stage = &mut stages[0];
+    stage.resize(loaded.lengths.len(), base.len());
+    for (p, start) in stage.start_positions.iter_mut().enumerate() {
+        *start = base[p].scale(now) - past_base[p].scale(then);
     }
-    for (velocity, past) in state.velocities.iter().zip(&state.past.velocities) {
-        stage.start_velocities.push(velocity.scale(now) - past.scale(then));
+    for (p, start) in stage.start_velocities.iter_mut().enumerate() {
+        *start = loaded.velocities[p].scale(now) - loaded.past_velocities[p].scale(then);
     }
-    for (row, past) in state.curvatures.iter().zip(&state.past.curvatures) {
-        stage.start_curvatures.push(std::array::from_fn(|axis| now * row[axis] - then * past[axis]));
-    }
-
-    let root = root_at(h);
-    let end_rotation = rotation_matrix(&root);
-    let problem = Problem { root: &end_rotation, lengths: &model.lengths, axes: &axes[..free], rule, tension_at_start: false };
-    let offset = Vec3::from(root.origin - state.root.origin);
-    let k = h * (1.0 + ratio) * divisor;
-    let mut total = StrandOutcome { converged: true, ..StrandOutcome::default() };
-    solve_stage(&StageTimes { index: 0, k, way: h }, setting, state, offset, &problem, workspace, &mut total);
-    if !total.quarantined {
-        if setting.options.error_tolerance > 0.0 {
-            let past = &state.past.velocities;
-            total.error =
-                local_error::of_backward_differences(ratio, h, &state.velocities, past, offset, workspace) / model.length();
+    for (element, start) in stage.start_curvatures.iter_mut().enumerate() {
+        for axis in 0..3 {
+            start[axis] = now * loaded.curvatures[element][axis] - then * loaded.past_curvatures[element][axis];
         }
-        end_step(0, state, &root, h, workspace);
     }
-    total
+
+    let times = StageTimes { index: 0, k: loaded.step * (one + ratio) * divisor, way: loaded.step };
+    let active = (1_u32 << loaded.count) - 1;
+    let (rotation, offset) = move_roots(h, members, workspace);
+    *outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
+    T::call(SolveStage {
+        times,
+        setting,
+        rule,
+        freedoms,
+        rotation: &rotation,
+        offset,
+        workspace,
+        solver,
+        active,
+        total: outcomes,
+    });
+    workspace.last_stage = 0;
+    if setting.options.error_tolerance > 0.0 {
+        let error = local_error::of_backward_differences(ratio, offset, workspace);
+        tell_error(error, members, workspace, outcomes);
+    }
 }
 
 /// The second-order integrator: backward differences over the last two steps. The first step, and one after a jump of the step's size,
 /// has no past to lean on and goes by two stages of implicit Runge and Kutta's kind.
-pub fn two_step(
+#[inline(always)]
+pub fn two_step<T: Lane, S: LinearSolve<T>>(
+    members: &dyn Members,
     setting: &Setting,
-    state: &mut StrandState,
-    root_at: &dyn Fn(f64) -> Frame,
     h: f64,
-    workspace: &mut Workspace,
-) -> StrandOutcome {
-    let has_past = state.past.step > 0.0 && h <= LARGEST_RATIO * (1.0 + 1e-9) * state.past.step;
-    let past = &mut workspace.next_past;
-    past.curvatures.clone_from(&state.curvatures);
-    past.velocities.clone_from(&state.velocities);
-    past.root = state.root;
-    past.step = h;
-    let outcome = if has_past {
-        backward_difference(setting, state, root_at, h, workspace)
+    workspace: &mut Workspace<T>,
+    solver: &mut S,
+    outcomes: &mut [StrandOutcome; MAX_LANES],
+) {
+    if leans_on_past(members.state(0), h) {
+        backward_difference(members, setting, h, workspace, solver, outcomes);
     } else {
-        take(&tableau::TWO_STAGES, setting, state, root_at, h, workspace)
-    };
-    std::mem::swap(&mut state.past, &mut workspace.next_past);
-    outcome
+        take(&tableau::TWO_STAGES, members, setting, h, workspace, solver, outcomes);
+    }
+}
+
+/// Whether a step of `h` seconds of the second-order integrator goes by backward differences.
+pub fn leans_on_past(state: &StrandState, h: f64) -> bool {
+    state.past.step > 0.0 && h <= LARGEST_RATIO * (1.0 + 1e-9) * state.past.step
 }
 
 /// The formula is stable for steps that grow by less than 1 + √2; well below that it is accurate too.
 const LARGEST_RATIO: f64 = 2.0;
 
-/// Which stage, and its times in seconds.
-struct StageTimes {
+/// Which stage, and its times.
+#[derive(Clone, Copy)]
+struct StageTimes<T> {
     index: usize,
     /// The stage is an implicit Euler step of this.
-    k: f64,
+    k: T,
     /// From the last stage's end, or the step's start, to this one's end.
-    way: f64,
+    way: T,
 }
 
 /// Assembles, starts and minimises one stage.
-fn solve_stage(
-    stage: &StageTimes,
-    setting: &Setting,
-    state: &StrandState,
-    offset: Vec3<f64>,
-    problem: &Problem,
-    workspace: &mut Workspace,
-    total: &mut StrandOutcome,
-) {
-    let StageTimes { index, k, way } = *stage;
-    assemble_terms(index, setting, k, offset, problem.rule.weights.as_slice(), workspace);
-    choose_start(index, way, setting.model, state, problem, workspace);
-    let outcome = newton::minimise(problem, setting.options, workspace);
-    total.iterations += outcome.iterations;
-    total.converged &= outcome.converged;
-    total.residual = outcome.residual;
-    total.condition = total.condition.max(outcome.condition);
-    total.quarantined = outcome.quarantined;
-    if !outcome.quarantined {
-        finish_stage(index, k, offset, problem.axes, workspace);
+struct SolveStage<'a, T, S> {
+    times: StageTimes<T>,
+    setting: &'a Setting<'a>,
+    rule: &'a Rule,
+    freedoms: Freedoms,
+    rotation: &'a Mat3<T>,
+    offset: Vec3<T>,
+    workspace: &'a mut Workspace<T>,
+    solver: &'a mut S,
+    active: u32,
+    total: &'a mut [StrandOutcome; MAX_LANES],
+}
+
+impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { times, setting, rule, freedoms, rotation, offset, workspace, solver, active, total } = self;
+        let (axes, free) = (freedoms.axes(), freedoms.count());
+        let Workspace { loaded, iterate, stages, .. } = workspace;
+        let (before, stage) = stages.split_at_mut(times.index);
+        let stage = &mut stage[0];
+        let problem = Problem { root: rotation, lengths: &loaded.lengths, axes: &axes[..free], rule, tension_at_start: false };
+        assemble_terms(times.k, offset, &rule.weights, loaded, stage, iterate);
+        lead(times.way, freedoms, loaded, before.last().map_or(&loaded.rates, |stage| &stage.rates), iterate);
+        let start = newton::choose_start(&problem, iterate);
+        let mut outcomes = [StrandOutcome::default(); MAX_LANES];
+        newton::minimise(&problem, setting.options, iterate, solver, start, active, &mut outcomes);
+        for (total, outcome) in total.iter_mut().zip(&outcomes).take(loaded.count) {
+            total.iterations += outcome.iterations;
+            total.converged &= outcome.converged;
+            total.residual = outcome.residual;
+            total.condition = total.condition.max(outcome.condition);
+            total.quarantined |= outcome.quarantined;
+        }
+        finish_stage(times.k, offset, problem.axes, iterate, stage);
     }
 }
 
-/// Makes a stage's end the strand's state.
-fn end_step(index: usize, state: &mut StrandState, root: &Frame, h: f64, workspace: &Workspace) {
-    let last = &workspace.stages[index];
-    state.curvatures.copy_from_slice(&workspace.curvatures);
-    state.rates.copy_from_slice(&last.rates);
-    state.velocities.copy_from_slice(&last.velocities);
-    (state.wrench_force, state.wrench_torque) = newton::wrench(&workspace.kinematics, &workspace.system.point_force);
-    (state.root_velocity, state.root_angular_velocity) = root_velocity(&state.root, root, h);
-    state.root = *root;
+/// Places the strands where the step found them.
+#[inline(always)]
+fn base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
+    let Workspace { loaded, iterate, base, .. } = workspace;
+    T::call(Positions {
+        rotation: &loaded.rotation,
+        lengths: &loaded.lengths,
+        curvatures: &loaded.curvatures,
+        offset: Vec3::zero(),
+        rule,
+        kinematics: &mut iterate.kinematics,
+        positions: base,
+    });
+    iterate.curvatures.clone_from(&loaded.curvatures);
+}
+
+/// Places the strands where the step before found them.
+#[inline(always)]
+fn past_base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
+    let Workspace { loaded, iterate, past_base, .. } = workspace;
+    T::call(Positions {
+        rotation: &loaded.past_rotation,
+        lengths: &loaded.lengths,
+        curvatures: &loaded.past_curvatures,
+        offset: loaded.past_offset,
+        rule,
+        kinematics: &mut iterate.kinematics,
+        positions: past_base,
+    });
+}
+
+/// The positions of all points for given curvatures.
+struct Positions<'a, T> {
+    rotation: &'a Mat3<T>,
+    lengths: &'a [T],
+    curvatures: &'a [[T; 3]],
+    offset: Vec3<T>,
+    rule: &'a Rule,
+    kinematics: &'a mut Kinematics<T>,
+    positions: &'a mut Vec<Vec3<T>>,
+}
+
+impl<T: Lane> Kernel for Positions<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        self.kinematics.update(self.rotation, self.lengths, self.curvatures, self.rule);
+        self.positions.resize(self.kinematics.points.len(), Vec3::zero());
+        for (position, point) in self.positions.iter_mut().zip(&self.kinematics.points) {
+            *position = point.position + self.offset;
+        }
+    }
+}
+
+/// Moves the roots to where they are `seconds` after the step's start: their rotations then, and how far their origins went.
+#[inline(always)]
+pub fn move_roots<T: Lane>(seconds: f64, members: &dyn Members, workspace: &mut Workspace<T>) -> (Mat3<T>, Vec3<T>) {
+    let (mut rotation, mut offset) = (Mat3::zero(), Vec3::zero());
+    for lane in 0..T::LANES {
+        let member = if lane < workspace.loaded.count { lane } else { 0 };
+        if lane == member {
+            workspace.roots[lane] = members.root_at(lane, seconds);
+        }
+        let root = &workspace.roots[member];
+        members::put_rotation(&mut rotation, lane, root);
+        members::put_offset(&mut offset, lane, &members.state(member).root, root, &workspace.loaded.units[lane]);
+    }
+    (rotation, offset)
+}
+
+/// Writes down the error that the step added, in units of the strands' lengths.
+#[inline(always)]
+fn tell_error<T: Lane>(error: T, members: &dyn Members, workspace: &Workspace<T>, outcomes: &mut [StrandOutcome; MAX_LANES]) {
+    for lane in 0..workspace.loaded.count {
+        outcomes[lane].error = error.lane(lane) * workspace.loaded.units[lane].length / members.model(lane).length();
+    }
 }
 
 /// The displaced start of stage `index`: where it would be after the stages before it.
-fn displace(index: usize, tableau: &Tableau, state: &StrandState, h: f64, workspace: &mut Workspace) {
-    let (before, from_here) = workspace.stages.split_at_mut(index);
+#[inline(always)]
+fn displace<T: Lane>(index: usize, tableau: &Tableau, workspace: &mut Workspace<T>) {
+    let Workspace { loaded, stages, base, .. } = workspace;
+    let (before, from_here) = stages.split_at_mut(index);
     let stage = &mut from_here[0];
-    stage.start_positions.clone_from(&workspace.base);
-    stage.start_velocities.clone_from(&state.velocities);
-    stage.start_curvatures.clone_from(&state.curvatures);
+    stage.resize(loaded.lengths.len(), base.len());
+    stage.start_positions.clone_from(base);
+    stage.start_velocities.clone_from(&loaded.velocities);
+    stage.start_curvatures.clone_from(&loaded.curvatures);
     for (j, earlier) in before.iter().enumerate() {
-        let share = h * tableau.below[index][j];
+        let share = loaded.step * T::splat(tableau.below[index][j]);
         for p in 0..stage.start_positions.len() {
             stage.start_positions[p] += earlier.velocities[p].scale(share);
             stage.start_velocities[p] += earlier.accelerations[p].scale(share);
@@ -208,83 +305,82 @@ fn displace(index: usize, tableau: &Tableau, state: &StrandState, h: f64, worksp
 }
 
 /// What the stage's end says about velocities, accelerations and rates.
-fn finish_stage(index: usize, k: f64, offset: Vec3<f64>, axes: &[usize], workspace: &mut Workspace) {
-    let Workspace { stages, kinematics, curvatures, .. } = workspace;
-    let Stage { start_positions, start_velocities, start_curvatures, velocities, accelerations, rates } = &mut stages[index];
-    let inverse = 1.0 / k;
-    velocities.clear();
-    accelerations.clear();
-    rates.clear();
-    for ((point, position), velocity) in kinematics.points.iter().zip(start_positions).zip(start_velocities) {
-        let reached = (point.position + offset - *position).scale(inverse);
-        velocities.push(reached);
-        accelerations.push((reached - *velocity).scale(inverse));
+#[inline(always)]
+fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], iterate: &Iterate<T>, stage: &mut Stage<T>) {
+    let inverse = T::one() / k;
+    for (p, point) in iterate.kinematics.points.iter().enumerate() {
+        let reached = (point.position + offset - stage.start_positions[p]).scale(inverse);
+        stage.velocities[p] = reached;
+        stage.accelerations[p] = (reached - stage.start_velocities[p]).scale(inverse);
     }
-    for (row, start) in curvatures.iter().zip(start_curvatures) {
+    for (element, row) in iterate.curvatures.iter().enumerate() {
         // A frozen curvature has no rate: the differences of the two-step start would leave it one, of rounding.
-        let mut rate = [0.0; 3];
+        let mut rate = [T::zero(); 3];
         for axis in axes {
-            rate[*axis] = (row[*axis] - start[*axis]) * inverse;
+            rate[*axis] = (row[*axis] - stage.start_curvatures[element][*axis]) * inverse;
         }
-        rates.push(rate);
+        stage.rates[element] = rate;
     }
 }
 
-/// Starts Newton from where the rates lead, or from where it is, whichever is nearer to the minimum. Frozen curvatures are natural.
-fn choose_start(index: usize, way: f64, model: &StrandModel, state: &StrandState, problem: &Problem, workspace: &mut Workspace) {
-    for (row, natural) in workspace.curvatures.iter_mut().zip(&model.natural) {
+/// Newton's two starts: where it is, and, on trial, where the rates lead. Frozen curvatures are natural.
+#[inline(always)]
+fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, rates: &[[T; 3]], iterate: &mut Iterate<T>) {
+    let Iterate { curvatures, trial_curvatures, .. } = iterate;
+    trial_curvatures.resize(curvatures.len(), [T::zero(); 3]);
+    for (element, row) in curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
-            if !model.freedoms.contains(axis) {
-                row[axis] = natural[axis];
+            if freedoms.contains(axis) {
+                trial_curvatures[element][axis] = row[axis] + way * rates[element][axis];
+            } else {
+                row[axis] = loaded.natural[element][axis];
+                trial_curvatures[element][axis] = row[axis];
             }
         }
     }
-    workspace.trial_curvatures.clone_from(&workspace.curvatures);
-    let rates = if index == 0 { &state.rates } else { &workspace.stages[index - 1].rates };
-    for (row, rate) in workspace.trial_curvatures.iter_mut().zip(rates) {
-        for axis in problem.axes {
-            row[*axis] += way * rate[*axis];
-        }
-    }
-    newton::choose_start(problem, workspace);
 }
 
 /// Sums the terms of every point and curvature into a stiffness and a target.
-fn assemble_terms(index: usize, setting: &Setting, k: f64, offset: Vec3<f64>, weights: &[f64], workspace: &mut Workspace) {
-    let Setting { model, surroundings, .. } = *setting;
-    let points = workspace.stages[index].start_positions.len();
-    workspace.system.resize(model.element_count(), points);
-    workspace.point_target.resize(points, Vec3::zero());
-    workspace.curvature_target.resize(model.element_count(), [0.0; 3]);
-    let stage = &workspace.stages[index];
+#[inline(always)]
+fn assemble_terms<T: Lane>(
+    k: T,
+    offset: Vec3<T>,
+    weights: &[f64],
+    loaded: &Loaded<T>,
+    stage: &Stage<T>,
+    iterate: &mut Iterate<T>,
+) {
+    let Iterate { system, point_target, curvature_target, .. } = iterate;
+    let points = stage.start_positions.len();
+    system.resize(loaded.lengths.len(), points);
+    point_target.resize(points, Vec3::zero());
+    curvature_target.resize(loaded.lengths.len(), [T::zero(); 3]);
     let per_element = weights.len();
-    for (element, length) in model.lengths.iter().enumerate() {
+    // Of all points only inertia's pull differs, and stiffnesses only by the weight: what they share is summed once.
+    let mut shared = PointQuadratic::zero();
+    inertia::add(&mut shared, loaded.linear_density, k, Vec3::zero());
+    gravity::add(&mut shared, loaded.linear_density, loaded.gravity);
+    if loaded.has_drag {
+        drag::add(&mut shared, loaded.air_drag, k, loaded.wind);
+    }
+    let inverse = T::one() / shared.stiffness;
+    let fall = shared.pull.scale(inverse) - offset;
+    let momentum = loaded.linear_density / k * inverse;
+    for (element, length) in loaded.lengths.iter().enumerate() {
         for (node, weight) in weights.iter().enumerate() {
             let p = element * per_element + node;
-            let mut quadratic = PointQuadratic::zero();
-            inertia::add(&mut quadratic, model.linear_density, k, stage.start_velocities[p]);
-            gravity::add(&mut quadratic, model.linear_density, surroundings.gravity);
-            if model.material.air_drag > 0.0 {
-                drag::add(&mut quadratic, model.material.air_drag, k, surroundings.wind);
-            }
-            workspace.system.point_stiffness[p] = quadratic.stiffness * (weight * length);
-            workspace.point_target[p] = stage.start_positions[p] - offset + quadratic.pull.scale(1.0 / quadratic.stiffness);
+            system.point_stiffness[p] = shared.stiffness * (T::splat(*weight) * *length);
+            point_target[p] = stage.start_positions[p] + stage.start_velocities[p].scale(momentum) + fall;
         }
         for axis in 0..3 {
             let start = stage.start_curvatures[element][axis];
             let mut quadratic = CurvatureQuadratic::zero();
-            elastic::add(&mut quadratic, model.stiffness[axis], model.natural[element][axis], start);
-            if model.dissipation[axis] > 0.0 {
-                friction::add(&mut quadratic, model.dissipation[axis], k);
+            elastic::add(&mut quadratic, loaded.stiffness[axis], loaded.natural[element][axis], start);
+            if loaded.has_dissipation[axis] {
+                friction::add(&mut quadratic, loaded.dissipation[axis], k);
             }
-            workspace.system.curvature_stiffness[element][axis] = quadratic.stiffness * length;
-            workspace.curvature_target[element][axis] = start + quadratic.pull / quadratic.stiffness;
+            system.curvature_stiffness[element][axis] = quadratic.stiffness * *length;
+            curvature_target[element][axis] = start + quadratic.pull / quadratic.stiffness;
         }
     }
-}
-
-/// The root's mean velocity over a step, for steps that do not go through stages.
-pub fn root_velocity(from: &Frame, to: &Frame, h: f64) -> (Vector3<f64>, Vector3<f64>) {
-    let angular = from.rotation * (rotation_vector(&(from.rotation.inverse() * to.rotation)) / h);
-    ((to.origin - from.origin) / h, angular)
 }

@@ -5,93 +5,71 @@
 //! Parts are counted in ticks, the shortest part allowed: a part may double where its start is a multiple of the double, so that all end
 //! with the step.
 
+use super::members::One;
 use super::options::{Integrator, StepOptions};
-use super::state::StrandState;
-use super::workspace::Workspace;
-use super::{Setting, StrandOutcome, take_whole};
-use crate::math::frame::Frame;
+use super::scratch::Bench;
+use super::single::Single;
+use super::state::{RuleScratch, StrandState};
+use super::{Setting, StrandOutcome, keep};
 
 /// A part grows where it errs by less than this share of what is allowed: twice as long a step of second order errs eight times as much.
 const GROWS_BELOW: f64 = 0.08;
 
-/// Takes one strand through a step of `h` seconds, whole if that serves; see [`super::take`].
-pub fn take(
-    setting: &Setting,
-    state: &mut StrandState,
-    root_at: &dyn Fn(f64) -> Frame,
-    h: f64,
-    workspace: &mut Workspace,
-) -> StrandOutcome {
-    let options = setting.options;
-    let levels = if matches!(options.integrator, Integrator::ImplicitEuler | Integrator::SecondOrder) {
-        options.max_subdivisions
-    } else {
-        0
-    };
-    let begin = state.subdivision.min(levels);
-    if begin == 0 {
-        let whole = take_whole(setting, state, root_at, h, workspace);
-        if levels == 0 || serves(options, &whole) {
-            state.subdivision = 0;
-            return whole;
-        }
-        state.clone_from(&workspace.rolled_back);
-        let mut outcome = in_parts(setting, state, root_at, h, 1, workspace);
-        outcome.iterations += whole.iterations;
-        return outcome;
-    }
-    in_parts(setting, state, root_at, h, begin, workspace)
+/// How often a step may be halved.
+pub fn levels(options: &StepOptions) -> u32 {
+    if matches!(options.integrator, Integrator::ImplicitEuler | Integrator::SecondOrder) { options.max_subdivisions } else { 0 }
 }
 
 /// Takes the step in parts, the first of h/2^`level`; the state is that of the step's start.
-fn in_parts(
+pub fn in_parts<T: Single>(
+    one: &mut One,
     setting: &Setting,
-    state: &mut StrandState,
-    root_at: &dyn Fn(f64) -> Frame,
     h: f64,
     level: u32,
-    workspace: &mut Workspace,
+    bench: &mut Bench<T>,
+    rule: &mut RuleScratch,
+    begin: &mut StrandState,
 ) -> StrandOutcome {
     let options = setting.options;
     let levels = options.max_subdivisions;
     let ticks = 1_u32 << levels;
     let (mut done, mut part) = (0, 1_u32 << (levels - level));
     let mut total = StrandOutcome { converged: true, substeps: 0, ..StrandOutcome::default() };
-    let mut begin = workspace.before_step.take().unwrap_or_default();
-    begin.clone_from(state);
+    begin.clone_from(one.state);
     while done < ticks {
         let from = h * (f64::from(done) / f64::from(ticks));
+        let root_at = one.root_at;
         let part_root = |seconds: f64| root_at(from + seconds);
         let length = h * (f64::from(part) / f64::from(ticks));
-        let outcome = take_whole(setting, state, &part_root, length, workspace);
+        let mut one_part = One { model: one.model, state: &mut *one.state, root_at: &part_root };
+        let outcome = T::attempt(&one_part, setting, length, bench);
         total.iterations += outcome.iterations;
         let served = serves(options, &outcome);
         if !served && part > 1 {
-            state.clone_from(&workspace.rolled_back);
             part /= 2;
             continue;
         }
         total.add_part(&outcome);
         if outcome.quarantined {
             // The whole step is rolled back: the root is where the host left it.
-            state.clone_from(&begin);
+            one.state.clone_from(begin);
             total.quarantined = true;
             total.converged = false;
             break;
         }
+        keep(&mut one_part, 0, setting, length, &mut bench.workspace, rule);
         done += part;
         let grows = served && (options.error_tolerance == 0.0 || outcome.error < GROWS_BELOW * options.error_tolerance);
         if grows && done % (2 * part) == 0 && 2 * part <= ticks - done {
             part *= 2;
         }
-        state.subdivision = levels - part.ilog2() - u32::from(grows && done == ticks && part < ticks);
+        one.state.subdivision = levels - part.ilog2() - u32::from(grows && done == ticks && part < ticks);
     }
-    workspace.before_step = Some(begin);
     total
 }
 
 /// Whether a step needs no subdivision.
-fn serves(options: &StepOptions, outcome: &StrandOutcome) -> bool {
+pub fn serves(options: &StepOptions, outcome: &StrandOutcome) -> bool {
     let errs = options.error_tolerance > 0.0 && outcome.error > options.error_tolerance;
     outcome.converged && !outcome.quarantined && !errs
 }

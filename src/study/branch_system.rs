@@ -18,8 +18,8 @@ use crate::rod::definition::{StrandDef, check_frozen, check_rows};
 use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
 use crate::step::equilibrium::{self, EquilibriumOptions};
+use crate::step::scratch::Bench;
 use crate::step::state::rotation_matrix;
-use crate::step::workspace::Workspace;
 
 /// An equilibrium, or a guess of one.
 #[derive(Debug, Clone)]
@@ -262,7 +262,7 @@ impl<'a> System<'a> {
         }
         let root = Frame { origin: Vector3::zeros(), rotation: load.rotation };
         let options = EquilibriumOptions { check_stability: false, ..EquilibriumOptions::default() };
-        let mut workspace = Workspace::default();
+        let mut workspace = Bench::default();
         let found;
         (curvatures, found) =
             equilibrium::search(&self.model, curvatures, &root, load.gravity, &options, &self.rules, &mut workspace);

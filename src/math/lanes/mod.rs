@@ -1,0 +1,60 @@
+//! Packed numbers: one register of the machine's vector unit, by its instructions. Which of them a program may use is asked once, at run
+//! time; see [`InstructionSet`].
+//!
+//! A value of a type here must only come to be on a machine that has its instructions: so the types do not leave the crate, and whoever
+//! uses one goes by [`InstructionSet::detected`].
+
+#[cfg(target_arch = "aarch64")]
+mod neon;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+#[cfg(target_arch = "aarch64")]
+pub(crate) use neon::{F32x4, F64x2};
+#[cfg(target_arch = "x86_64")]
+pub(crate) use x86::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
+
+/// The vector instructions that kernels are made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u32)]
+pub enum InstructionSet {
+    /// None: strands go one by one.
+    Scalar = 1,
+    /// What every machine of the kind has: SSE2 on x86-64, NEON on AArch64; 2 lanes of f64, 4 of f32. Elsewhere as `Scalar`.
+    Baseline = 2,
+    /// AVX2: 4 lanes of f64, 8 of f32.
+    Avx2 = 3,
+    /// AVX-512 (F, BW, DQ, VL): 8 lanes of f64, 16 of f32.
+    Avx512 = 4,
+}
+
+impl InstructionSet {
+    /// The best that this machine has.
+    pub fn detected() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if x86::has_avx512() {
+                return Self::Avx512;
+            }
+            if x86::has_avx2() {
+                return Self::Avx2;
+            }
+        }
+        if cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) { Self::Baseline } else { Self::Scalar }
+    }
+
+    /// The set of that number, as the C ABI has it.
+    pub fn from_u32(value: u32) -> Option<Self> {
+        [Self::Scalar, Self::Baseline, Self::Avx2, Self::Avx512].into_iter().find(|candidate| *candidate as u32 == value)
+    }
+
+    /// Its name, as the command line has it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Scalar => "scalar",
+            Self::Baseline => "baseline",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Strands of one task through a step: those of a kind side by side in packs, the rest one by one.
+//!
+//! Within a kind strands are packed by how many iterations they took last time, so that a pack does not wait for one of its own. Who
+//! shares a pack changes nobody's result.
+
+use super::strand::{self, Strand};
+use crate::math::frame::Frame;
+use crate::math::lane::MAX_LANES;
+use crate::math::lanes::InstructionSet;
+use crate::rod::strand::StrandModel;
+use crate::step::members::{Kind, Members, One};
+use crate::step::options::Integrator;
+use crate::step::scratch::Scratch;
+use crate::step::state::StrandState;
+use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
+
+/// The most strands of a task: so many are enough to fill packs where kinds are mixed.
+pub(super) const MAX_TASK: usize = 128;
+
+/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds.
+pub(super) fn take(strands: &mut [Strand], setting: &Setting, h: f64, set: InstructionSet, scratch: &mut Scratch) {
+    let width = packs::width(setting.options.precision, set);
+    for strand in strands.iter_mut() {
+        strand.begin_root_way(h);
+    }
+    if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
+        for strand in strands.iter_mut() {
+            take_one(strand, setting, h, scratch);
+        }
+        return;
+    }
+    let levels = subdivision::levels(setting.options);
+    let mut order = [(Kind::default(), 0_u32, 0_u32); MAX_TASK];
+    let mut count = 0;
+    for (index, strand) in strands.iter_mut().enumerate() {
+        if strand.state.subdivision.min(levels) > 0 {
+            take_one(strand, setting, h, scratch);
+        } else {
+            let kind = Kind::of(&strand.model, &strand.state, setting.options.integrator, h);
+            order[count] = (kind, strand.outcome.iterations, index as u32);
+            count += 1;
+        }
+    }
+    let order = &mut order[..count];
+    order.sort_unstable();
+    for kind in order.chunk_by(|a, b| a.0 == b.0) {
+        for pack in kind.chunks(width) {
+            take_pack(strands, pack, setting, h, set, scratch);
+        }
+    }
+}
+
+fn take_pack(
+    strands: &mut [Strand],
+    pack: &[(Kind, u32, u32)],
+    setting: &Setting,
+    h: f64,
+    set: InstructionSet,
+    scratch: &mut Scratch,
+) {
+    if let [(_, _, index)] = pack {
+        return take_one(&mut strands[*index as usize], setting, h, scratch);
+    }
+    let mut indices = [0; MAX_LANES];
+    for (lane, (_, _, index)) in pack.iter().enumerate() {
+        indices[lane] = *index as usize;
+    }
+    let mut picked = Picked { strands, indices: &indices[..pack.len()] };
+    let outcomes = step::take_pack(setting, &mut picked, h, set, scratch);
+    for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
+        let strand = &mut strands[*index];
+        let outcome = with_one(strand, |one| step::finish(setting, one, h, outcome, scratch));
+        ended(strand, outcome, setting, h, scratch);
+    }
+}
+
+fn take_one(strand: &mut Strand, setting: &Setting, h: f64, scratch: &mut Scratch) {
+    let outcome = with_one(strand, |one| step::take(setting, one, h, scratch));
+    ended(strand, outcome, setting, h, scratch);
+}
+
+fn with_one(strand: &mut Strand, work: impl FnOnce(&mut One) -> StrandOutcome) -> StrandOutcome {
+    let Strand { model, state, root_move, .. } = strand;
+    let start = state.root;
+    let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
+    work(&mut One { model, state, root_at: &root_at })
+}
+
+fn ended(strand: &mut Strand, outcome: StrandOutcome, setting: &Setting, h: f64, scratch: &mut Scratch) {
+    strand.outcome = outcome;
+    strand.advance_root(h);
+    strand.tally.add(&strand.outcome);
+    if outcome.quarantined || setting.options.integrator == Integrator::Reference {
+        let kinematics = &mut scratch.one.workspace.iterate.kinematics;
+        strand.update_energies(setting.surroundings.gravity.into(), setting.rules, kinematics);
+    } else {
+        strand.energies = outcome.energies;
+    }
+}
+
+/// Strands picked from a task's.
+struct Picked<'a> {
+    strands: &'a mut [Strand],
+    indices: &'a [usize],
+}
+
+impl Members for Picked<'_> {
+    fn count(&self) -> usize {
+        self.indices.len()
+    }
+    fn model(&self, lane: usize) -> &StrandModel {
+        &self.strands[self.indices[lane]].model
+    }
+    fn state(&self, lane: usize) -> &StrandState {
+        &self.strands[self.indices[lane]].state
+    }
+    fn parts(&mut self, lane: usize) -> (&StrandModel, &mut StrandState) {
+        let strand = &mut self.strands[self.indices[lane]];
+        (&strand.model, &mut strand.state)
+    }
+    fn root_at(&self, lane: usize, seconds: f64) -> Frame {
+        let strand = &self.strands[self.indices[lane]];
+        strand::root_after(&strand.root_move, &strand.state.root, seconds)
+    }
+}

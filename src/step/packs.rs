@@ -1,0 +1,80 @@
+//! Which lanes strands go into: by precision, by the instructions at hand, and by how many there are.
+
+use super::members::Members;
+use super::scratch::{Bench, Scratch};
+use super::state::RuleScratch;
+use super::whole::Take;
+use super::{Setting, StrandOutcome, keep, subdivision};
+use crate::math::lane::{Lane, MAX_LANES, Precision};
+use crate::math::lanes::InstructionSet;
+
+/// How many strands are best taken at a time.
+pub fn width(precision: Precision, set: InstructionSet) -> usize {
+    let f64_lanes = match set {
+        InstructionSet::Scalar => return 1,
+        InstructionSet::Baseline => 2,
+        InstructionSet::Avx2 => 4,
+        InstructionSet::Avx512 => 8,
+    };
+    match precision {
+        Precision::F64 => f64_lanes,
+        Precision::F32 => 2 * f64_lanes,
+    }
+}
+
+/// Takes a pack of strands, at least two and at most [`width`], through a step in one piece. The end is made the state of those
+/// that it serves, and of those that may not be subdivided; the others are as they were.
+pub fn take(
+    members: &mut dyn Members,
+    setting: &Setting,
+    h: f64,
+    set: InstructionSet,
+    scratch: &mut Scratch,
+) -> [StrandOutcome; MAX_LANES] {
+    let count = members.count();
+    let rule = &mut scratch.rule;
+    // The narrowest registers that hold all: a wide instruction costs more than a narrow one.
+    #[cfg(target_arch = "x86_64")]
+    match (setting.options.precision, set) {
+        (Precision::F64, InstructionSet::Avx512) if count > 4 => in_lanes(members, setting, h, &mut scratch.f64x8, rule),
+        (Precision::F64, InstructionSet::Avx512 | InstructionSet::Avx2) if count > 2 => {
+            in_lanes(members, setting, h, &mut scratch.f64x4, rule)
+        }
+        (Precision::F64, _) => in_lanes(members, setting, h, &mut scratch.f64x2, rule),
+        (Precision::F32, InstructionSet::Avx512) if count > 8 => in_lanes(members, setting, h, &mut scratch.f32x16, rule),
+        (Precision::F32, InstructionSet::Avx512 | InstructionSet::Avx2) if count > 4 => {
+            in_lanes(members, setting, h, &mut scratch.f32x8, rule)
+        }
+        (Precision::F32, _) => in_lanes(members, setting, h, &mut scratch.f32x4, rule),
+    }
+    #[cfg(target_arch = "aarch64")]
+    match setting.options.precision {
+        Precision::F64 => in_lanes(members, setting, h, &mut scratch.f64x2, rule),
+        Precision::F32 => in_lanes(members, setting, h, &mut scratch.f32x4, rule),
+    }
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    {
+        let _ = (members, setting, h, set, count, rule);
+        unreachable!("no packs on this kind of machine")
+    }
+}
+
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+fn in_lanes<T: Lane>(
+    members: &mut dyn Members,
+    setting: &Setting,
+    h: f64,
+    bench: &mut Option<Box<Bench<T>>>,
+    rule: &mut RuleScratch,
+) -> [StrandOutcome; MAX_LANES] {
+    let Bench { workspace, elimination } = &mut **bench.get_or_insert_default();
+    let outcomes = T::call(Take { members, setting, h, workspace, solver: elimination });
+    let may_subdivide = subdivision::levels(setting.options) > 0;
+    for lane in 0..members.count() {
+        let outcome = &outcomes[lane];
+        if subdivision::serves(setting.options, outcome) || !(may_subdivide || outcome.quarantined) {
+            keep(members, lane, setting, h, workspace, rule);
+        }
+    }
+    outcomes
+}

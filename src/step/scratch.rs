@@ -1,0 +1,49 @@
+//! The scratch memory of one worker for all that it may be asked to step: one workspace a type of lanes, empty until it is used.
+
+use super::state::{RuleScratch, StrandState};
+use super::workspace::Workspace;
+use crate::chain::elimination::Elimination;
+use crate::math::lane::Lane;
+#[allow(unused_imports, reason = "which types there are depends on the machine")]
+use crate::math::lanes;
+
+/// A workspace and the linear solve's scratch that goes with it.
+#[derive(Debug, Clone)]
+pub struct Bench<T> {
+    /// The step's.
+    pub workspace: Workspace<T>,
+    /// The linear solve's.
+    pub elimination: Elimination<T>,
+}
+
+impl<T: Lane> Default for Bench<T> {
+    fn default() -> Self {
+        Self { workspace: Workspace::default(), elimination: Elimination::default() }
+    }
+}
+
+/// Scratch memory for one pack of strands at a time, of any kind.
+#[derive(Debug, Default)]
+pub struct Scratch {
+    /// One strand at a time, f64.
+    pub one: Bench<f64>,
+    /// One strand at a time, f32.
+    pub one_f32: Bench<f32>,
+    /// Packs, narrow to wide.
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    pub(crate) f64x2: Option<Box<Bench<lanes::F64x2>>>,
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    pub(crate) f32x4: Option<Box<Bench<lanes::F32x4>>>,
+    #[cfg(target_arch = "x86_64")]
+    pub(crate) f64x4: Option<Box<Bench<lanes::F64x4>>>,
+    #[cfg(target_arch = "x86_64")]
+    pub(crate) f32x8: Option<Box<Bench<lanes::F32x8>>>,
+    #[cfg(target_arch = "x86_64")]
+    pub(crate) f64x8: Option<Box<Bench<lanes::F64x8>>>,
+    #[cfg(target_arch = "x86_64")]
+    pub(crate) f32x16: Option<Box<Bench<lanes::F32x16>>>,
+    /// A change of rule.
+    pub rule: RuleScratch,
+    /// The strand as a step that is taken in parts found it.
+    pub before_step: Option<StrandState>,
+}

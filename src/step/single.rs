@@ -1,0 +1,33 @@
+//! One strand at a time: the way of those that no pack takes.
+
+use super::members::One;
+use super::newton;
+use super::scratch::Bench;
+use super::whole::Take;
+use super::{Setting, StrandOutcome};
+use crate::math::lane::{Kernel, Lane};
+
+/// A type of one lane.
+pub trait Single: Lane {
+    /// A step in one piece; the strand is as it was, and the workspace holds the end.
+    fn attempt(one: &One, setting: &Setting, h: f64, bench: &mut Bench<Self>) -> StrandOutcome;
+}
+
+impl Single for f64 {
+    fn attempt(one: &One, setting: &Setting, h: f64, bench: &mut Bench<f64>) -> StrandOutcome {
+        match newton::dense_solver(setting.options.linear_solver) {
+            None => attempt(one, setting, h, bench),
+            Some(mut solver) => Take { members: one, setting, h, workspace: &mut bench.workspace, solver: &mut solver }.run()[0],
+        }
+    }
+}
+
+impl Single for f32 {
+    fn attempt(one: &One, setting: &Setting, h: f64, bench: &mut Bench<f32>) -> StrandOutcome {
+        attempt(one, setting, h, bench)
+    }
+}
+
+fn attempt<T: Lane>(one: &One, setting: &Setting, h: f64, bench: &mut Bench<T>) -> StrandOutcome {
+    Take { members: one, setting, h, workspace: &mut bench.workspace, solver: &mut bench.elimination }.run()[0]
+}

@@ -1,0 +1,166 @@
+//! A step in one piece of strands side by side: taken in the workspace, and made their state only where that is wanted.
+
+use super::members::{self, Members};
+use super::options::Integrator;
+use super::root_velocity::root_velocity;
+use super::workspace::Workspace;
+use super::{Setting, StrandOutcome, linearly_implicit, stages, tableau};
+use crate::chain::system::LinearSolve;
+use crate::energy::Energies;
+use crate::math::lane::{Kernel, Lane, MAX_LANES};
+use crate::math::vector::Vec3;
+
+/// Takes strands through a step of `h` seconds, by any integrator but the reference; the strands are as they were, and the workspace
+/// holds the step's end. Those of the second-order integrator must all lean on their past, or none.
+pub struct Take<'a, T, S> {
+    /// The strands.
+    pub members: &'a dyn Members,
+    /// What acts on them, and how.
+    pub setting: &'a Setting<'a>,
+    /// Seconds.
+    pub h: f64,
+    /// Scratch.
+    pub workspace: &'a mut Workspace<T>,
+    /// The linear solve.
+    pub solver: &'a mut S,
+}
+
+impl<T: Lane, S: LinearSolve<T>> Kernel for Take<'_, T, S> {
+    type Output = [StrandOutcome; MAX_LANES];
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Self { members, setting, h, workspace, solver } = self;
+        let mut outcomes = [StrandOutcome::default(); MAX_LANES];
+        match setting.options.integrator {
+            Integrator::LinearlyImplicit => linearly_implicit::take(members, setting, h, workspace, solver, &mut outcomes),
+            Integrator::SecondOrder => stages::two_step(members, setting, h, workspace, solver, &mut outcomes),
+            Integrator::ImplicitEuler | Integrator::Reference => {
+                stages::take(&tableau::IMPLICIT_EULER, members, setting, h, workspace, solver, &mut outcomes);
+            }
+        }
+        if setting.options.integrator != Integrator::LinearlyImplicit {
+            let (force, torque) = super::newton::wrench(&workspace.iterate.kinematics, &workspace.iterate.system.point_force);
+            (workspace.wrench_force, workspace.wrench_torque) = (force, torque);
+        }
+        energies(members, setting, workspace, &mut outcomes);
+        let finiteness = finiteness(workspace);
+        for lane in 0..workspace.loaded.count {
+            outcomes[lane].quarantined |= finiteness.lane(lane) != 0.0;
+            outcomes[lane].converged &= !outcomes[lane].quarantined;
+        }
+        outcomes
+    }
+}
+
+/// Zero in the lanes in which all that would become a strand's state is finite; not a number in the others.
+#[inline(always)]
+fn finiteness<T: Lane>(workspace: &Workspace<T>) -> T {
+    let stage = &workspace.stages[workspace.last_stage];
+    let mut sum = T::zero();
+    for (row, rate) in workspace.iterate.curvatures.iter().zip(&stage.rates) {
+        for axis in 0..3 {
+            // Zero times a number is zero where the number is finite, and only there.
+            sum += T::zero() * row[axis];
+            sum += T::zero() * rate[axis];
+        }
+    }
+    for v in &stage.velocities {
+        sum += T::zero() * v.0[0];
+        sum += T::zero() * v.0[1];
+        sum += T::zero() * v.0[2];
+    }
+    sum
+}
+
+/// The energies at the step's end.
+#[inline(always)]
+fn energies<T: Lane>(
+    members: &dyn Members,
+    setting: &Setting,
+    workspace: &Workspace<T>,
+    outcomes: &mut [StrandOutcome; MAX_LANES],
+) {
+    let (loaded, iterate) = (&workspace.loaded, &workspace.iterate);
+    let velocities = &workspace.stages[workspace.last_stage].velocities;
+    let rule = setting.rules.rule(members.state(0).rule);
+    let (mut kinetic, mut elastic, mut weighted) = (T::zero(), T::zero(), Vec3::zero());
+    for (element, length) in loaded.lengths.iter().enumerate() {
+        let (mut speeds, mut places) = (T::zero(), Vec3::zero());
+        for (node, weight) in rule.weights.iter().enumerate() {
+            let p = element * rule.len() + node;
+            speeds += velocities[p].norm_squared() * T::splat(*weight);
+            places += iterate.kinematics.points[p].position.scale(T::splat(*weight));
+        }
+        kinetic += speeds * *length;
+        weighted += places.scale(*length);
+        for axis in 0..3 {
+            let strain = iterate.curvatures[element][axis] - loaded.natural[element][axis];
+            elastic += *length * loaded.stiffness[axis] * strain * strain;
+        }
+    }
+    let half = T::splat(0.5);
+    let (kinetic, elastic) = (half * loaded.linear_density * kinetic, half * elastic);
+    for lane in 0..loaded.count {
+        let (units, model) = (&loaded.units[lane], members.model(lane));
+        // First moment of length: metres squared.
+        let weighted = members::lane_of(&weighted, lane, units.length * units.length);
+        let origin = Vec3::from(workspace.roots[lane].origin).scale(model.length());
+        outcomes[lane].energies = Energies {
+            kinetic: kinetic.lane(lane) * units.energy(),
+            elastic: elastic.lane(lane) * units.energy(),
+            gravity: -model.linear_density * setting.surroundings.gravity.dot(weighted + origin),
+        };
+    }
+}
+
+/// Makes the step's end the state of one of the strands.
+pub fn save<T: Lane>(members: &mut dyn Members, lane: usize, setting: &Setting, h: f64, workspace: &mut Workspace<T>) {
+    T::call(Save { members, lane, setting, h, workspace });
+}
+
+struct Save<'a, T> {
+    members: &'a mut dyn Members,
+    lane: usize,
+    setting: &'a Setting<'a>,
+    h: f64,
+    workspace: &'a Workspace<T>,
+}
+
+impl<T: Lane> Kernel for Save<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { members, lane, setting, h, workspace } = self;
+        let units = &workspace.loaded.units[lane];
+        let (_, state) = members.parts(lane);
+        let stage = &workspace.stages[workspace.last_stage];
+        if setting.options.integrator == Integrator::SecondOrder {
+            std::mem::swap(&mut state.past.curvatures, &mut state.curvatures);
+            std::mem::swap(&mut state.past.velocities, &mut state.velocities);
+            state.curvatures.resize(state.past.curvatures.len(), [0.0; 3]);
+            state.velocities.resize(state.past.velocities.len(), Vec3::zero());
+            (state.past.root, state.past.step) = (state.root, h);
+        } else {
+            state.past.step = 0.0;
+        }
+        let (per_length, speed) = (1.0 / units.length, units.speed());
+        for (row, lanes) in state.curvatures.iter_mut().zip(&workspace.iterate.curvatures) {
+            for axis in 0..3 {
+                row[axis] = lanes[axis].lane(lane) * per_length;
+            }
+        }
+        for (row, lanes) in state.rates.iter_mut().zip(&stage.rates) {
+            for axis in 0..3 {
+                row[axis] = lanes[axis].lane(lane) * (per_length / units.time);
+            }
+        }
+        for (velocity, lanes) in state.velocities.iter_mut().zip(&stage.velocities) {
+            *velocity = members::lane_of(lanes, lane, speed);
+        }
+        state.wrench_force = members::lane_of(&workspace.wrench_force, lane, units.force());
+        state.wrench_torque = members::lane_of(&workspace.wrench_torque, lane, units.energy());
+        let root = workspace.roots[lane];
+        (state.root_velocity, state.root_angular_velocity) = root_velocity(&state.root, &root, h);
+        state.root = root;
+    }
+}
