@@ -338,12 +338,14 @@ impl Writer {
     }
 
     /// Writes `count` items of `WIDTH` floats from `first` on: `item(k)` is the kth of them. The quick way for many.
+    #[inline(always)]
     pub(crate) fn singles<const WIDTH: usize>(&self, first: usize, count: usize, item: impl Fn(usize) -> [f32; WIDTH]) {
         assert!(self.is_single() && self.width() == WIDTH);
         self.items(first, count, item);
     }
 
     /// The same for doubles.
+    #[inline(always)]
     pub(crate) fn doubles<const WIDTH: usize>(&self, first: usize, count: usize, item: impl Fn(usize) -> [f64; WIDTH]) {
         assert!(!self.is_single() && self.width() == WIDTH);
         self.items(first, count, item);

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::buffers::{FRAME_FORMATS, POINT_FORMATS, VECTOR_FORMATS, Writer, each};
 use super::types::shx_output;
 use crate::error::{Error, Result};
-use crate::rod::uniform_points::Real;
+use crate::rod::uniform_points::{Lanes, Real};
 use crate::solver::id::StrandId;
 use crate::solver::{Sample, SampleSink, Solver, Tile, Wanted};
 
@@ -88,47 +88,69 @@ unsafe impl Sync for BulkSink<'_> {}
 
 impl<T: Real> SampleSink<T> for BulkSink<'_> {
     fn take(&self, tile: &Tile<T>) {
-        let single = |number: T| number.into() as f32;
-        let double = |number: T| number.into();
         for (lane, strand) in tile.strands.iter().enumerate() {
             let strand = *strand as usize;
             let (first, count) = (strand * self.per_strand + tile.first, tile.count);
-            let position = |point: usize, axis: usize| tile.positions[point][axis][lane];
-            let rotation = |point: usize, number: usize| tile.rotations[point][number][lane];
-            let velocity = |point: usize, axis: usize| tile.velocities[point][axis][lane];
             if let Some(points) = &self.outputs.points {
                 let radius = self.radii.get(strand).copied().unwrap_or_default();
+                let at = |k: usize| column(&tile.positions[k], lane);
                 match (points.is_single(), points.width()) {
-                    (true, 3) => points.singles(first, count, |k| [0, 1, 2].map(|axis| single(position(k, axis)))),
+                    (true, 3) => points.singles(first, count, |k| singles(at(k))),
                     (true, _) => points.singles(first, count, |k| {
-                        let [x, y, z] = [0, 1, 2].map(|axis| single(position(k, axis)));
+                        let [x, y, z] = singles(at(k));
                         [x, y, z, radius as f32]
                     }),
-                    (false, 3) => points.doubles(first, count, |k| [0, 1, 2].map(|axis| double(position(k, axis)))),
+                    (false, 3) => points.doubles(first, count, |k| doubles(at(k))),
                     (false, _) => points.doubles(first, count, |k| {
-                        let [x, y, z] = [0, 1, 2].map(|axis| double(position(k, axis)));
+                        let [x, y, z] = doubles(at(k));
                         [x, y, z, radius]
                     }),
                 }
             }
             if let Some(frames) = &self.outputs.frames {
+                let at = |k: usize| {
+                    let [x, y, z, w] = &tile.rotations[k];
+                    [x[lane], y[lane], z[lane], w[lane]]
+                };
                 match (frames.is_single(), frames.width()) {
-                    (true, _) => frames.singles(first, count, |k| [0, 1, 2, 3].map(|number| single(rotation(k, number)))),
-                    (false, 4) => frames.doubles(first, count, |k| [0, 1, 2, 3].map(|number| double(rotation(k, number)))),
+                    (true, _) => frames.singles(first, count, |k| {
+                        let [x, y, z, w] = at(k);
+                        [x.into() as f32, y.into() as f32, z.into() as f32, w.into() as f32]
+                    }),
+                    (false, 4) => frames.doubles(first, count, |k| {
+                        let [x, y, z, w] = at(k);
+                        [x.into(), y.into(), z.into(), w.into()]
+                    }),
                     (false, _) => frames.doubles(first, count, |k| {
-                        let [x, y, z] = [0, 1, 2].map(|axis| double(position(k, axis)));
-                        let [i, j, k, w] = [0, 1, 2, 3].map(|number| double(rotation(k, number)));
-                        [x, y, z, i, j, k, w]
+                        let [x, y, z] = doubles(column(&tile.positions[k], lane));
+                        let [i, j, k, w] = at(k);
+                        [x, y, z, i.into(), j.into(), k.into(), w.into()]
                     }),
                 }
             }
             if let Some(velocities) = &self.outputs.velocities {
+                let at = |k: usize| column(&tile.velocities[k], lane);
                 if velocities.is_single() {
-                    velocities.singles(first, count, |k| [0, 1, 2].map(|axis| single(velocity(k, axis))));
+                    velocities.singles(first, count, |k| singles(at(k)));
                 } else {
-                    velocities.doubles(first, count, |k| [0, 1, 2].map(|axis| double(velocity(k, axis))));
+                    velocities.doubles(first, count, |k| doubles(at(k)));
                 }
             }
         }
     }
+}
+
+#[inline(always)]
+fn column<T: Real>(vector: &[Lanes<T>; 3], lane: usize) -> [T; 3] {
+    [vector[0][lane], vector[1][lane], vector[2][lane]]
+}
+
+#[inline(always)]
+fn singles<T: Real>([x, y, z]: [T; 3]) -> [f32; 3] {
+    [x.into() as f32, y.into() as f32, z.into() as f32]
+}
+
+#[inline(always)]
+fn doubles<T: Real>([x, y, z]: [T; 3]) -> [f64; 3] {
+    [x.into(), y.into(), z.into()]
 }

@@ -15,6 +15,7 @@ pub struct StrandModel {
     /// Natural curvatures κⁿ, a row an element.
     pub natural: Box<[[f64; 3]]>,
     section: Arc<Section>,
+    equal_length: f64,
 }
 
 impl Deref for StrandModel {
@@ -34,7 +35,9 @@ impl StrandModel {
 
     /// The same of a section that others share.
     pub fn of_section(lengths: Vec<f64>, natural: Vec<[f64; 3]>, section: Arc<Section>) -> Self {
-        Self { lengths: lengths.into(), natural: natural.into(), section }
+        let equal = lengths.iter().all(|length| (length - lengths[0]).abs() <= 1e-14 * lengths[0]);
+        let equal_length = if equal { lengths.first().copied().unwrap_or_default() } else { 0.0 };
+        Self { lengths: lengths.into(), natural: natural.into(), section, equal_length }
     }
 
     /// The section, to be shared.
@@ -47,9 +50,10 @@ impl StrandModel {
         self.lengths.len()
     }
 
-    /// Whether all elements are as long as the first, to rounding.
-    pub fn has_equal_elements(&self) -> bool {
-        self.lengths.iter().all(|length| (length - self.lengths[0]).abs() <= 1e-14 * self.lengths[0])
+    /// The elements' length if all are as long as the first, to rounding; otherwise nothing.
+    #[inline(always)]
+    pub fn equal_length(&self) -> Option<f64> {
+        (self.equal_length > 0.0).then_some(self.equal_length)
     }
 
     /// L, m.

@@ -156,7 +156,7 @@ impl Walk {
         let none = [T::default(); WIDTH];
         let mut frame = [[none; 3]; 3];
         for lane in 0..WIDTH {
-            let [x, y, z, w] = [0, 1, 2, 3].map(|k| self.rotation[k][lane]);
+            let (x, y, z, w) = (self.rotation[0][lane], self.rotation[1][lane], self.rotation[2][lane], self.rotation[3][lane]);
             let (x2, y2, z2) = (x + x, y + y, z + z);
             let (xx, yy, zz, xy, xz, yz) = (x * x2, y * y2, z * z2, x * y2, x * z2, y * z2);
             let (wx, wy, wz) = (w * x2, w * y2, w * z2);
@@ -170,12 +170,15 @@ impl Walk {
             frame[2][1][lane] = T::near(yz + wx);
             frame[2][2][lane] = T::near(1.0 - (xx + yy));
         }
+        let [x, y, z] = &self.origin;
+        let [qx, qy, qz, qw] = &self.rotation;
+        let [t0, t1, t2] = &self.turn;
         Element {
-            origin: self.origin.map(narrow),
-            rotation: self.rotation.map(narrow),
+            origin: [narrow(x), narrow(y), narrow(z)],
+            rotation: [narrow(qx), narrow(qy), narrow(qz), narrow(qw)],
             frame,
-            length: narrow(self.length),
-            turn: self.turn.map(narrow),
+            length: narrow(&self.length),
+            turn: [narrow(t0), narrow(t1), narrow(t2)],
             half_angle: self.half_angle,
         }
     }
@@ -265,7 +268,7 @@ impl<T: Real> Element<T> {
 }
 
 #[inline(always)]
-fn narrow<T: Real>(wide: Lanes<f64>) -> Lanes<T> {
+fn narrow<T: Real>(wide: &Lanes<f64>) -> Lanes<T> {
     let mut out = [T::default(); WIDTH];
     for lane in 0..WIDTH {
         out[lane] = T::near(wide[lane]);

@@ -1,5 +1,6 @@
 //! Reading many strands at uniform places: packs of them side by side, shared out among the solver's threads.
 
+use std::marker::PhantomData;
 use std::ops::Range;
 
 use nalgebra::Vector3;
@@ -9,11 +10,24 @@ use super::id::StrandId;
 use super::sampling::Sampler;
 use super::strand::Strand;
 use crate::error::{Error, Result};
+use crate::math::lane::Kernel;
+#[cfg(target_arch = "x86_64")]
+use crate::math::lane::Lane;
+use crate::math::lanes::InstructionSet;
+#[cfg(target_arch = "x86_64")]
+use crate::math::lanes::{F64x4, F64x8};
+use crate::math::prefetch::prefetch;
 use crate::math::quadrature::{Rule, Rules};
 use crate::rod::uniform_points::{Lanes, Real, WIDTH, Walk};
 
 /// Most points a strand in one tile.
 const TILE: usize = 16;
+
+/// Most nodes a rule has whose velocities go side by side.
+const MOST_NODES: usize = 16;
+
+/// Strands that are asked for ahead of the one at hand.
+const AHEAD: usize = 16;
 
 /// Points that a task takes at a time, about: enough to be worth handing out.
 const POINTS_A_PART: usize = 4096;
@@ -73,17 +87,31 @@ impl Solver {
             return Err(Error::invalid("points_per_strand", wanted.points_per_strand, "2 or more: root and tip"));
         }
         let mut strands = Vec::with_capacity(ids.len());
-        for (k, id) in ids.iter().enumerate() {
-            let index = self.slots.index(*id).ok_or_else(|| super::stale(k, *id))?;
-            strands.push(Asked { strand: &self.strands[index], place: k as u32 });
+        let indices = self.indices(ids)?;
+        for (place, index) in indices.iter().enumerate() {
+            if let Some(later) = indices.get(place + AHEAD) {
+                prefetch(&self.strands[*later].model);
+            }
+            let strand = &self.strands[*index];
+            strands.push(Asked { strand, place: place as u32, elements: strand.model.element_count() as u32 });
         }
         // Strands that go side by side come one after another, otherwise in the order asked for.
-        if strands.windows(2).any(|pair| pair[0].elements() != pair[1].elements()) {
-            strands.sort_by_key(Asked::elements);
+        if strands.windows(2).any(|pair| pair[0].elements != pair[1].elements) {
+            strands.sort_by_key(|asked| asked.elements);
         }
         let each = (POINTS_A_PART / wanted.points_per_strand / WIDTH).max(1) * WIDTH;
         let mut parts: Vec<&[Asked]> = strands.chunks(each).collect();
-        self.crew.for_each_on_own(&mut parts, |part, _| sample_part(part, wanted, &self.rules, sink));
+        let set = self.options.instruction_set.unwrap_or_else(InstructionSet::detected);
+        self.crew.for_each_on_own(&mut parts, |part, _| {
+            let part = Part { strands: part, wanted, rules: &self.rules, sink, number: PhantomData::<T> };
+            match set {
+                #[cfg(target_arch = "x86_64")]
+                InstructionSet::Avx512 => F64x8::call(part),
+                #[cfg(target_arch = "x86_64")]
+                InstructionSet::Avx2 => F64x4::call(part),
+                _ => part.run(),
+            }
+        });
         Ok(())
     }
 }
@@ -93,12 +121,7 @@ impl Solver {
 struct Asked<'a> {
     strand: &'a Strand,
     place: u32,
-}
-
-impl Asked<'_> {
-    fn elements(&self) -> usize {
-        self.strand.model.element_count()
-    }
+    elements: u32,
 }
 
 /// Room for a tile.
@@ -127,24 +150,59 @@ impl<T: Real> Room<T> {
     }
 }
 
-fn sample_part<T: Real>(part: &[Asked], wanted: &Wanted, rules: &Rules, sink: &impl SampleSink<T>) {
-    let mut room = Room::new();
-    let mut places = Places::default();
-    for run in part.chunk_by(|a, b| a.elements() == b.elements()) {
-        places.lay(run[0].elements(), wanted.points_per_strand);
-        for pack in run.chunks(WIDTH) {
-            let equal = |asked: &Asked| asked.strand.model.has_equal_elements();
-            if pack.iter().all(equal) {
-                side_by_side(pack, wanted, &mut places, rules, &mut room, sink);
-                continue;
-            }
-            for asked in pack {
-                if equal(asked) {
-                    side_by_side(std::slice::from_ref(asked), wanted, &mut places, rules, &mut room, sink);
-                } else {
-                    one_by_one(asked, wanted, rules, &mut room, sink);
+/// Some of the strands of a call, in numbers T.
+struct Part<'a, T, S> {
+    strands: &'a [Asked<'a>],
+    wanted: &'a Wanted,
+    rules: &'a Rules,
+    sink: &'a S,
+    number: PhantomData<T>,
+}
+
+impl<T: Real, S: SampleSink<T>> Kernel for Part<'_, T, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { strands, wanted, rules, sink, .. } = self;
+        let mut room = Room::new();
+        let mut places = Places::default();
+        let mut done = 0;
+        for run in strands.chunk_by(|a, b| a.elements == b.elements) {
+            places.lay(run[0].elements as usize, wanted.points_per_strand);
+            for pack in run.chunks(WIDTH) {
+                done += pack.len();
+                foresee(&strands[done..], wanted);
+                let equal = |asked: &Asked| asked.strand.model.equal_length().is_some();
+                if pack.iter().all(equal) {
+                    side_by_side(pack, wanted, &mut places, rules, &mut room, sink);
+                    continue;
+                }
+                for asked in pack {
+                    if equal(asked) {
+                        side_by_side(std::slice::from_ref(asked), wanted, &mut places, rules, &mut room, sink);
+                    } else {
+                        one_by_one(asked, wanted, rules, &mut room, sink);
+                    }
                 }
             }
+        }
+    }
+}
+
+/// Asks for the memory of the strands that come next: of the second next pack the strands' heads, of the next what they point to.
+#[inline(always)]
+fn foresee(next: &[Asked], wanted: &Wanted) {
+    for asked in next.iter().skip(WIDTH).take(WIDTH) {
+        prefetch(&asked.strand.model);
+        prefetch(&asked.strand.state.root);
+        prefetch(&asked.strand.state.curvatures);
+    }
+    for asked in next.iter().take(WIDTH) {
+        let state = &asked.strand.state;
+        prefetch(&*state.curvatures);
+        if wanted.velocities {
+            prefetch(&*state.velocities);
         }
     }
 }
@@ -199,6 +257,7 @@ impl Places {
 }
 
 /// Strands of equal elements, as many to each.
+#[inline(always)]
 fn side_by_side<T: Real>(
     pack: &[Asked],
     wanted: &Wanted,
@@ -214,7 +273,7 @@ fn side_by_side<T: Real>(
     for lane in 0..WIDTH {
         let Strand { model, state, .. } = strand(lane);
         calls[lane] = pack[if lane < pack.len() { lane } else { 0 }].place;
-        length[lane] = model.lengths[0];
+        length[lane] = model.equal_length().unwrap_or_default();
         let q = state.root.rotation.quaternion();
         [rotation[0][lane], rotation[1][lane], rotation[2][lane], rotation[3][lane]] = [q.i, q.j, q.k, q.w];
         (0..3).for_each(|axis| base[axis][lane] = state.root.origin[axis] - wanted.origin[axis]);
@@ -226,6 +285,11 @@ fn side_by_side<T: Real>(
     let mut walk = Walk::new(rotation, length);
     let (mut first, mut count) = (0, 0);
     let walks = wanted.positions || wanted.rotations;
+    // Velocities go side by side where all have them at the same nodes, and few enough.
+    let rule = pack[0].strand.state.rule;
+    let alike = || pack.iter().all(|asked| asked.strand.state.rule == rule) && rules.rule(rule).len() <= MOST_NODES;
+    let common_rule = (wanted.velocities && alike()).then_some(rule);
+    let mut values = [[[0.0; WIDTH]; 3]; MOST_NODES];
     for element in 0..places.elements {
         if walks {
             let mut curvatures = [[0.0; WIDTH]; 3];
@@ -236,6 +300,17 @@ fn side_by_side<T: Real>(
             walk.enter(&curvatures);
         }
         let points = places.of[element].clone();
+        if let Some(rule) = common_rule
+            && !points.is_empty()
+        {
+            let nodes = rules.rule(rule).len();
+            for lane in 0..WIDTH {
+                let rows = &strand(lane).state.velocities[element * nodes..(element + 1) * nodes];
+                for (value, row) in values.iter_mut().zip(rows) {
+                    (0..3).for_each(|axis| value[axis][lane] = row.0[axis]);
+                }
+            }
+        }
         let state = (walks && !points.is_empty()).then(|| walk.element::<T>());
         for point in points {
             let share = places.shares[point];
@@ -247,9 +322,15 @@ fn side_by_side<T: Real>(
                 }
             }
             if wanted.velocities {
-                for (lane, asked) in pack.iter().enumerate() {
-                    let velocity = velocity(asked.strand, element, point, places, rules);
-                    (0..3).for_each(|axis| room.velocities[count][axis][lane] = T::near(velocity[axis]));
+                if let Some(rule) = common_rule {
+                    let nodes = rules.rule(rule).len();
+                    let coefficients = &places.coefficients[rule][point * nodes..(point + 1) * nodes];
+                    room.velocities[count] = combined(coefficients, &values);
+                } else {
+                    for (lane, asked) in pack.iter().enumerate() {
+                        let velocity = velocity(asked.strand, element, point, places, rules);
+                        (0..3).for_each(|axis| room.velocities[count][axis][lane] = T::near(velocity[axis]));
+                    }
                 }
             }
             count += 1;
@@ -265,6 +346,24 @@ fn side_by_side<T: Real>(
     if count > 0 {
         room.hand_out(calls, first, count, wanted, sink);
     }
+}
+
+/// Values at nodes, combined.
+#[inline(always)]
+fn combined<T: Real>(coefficients: &[f64], values: &[[Lanes<f64>; 3]]) -> [Lanes<T>; 3] {
+    let mut out = [[T::default(); WIDTH]; 3];
+    for axis in 0..3 {
+        let mut sum = [0.0; WIDTH];
+        for (coefficient, value) in coefficients.iter().zip(values) {
+            for lane in 0..WIDTH {
+                sum[lane] += coefficient * value[axis][lane];
+            }
+        }
+        for lane in 0..WIDTH {
+            out[axis][lane] = T::near(sum[lane]);
+        }
+    }
+    out
 }
 
 /// The velocity at a point of an element: a polynomial through the values at the nodes.

@@ -19,13 +19,14 @@ use crate::step::state::{StrandState, rotation_matrix};
 
 /// A strand and all that the solver keeps about it.
 #[derive(Debug, Clone)]
+#[repr(C)] // In this order: the first lines of memory are all of it that sampling reads.
 pub(super) struct Strand {
+    pub model: StrandModel,
+    pub state: StrandState,
     pub id: StrandId,
     pub user_data: u64,
-    pub model: StrandModel,
     /// The natural shape as it was given, where `model` has other elements.
     pub authored: Option<Box<Authored>>,
-    pub state: StrandState,
     /// Where the root is going, and how many seconds of the way are done. Apart: most of a strand's other numbers are needed by every
     /// step, this one only while the root moves.
     pub root_move: Option<Box<(PoseMove, f64)>>,

@@ -14,18 +14,19 @@ use crate::rod::velocity::{self, RootMotion};
 
 /// The state of one strand at one time.
 #[derive(Debug, PartialEq)]
+#[repr(C)] // In this order: what sampling reads comes first.
 pub struct StrandState {
+    /// Pose of the root.
+    pub root: Frame,
     /// κ, a row an element.
     pub curvatures: Vec<[f64; 3]>,
-    /// κ̇, a row an element.
-    pub rates: Vec<[f64; 3]>,
     /// Velocity of the material points at the quadrature nodes, world axes, m/s. A field of its own and not J q̇: over a step with a
     /// large rotation the chord that a point moved along is shorter than its arc, and taking the arc's velocity would add energy.
     pub velocities: Vec<Vec3<f64>>,
     /// Which quadrature rule the nodes are of.
     pub rule: usize,
-    /// Pose of the root.
-    pub root: Frame,
+    /// κ̇, a row an element.
+    pub rates: Vec<[f64; 3]>,
     /// Velocity of the root's origin, m/s.
     pub root_velocity: Vector3<f64>,
     /// Angular velocity of the root, world axes, rad/s.
