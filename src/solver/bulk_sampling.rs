@@ -129,12 +129,19 @@ struct Room<T> {
     positions: [[Lanes<T>; 3]; TILE],
     rotations: [[Lanes<T>; 4]; TILE],
     velocities: [[Lanes<T>; 3]; TILE],
+    /// Velocities at the nodes of an element.
+    values: [[Lanes<f64>; 3]; MOST_NODES],
 }
 
 impl<T: Real> Room<T> {
     fn new() -> Self {
         let none = [T::default(); WIDTH];
-        Self { positions: [[none; 3]; TILE], rotations: [[none; 4]; TILE], velocities: [[none; 3]; TILE] }
+        Self {
+            positions: [[none; 3]; TILE],
+            rotations: [[none; 4]; TILE],
+            velocities: [[none; 3]; TILE],
+            values: [[[0.0; WIDTH]; 3]; MOST_NODES],
+        }
     }
 
     /// Hands out the first `count` points, of which the first is the strands' point `first`.
@@ -289,7 +296,6 @@ fn side_by_side<T: Real>(
     let rule = pack[0].strand.state.rule;
     let alike = || pack.iter().all(|asked| asked.strand.state.rule == rule) && rules.rule(rule).len() <= MOST_NODES;
     let common_rule = (wanted.velocities && alike()).then_some(rule);
-    let mut values = [[[0.0; WIDTH]; 3]; MOST_NODES];
     for element in 0..places.elements {
         if walks {
             let mut curvatures = [[0.0; WIDTH]; 3];
@@ -306,7 +312,7 @@ fn side_by_side<T: Real>(
             let nodes = rules.rule(rule).len();
             for lane in 0..WIDTH {
                 let rows = &strand(lane).state.velocities[element * nodes..(element + 1) * nodes];
-                for (value, row) in values.iter_mut().zip(rows) {
+                for (value, row) in room.values.iter_mut().zip(rows) {
                     (0..3).for_each(|axis| value[axis][lane] = row.0[axis]);
                 }
             }
@@ -325,7 +331,7 @@ fn side_by_side<T: Real>(
                 if let Some(rule) = common_rule {
                     let nodes = rules.rule(rule).len();
                     let coefficients = &places.coefficients[rule][point * nodes..(point + 1) * nodes];
-                    room.velocities[count] = combined(coefficients, &values);
+                    room.velocities[count] = combined(coefficients, &room.values);
                 } else {
                     for (lane, asked) in pack.iter().enumerate() {
                         let velocity = velocity(asked.strand, element, point, places, rules);

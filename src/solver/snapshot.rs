@@ -9,7 +9,7 @@ use super::Solver;
 use super::id::{Slot, SlotMap, StrandId};
 use super::report::Energies;
 use super::sections::Sections;
-use super::strand::{Authored, Strand, Tally};
+use super::strand::{Authored, Fared, Strand};
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 use crate::math::lane::Precision;
@@ -19,7 +19,6 @@ use crate::math::vector::Vec3;
 use crate::rod::freedoms::Freedoms;
 use crate::rod::material::Material;
 use crate::rod::strand::StrandModel;
-use crate::step::StrandOutcome;
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use crate::step::state::{Earlier, Past, StrandState};
 
@@ -188,14 +187,9 @@ impl Writer {
             self.f64(root_move.duration);
             self.f64(*elapsed);
         }
-        let outcome = &strand.outcome;
-        self.u32(outcome.iterations);
-        self.u32(u32::from(outcome.converged));
-        self.u32(u32::from(outcome.quarantined));
-        self.u32(outcome.substeps);
-        self.f64(outcome.residual);
-        self.f64(outcome.condition);
-        self.f64(outcome.error);
+        self.u32(strand.fared.iterations);
+        self.u32(u32::from(strand.fared.converged));
+        self.u32(u32::from(strand.fared.quarantined));
         self.f64(strand.energies.kinetic);
         self.f64(strand.energies.elastic);
         self.f64(strand.energies.gravity);
@@ -343,20 +337,10 @@ impl Reader<'_> {
         } else {
             None
         };
-        let outcome = StrandOutcome {
-            iterations: self.u32()?,
-            converged: self.flag()?,
-            quarantined: self.flag()?,
-            substeps: self.u32()?,
-            residual: self.f64()?,
-            condition: self.f64()?,
-            error: self.f64()?,
-            energies: Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? },
-        };
-        let energies = outcome.energies;
+        let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
+        let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
         let model = StrandModel::of_section(lengths, natural, sections.of(&material, freedoms));
-        let mut strand =
-            Strand { id, user_data, model, authored: None, state, root_move, outcome, tally: Tally::default(), energies };
+        let mut strand = Strand { model, state, id, user_data, authored: None, root_move, energies, fared };
         strand.shrink();
         Ok(strand)
     }

@@ -30,11 +30,30 @@ pub(super) struct Strand {
     /// Where the root is going, and how many seconds of the way are done. Apart: most of a strand's other numbers are needed by every
     /// step, this one only while the root moves.
     pub root_move: Option<Box<(PoseMove, f64)>>,
-    /// The last substep.
-    pub outcome: StrandOutcome,
-    /// All substeps of the last call.
-    pub tally: Tally,
     pub energies: Energies,
+    /// The last substep.
+    pub fared: Fared,
+}
+
+/// What is kept of how a substep went; the rest goes into the call's [`Tally`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Fared {
+    pub iterations: u32,
+    pub converged: bool,
+    pub quarantined: bool,
+}
+
+impl From<&StrandOutcome> for Fared {
+    fn from(outcome: &StrandOutcome) -> Self {
+        Self { iterations: outcome.iterations, converged: outcome.converged, quarantined: outcome.quarantined }
+    }
+}
+
+impl Fared {
+    /// Nothing was done, and well.
+    pub fn well() -> Self {
+        Self { iterations: 0, converged: true, quarantined: false }
+    }
 }
 
 /// A natural shape on the elements that it was given for.
@@ -44,7 +63,7 @@ pub(super) struct Authored {
     pub natural: Box<[[f64; 3]]>,
 }
 
-/// What a strand's substeps of one call came to.
+/// What the strands' substeps of one call came to. Sums of whole numbers and largest values: the same in whatever order strands come.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Tally {
     pub iterations: u64,
@@ -68,6 +87,18 @@ impl Tally {
         self.condition = self.condition.max(outcome.condition);
         self.subdivided += u32::from(outcome.substeps > 1);
         self.error = self.error.max(outcome.error);
+    }
+
+    /// Counts other strands' substeps.
+    pub fn merge(&mut self, other: &Self) {
+        self.iterations += other.iterations;
+        self.most_iterations = self.most_iterations.max(other.most_iterations);
+        self.quarantined += other.quarantined;
+        self.unconverged += other.unconverged;
+        self.residual = self.residual.max(other.residual);
+        self.condition = self.condition.max(other.condition);
+        self.subdivided += other.subdivided;
+        self.error = self.error.max(other.error);
     }
 }
 
@@ -98,16 +129,15 @@ impl Strand {
             authored: None,
             state,
             root_move: None,
-            outcome: StrandOutcome { converged: true, ..StrandOutcome::default() },
-            tally: Tally::default(),
             energies: Energies::default(),
+            fared: Fared::well(),
         }
     }
 
     pub fn status(&self) -> StrandStatus {
-        if self.outcome.quarantined {
+        if self.fared.quarantined {
             StrandStatus::Quarantined
-        } else if !self.outcome.converged {
+        } else if !self.fared.converged {
             StrandStatus::Unconverged
         } else {
             StrandStatus::Ok
