@@ -13,10 +13,12 @@ fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let number = |i: usize, d: usize| arguments.get(i).map_or(d, |a| a.parse().unwrap());
     let (n, strands, steps) = (number(1, 5), number(2, 400), number(3, 60));
+    let only = arguments.get(4).cloned().unwrap_or_default();
     for integrator in [Integrator::SecondOrder, Integrator::LinearlyImplicit] {
         for precision in [Precision::F64, Precision::F32] {
             for set in [InstructionSet::Scalar, InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
-                let mut options = SolverOptions::default();
+                if !format!("{integrator:?} {precision:?} {}", set.name()).contains(&only) { continue; }
+            let mut options = SolverOptions::default();
                 options.step.precision = precision;
                 options.step.integrator = integrator;
                 options.instruction_set = Some(set);
