@@ -3,7 +3,8 @@
 //!
 //! Sampling: 150,000 strands of 5 elements, 16 points each, into the caller's floats through the C ABI, on one thread and on two. Each
 //! round times a copy (`memcpy`) of the same bytes and every kind of output once, so that what else the machine does falls on all alike;
-//! the figures are medians over the rounds, and the ratio to the copy's median.
+//! the figures are the least and the median over the rounds, with the processor time (medians), which says what another program's share
+//! of the machine hides.
 //!
 //! `cargo bench --bench sampling -- [--csv FILE] [--rounds 15] [--strands 150000] [--only memory|population|sampling]`
 #![allow(unsafe_code)] // calls of the C ABI, and a counting allocator
@@ -151,6 +152,10 @@ fn milliseconds(work: impl FnOnce()) -> f64 {
     started.elapsed().as_secs_f64() * 1e3
 }
 
+fn processor_time(work: impl FnOnce()) -> f64 {
+    both_times(work).1
+}
+
 /// Milliseconds on the clock, and of processor time of all threads.
 fn both_times(work: impl FnOnce()) -> (f64, f64) {
     let processor = || {
@@ -241,12 +246,47 @@ fn sampling(strands: usize, rounds: usize, csv: &mut String) {
             least[2] / least[0]
         );
         let name = kind.name.replace(',', " and");
-        writeln!(csv, "sampling,{name},{strands},{:.4},{:.4},{:.4}", least[0], least[1], least[2]).expect("a string");
+        writeln!(
+            csv,
+            "sampling,{name},{strands},{:.4},{:.4},{:.4},{:.4},{:.4}",
+            least[0], least[1], least[2], middle[3], middle[4]
+        )
+        .expect("a string");
     }
 }
 
+/// The walk along each strand in f64, one after the other, into the same floats: what bulk sampling is there to beat.
+fn one_by_one(strands: usize, rounds: usize, csv: &mut String) {
+    let mut solver = Solver::new(SolverOptions::default()).expect("a solver");
+    let defs: Vec<StrandDef> = (0..strands)
+        .map(|strand| {
+            let mut def = StrandDef::straight(0.1 + 1e-6 * (strand % 100_000) as f64, ELEMENTS);
+            let bend = 10.0 + 20.0 * (strand % 997) as f64 / 997.0;
+            def.natural.iter_mut().enumerate().for_each(|(element, row)| *row = [2.0, bend, element as f64]);
+            def
+        })
+        .collect();
+    let ids = solver.add_strands(&defs).expect("strands");
+    drop(defs);
+    let mut points = vec![[0.0_f32; 3]; strands * POINTS];
+    let (mut clock, mut processor) = (Vec::new(), Vec::new());
+    for _ in 0..rounds {
+        let (a, b) = both_times(|| {
+            let put = |strand: usize, point: usize, sample: &superhelix::solver::Sample| {
+                points[strand * POINTS + point] = sample.position.map(|number| number as f32).into();
+            };
+            solver.sample_strands(&ids, POINTS, put).expect("samples");
+        });
+        clock.push(a);
+        processor.push(b);
+    }
+    let least = clock.iter().copied().fold(f64::INFINITY, f64::min);
+    println!("one by one, points, frames and velocities in f64: {least:.1} ms, processor time {:.1} ms", median(&processor));
+    writeln!(csv, "one by one,,{strands},{least:.4},,,{:.4},", median(&processor)).expect("a string");
+}
+
 fn population(strands: usize, csv: &mut String) {
-    println!("adding and removing, ms");
+    println!("adding and removing, ms of processor time");
     for count in [strands / 10, strands] {
         let defs = definitions(count);
         let (mut add, mut remove, mut again) = (Vec::new(), Vec::new(), Vec::new());
@@ -257,12 +297,12 @@ fn population(strands: usize, csv: &mut String) {
             unsafe {
                 assert_eq!(shx_solver_create(null(), &raw mut solver), SHX_OK);
                 let size = size_of::<shx_strand_def>();
-                add.push(milliseconds(|| {
+                add.push(processor_time(|| {
                     assert_eq!(shx_solver_add_strands(solver, defs.0.as_ptr(), size, count, ids.as_mut_ptr()), SHX_OK);
                 }));
                 let odd: Vec<shx_strand_id> = ids.iter().skip(1).step_by(2).copied().collect();
-                remove.push(milliseconds(|| assert_eq!(shx_solver_remove_strands(solver, odd.as_ptr(), odd.len()), SHX_OK)));
-                again.push(milliseconds(|| {
+                remove.push(processor_time(|| assert_eq!(shx_solver_remove_strands(solver, odd.as_ptr(), odd.len()), SHX_OK)));
+                again.push(processor_time(|| {
                     assert_eq!(shx_solver_add_strands(solver, defs.0.as_ptr(), size, odd.len(), ids.as_mut_ptr()), SHX_OK);
                 }));
                 shx_solver_destroy(solver);
@@ -270,7 +310,7 @@ fn population(strands: usize, csv: &mut String) {
         }
         let [add, remove, again] = [&add, &remove, &again].map(|times| median(times));
         println!("{count:9} added {add:8.2}   every other one removed {remove:8.2}   as many added again {again:8.2}");
-        writeln!(csv, "population,,{count},{add:.4},{remove:.4},{again:.4}").expect("a string");
+        writeln!(csv, "population,,{count},{add:.4},{remove:.4},{again:.4},,").expect("a string");
     }
 }
 
@@ -308,7 +348,7 @@ fn memory(csv: &mut String) {
             let (few, many) = (held(STRANDS / 2), held(STRANDS));
             let [told, asked, taken] = std::array::from_fn(|k| (many[k] - few[k]) / (STRANDS / 2) as f64);
             println!("{:20} N = {elements:3}: {told:8.0} {asked:8.0} {taken:8.0}", format!("{integrator:?}"));
-            writeln!(csv, "memory,{integrator:?},{elements},{told:.1},{asked:.1},{taken:.1}").expect("a string");
+            writeln!(csv, "memory,{integrator:?},{elements},{told:.1},{asked:.1},{taken:.1},,").expect("a string");
         }
     }
 }
@@ -318,9 +358,9 @@ fn main() {
     let value = |name: &str| arguments.iter().position(|a| a == name).and_then(|at| arguments.get(at + 1));
     let rounds: usize = value("--rounds").map_or(15, |text| text.parse().expect("--rounds N"));
     let strands: usize = value("--strands").map_or(150_000, |text| text.parse().expect("--strands N"));
-    // sampling: copy, one thread, two (ms); population: adding, removing every other one, adding as many (ms); memory: bytes a strand, told,
-    // asked for and taken.
-    let mut csv = String::from("kind,what,count,a,b,c\n");
+    // sampling: copy, one thread, two (ms, the least of all rounds), processor time of the latter two (medians); population: adding, removing
+    // every other one, adding as many (ms of processor time); memory: bytes a strand, told, asked for and taken.
+    let mut csv = String::from("kind,what,count,a,b,c,d,e\n");
     let wants = |part: &str| value("--only").is_none_or(|only| only == part);
     if wants("memory") {
         memory(&mut csv);
@@ -330,6 +370,7 @@ fn main() {
     }
     if wants("sampling") {
         sampling(strands, rounds, &mut csv);
+        one_by_one(strands, rounds, &mut csv);
     }
     if let Some(path) = value("--csv") {
         std::fs::write(path, csv).unwrap_or_else(|error| panic!("{path}: {error}"));

@@ -30,7 +30,7 @@ const MOST_NODES: usize = 16;
 const AHEAD: usize = 16;
 
 /// Points that a task takes at a time, about: enough to be worth handing out.
-const POINTS_A_PART: usize = 4096;
+const POINTS_A_PART: usize = 1024;
 
 /// What is to be sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
