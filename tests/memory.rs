@@ -33,7 +33,8 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-const STRANDS: usize = 400;
+/// Twice a number that fills tasks and packs of any width, also where there are two kinds.
+const STRANDS: usize = 512;
 
 fn strands(count: usize, elements: impl Fn(usize) -> usize) -> Vec<StrandDef> {
     (0..count)
@@ -59,7 +60,7 @@ fn compare(what: &str, made: impl Fn(usize) -> Solver) -> f64 {
     let (few, many) = (of(STRANDS / 2), of(STRANDS));
     let strands = many.2 - few.2;
     let (held, told) = ((many.0 - few.0) / strands, (many.1 - few.1) / strands);
-    println!("{what}: told {told:.1}, held {held:.1} bytes a strand");
+    println!("{what}: told {told:.1}, held {held:.1} bytes a strand; beside them {:.0} bytes", many.0 - many.1);
     // Scratch memory may differ by what one strand more or less of the longest made it grow.
     assert!((held - told).abs() < 0.01 * held, "{what}: told {told}, held {held}");
     told
@@ -90,7 +91,7 @@ fn memory_is_told_as_it_is() {
     }
     let small = compare("implicit Euler, N = 5", |count| stepped(count, Integrator::ImplicitEuler, |_| 5).0);
     assert!(small <= 1536.0, "{small}");
-    compare("mixed", |count| stepped(count, Integrator::SecondOrder, |k| 1 + k % 30).0);
+    compare("mixed", |count| stepped(count, Integrator::SecondOrder, |k| 3 + 27 * (k % 2)).0);
     compare("every other one removed", |count| {
         let (mut solver, ids) = stepped(count, Integrator::SecondOrder, |_| 5);
         solver.remove_strands(&ids.iter().step_by(2).copied().collect::<Vec<_>>()).unwrap();

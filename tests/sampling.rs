@@ -83,13 +83,19 @@ fn errors<T: Real>(points: usize, rounding: f64) -> [f64; 3] {
     assert!(fastest > 0.01);
     let mut worst = [0.0_f64; 3];
     for (item, (here, sample)) in bulk::<T>(&solver, &ids, points, origin).iter().zip(&samples).enumerate() {
-        let length: f64 = solver.element_lengths(ids[item / points]).unwrap().iter().sum();
+        let lengths = solver.element_lengths(ids[item / points]).unwrap();
+        let (length, point) = (lengths.iter().sum::<f64>(), item % points);
+        // On a border of two elements rounding says which of them the walk reads the velocity from, a polynomial in each: these differ.
+        let on_border = point > 0 && point < points - 1 && (point * lengths.len()).is_multiple_of(points - 1);
         let expected = sample.position - origin;
         for axis in 0..3 {
             // What is given out is rounded to the number type: half a unit in the last place is not the sampling's.
             let off = (here[axis] - expected[axis]).abs() - rounding * expected[axis].abs();
             worst[0] = worst[0].max(off / length);
-            worst[2] = worst[2].max((here[7 + axis] - sample.velocity[axis]).abs() / fastest);
+            let off = (here[7 + axis] - sample.velocity[axis]).abs() / fastest;
+            if !on_border {
+                worst[2] = worst[2].max(off);
+            }
         }
         let rotation = nalgebra::Quaternion::new(here[6], here[3], here[4], here[5]);
         assert!((rotation.norm() - 1.0).abs() < 1e-6);
@@ -105,7 +111,7 @@ fn bulk_samples_are_those_of_each_strand() {
         let single = errors::<f32>(points, f64::from(f32::EPSILON) / 2.0);
         let double = errors::<f64>(points, f64::EPSILON / 2.0);
         println!("{points} points: f32 {single:?} (lengths, rad, largest velocity), f64 {double:?}");
-        // The promise is 1e-6; f64: rounding of 40 elements' products.
+        // The promise is 1e-6; f64: rounding of 40 elements' products, and of places on the strand.
         assert!(single.iter().all(|error| *error < 1e-6), "{points}: {single:?}");
         assert!(double.iter().all(|error| *error < 1e-12), "{points}: {double:?}");
     }

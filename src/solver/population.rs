@@ -84,7 +84,7 @@ impl Solver {
             self.slots.moved(strand.id, index);
         }
         // Half empty is too much; an eighth is kept for strands to come.
-        if self.strands.len() < self.strands.capacity() / 2 {
+        if self.strands.len() <= self.strands.capacity() / 2 {
             self.strands.shrink_to(self.strands.len() + self.strands.len() / 8);
         }
         Ok(())
