@@ -17,8 +17,10 @@ fn main() {
     for integrator in [Integrator::SecondOrder, Integrator::LinearlyImplicit] {
         for precision in [Precision::F64, Precision::F32] {
             for set in [InstructionSet::Scalar, InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
-                if !format!("{integrator:?} {precision:?} {}", set.name()).contains(&only) { continue; }
-            let mut options = SolverOptions::default();
+                if !format!("{integrator:?} {precision:?} {}", set.name()).contains(&only) {
+                    continue;
+                }
+                let mut options = SolverOptions::default();
                 options.step.precision = precision;
                 options.step.integrator = integrator;
                 options.instruction_set = Some(set);

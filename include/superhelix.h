@@ -795,7 +795,9 @@ SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3])
 // Alone with the solver.
 SHX_API shx_result shx_solver_step(shx_solver *solver, double dt, uint32_t substeps, shx_step_report *report);
 
-// Bytes of memory that the solver holds.
+// Bytes of memory that the solver holds, all its strands included, as it asked the allocator for them. Not in it: what the allocator
+// adds of its own, the stacks of the solver's threads, and each thread's scratch memory for a step, which grows with the longest strand
+// and not with their number. Looks at every strand.
 // Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
 SHX_API shx_result shx_solver_memory_usage(const shx_solver *solver, uint64_t *out_bytes);
 
@@ -976,7 +978,10 @@ SHX_API shx_result shx_sample_def_init(shx_sample_def *def, size_t size);
 // Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 root, last one tip) of strand
 // ids[i]. points: SHX_FORMAT_F32X3, _F32X4 (with the strand's radius), _F64X3, _F64X4. frames: SHX_FORMAT_FRAME, or _F32X4 and
 // _F64X4 for the quaternions alone. velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3. One or two of the three may
-// be null. One call a frame for everything that is drawn.
+// be null. One call a frame for everything that is drawn. Where no output holds doubles, points are worked out in single precision
+// within an element: good to 1e-6 of the strand's length (measured: 2e-7) before they are rounded to what is written. Runs on the
+// solver's own threads (shx_solver_def.worker_count) when there is enough to do, not on the host's task system: a host that has one
+// calls from its tasks, for some of the strands each.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
 // SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
 SHX_API shx_result shx_solver_sample_strands(const shx_solver *solver, const shx_strand_id *ids, size_t count,

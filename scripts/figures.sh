@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 
 if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo bench --locked --bench cost -- --csv docs/figures/cost.csv
+  cargo bench --locked --profile demo --bench sampling -- --csv docs/figures/sampling.csv
   cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
   cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
   cargo run --quiet --locked --release --example newton -- docs/figures/newton.csv

@@ -103,6 +103,30 @@ def cost():
     put(lines, "performance.md", "cost")
 
 
+def sampling():
+    data = rows("sampling.csv")
+    lines = ["| what is written | a copy | one thread | two threads | ratio, one | ratio, two | processor time |", "|---" * 7 + "|"]
+    for row in data:
+        if row["kind"] == "sampling":
+            copy, one, two, spent = (float(row[key]) for key in "abcd")
+            lines.append(f"| {row['what']} | {copy:.2f} | {one:.1f} | {two:.1f} | {one / copy:.1f} | {two / copy:.1f} | {spent:.1f} |")
+        if row["kind"] == "one by one":
+            lines.append(f"| (strand by strand, `Solver::sample_strands`, all three in f64) | | {float(row['a']):.1f} | | | | {float(row['d']):.1f} |")
+    put(lines, "performance.md", "sampling")
+    told = {(row["what"], row["count"]): float(row["b"]) for row in data if row["kind"] == "memory"}
+    counts = sorted({int(count) for _, count in told})
+    lines = ["| integrator | " + " | ".join(f"N = {count}" for count in counts) + " |", "|---" * (len(counts) + 1) + "|"]
+    for name in ("SecondOrder", "ImplicitEuler", "LinearlyImplicit"):
+        words = "".join(" " + letter.lower() if letter.isupper() else letter for letter in name).strip()
+        lines.append(f"| {words} | " + " | ".join(f"{told[name, str(count)]:.0f}" for count in counts) + " |")
+    put(lines, "performance.md", "memory")
+    lines = ["| strands | added in one call | every other one removed in one call | as many added again |", "|---|---|---|---|"]
+    for row in data:
+        if row["kind"] == "population":
+            lines.append(f"| {int(row['count']):,} | " + " | ".join(f"{float(row[key]):.0f} ms" for key in "abc") + " |")
+    put(lines, "performance.md", "population")
+
+
 def limits():
     """The table in docs/integrators.md, between the markers."""
     table = defaultdict(dict)
@@ -199,6 +223,7 @@ def friction():
 if __name__ == "__main__":
     convergence()
     cost()
+    sampling()
     limits()
     newton()
     quadrature()

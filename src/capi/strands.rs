@@ -30,17 +30,20 @@ unsafe fn definitions(defs: *const shx_strand_def, stride: usize, count: usize) 
     if stride == 0 || count.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
         return Err(Error::invalid("def_stride", stride, "sizeof(shx_strand_def), or the stride of a structure that holds one"));
     }
-    let mut definitions = Vec::new();
-    for index in 0..count {
-        let argument = format!("defs[{index}]");
+    let one = |index: usize, argument: &str| {
         let def = defs.wrapping_byte_add(index * stride);
         // SAFETY: one of the caller's structures, of the size that it states.
-        let def = unsafe { read_versioned(&argument, def)? };
+        let def = unsafe { read_versioned(argument, def)? };
         if def.struct_size as usize > stride {
             return Err(Error::invalid("def_stride", stride, format!("at least {argument}.struct_size, {}", def.struct_size)));
         }
         // SAFETY: its arrays are the caller's.
-        definitions.push(unsafe { def.definition(&argument)? });
+        unsafe { def.definition(argument) }
+    };
+    let mut definitions = Vec::new();
+    for index in 0..count {
+        // Named only where it is wrong.
+        definitions.push(one(index, "defs").or_else(|_| one(index, &format!("defs[{index}]")))?);
     }
     Ok(definitions)
 }

@@ -6,6 +6,7 @@ pub mod lane;
 pub mod lanes;
 pub mod point_spline;
 pub mod pose_spline;
+pub(crate) mod prefetch;
 pub mod quadrature;
 mod quadrature_limits;
 pub mod rotation;

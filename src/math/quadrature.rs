@@ -98,15 +98,18 @@ impl Rule {
     /// The coefficients with which values at the nodes give the interpolating polynomial's value at `x`.
     pub fn interpolation(&self, x: f64, coefficients: &mut Vec<f64>) {
         coefficients.clear();
+        self.for_each_coefficient(x, |_, coefficient| coefficients.push(coefficient));
+    }
+
+    /// The same without memory: `take(node, coefficient)`, in the nodes' order.
+    pub fn for_each_coefficient(&self, x: f64, mut take: impl FnMut(usize, f64)) {
         if let Some(hit) = self.nodes.iter().position(|node| *node == x) {
-            coefficients.extend((0..self.len()).map(|i| if i == hit { 1.0 } else { 0.0 }));
+            (0..self.len()).for_each(|i| take(i, if i == hit { 1.0 } else { 0.0 }));
             return;
         }
-        coefficients.extend(self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node)));
-        let sum: f64 = coefficients.iter().sum();
-        for coefficient in coefficients.iter_mut() {
-            *coefficient /= sum;
-        }
+        let shares = || self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node));
+        let sum: f64 = shares().sum();
+        shares().enumerate().for_each(|(i, share)| take(i, share / sum));
     }
 }
 
@@ -180,6 +183,13 @@ impl Rules {
     /// A rule by index.
     pub fn rule(&self, index: usize) -> &Rule {
         &self.rules[index]
+    }
+
+    /// Bytes on the heap, of this value in a box.
+    pub fn heap_bytes(&self) -> usize {
+        let lists = |rule: &Rule| rule.nodes.capacity() + rule.weights.capacity() + rule.barycentric.capacity();
+        let numbers: usize = self.rules.iter().map(lists).sum();
+        size_of::<Self>() + self.rules.capacity() * size_of::<Rule>() + numbers * size_of::<f64>()
     }
 
     /// Number of rules.

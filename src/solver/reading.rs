@@ -89,7 +89,7 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidId`].
     pub fn iterations(&self, id: StrandId) -> Result<u32> {
-        Ok(self.strand("id", id)?.outcome.iterations)
+        Ok(self.strand("id", id)?.fared.iterations)
     }
 
     /// With how many points a strand's elements are integrated, and what that errs by in its present shape: at most
