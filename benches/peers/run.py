@@ -4,13 +4,14 @@ build/peers/venv/bin/python benches/peers/run.py OURS [--quick] [--into FOLDER]
 
 OURS is the engine's program (cargo bench --profile demo --bench peers --no-run names it). The parts:
 1. truth (truth.py), and how far other ways to it are from it;
-2. scan: every setting once, one strand: its errors, a first figure of its cost;
+2. scan: every setting, one strand: its errors, a first figure of its cost;
 3. stability: an undamped second at ever shorter steps, and at 1/60 s;
 4. cost: what is on or near each program's front, again, in rounds that take the programs in turn: one strand alone, and many in a world;
 5. strands: cost an element-step for 1 to 1000 strands."""
 import argparse
 import csv
 import json
+import math
 import os
 import platform
 import subprocess
@@ -27,7 +28,7 @@ from truth import checks, truth
 REPOSITORY = Path(__file__).resolve().parents[2]
 ROUNDS = 3
 # Seconds that a run of many strands should take; fewer strands than MANY where one is dear, but never below FEWEST.
-RUN_OF_MANY = 0.5
+RUN_OF_MANY = 0.3
 FEWEST = 16
 # Settings whose first cost is within this factor of the front's are measured again: the first figure is rough.
 NEAR = 1.1
@@ -60,12 +61,12 @@ def write(folder, name, rows):
 
 
 def scan(programs, case, right, quick):
-    """Every setting once. A setting that blows up, or stretches too much, is counted and left out."""
+    """Every setting. One that blows up, or stretches too much, is counted and left out."""
     rows, counts = [], {}
     for name, elements, settings, rates, explicit in tried.grid(case, quick):
         counted = counts.setdefault(name, {"tried": 0, "blown up": 0, "stretched": 0, "refused": 0})
         for rate in rates:
-            answer = programs[name].ask(request(case, elements, rate, settings))
+            answer = programs[name].ask(request(case, elements, rate, settings, patience=0.003, runs=(1, 5)))
             counted["tried"] += 1
             if "tips" not in answer:
                 counted["refused" if "error" in answer else "blown up"] += 1
@@ -78,7 +79,7 @@ def scan(programs, case, right, quick):
             else:
                 rows.append({"case": case.name, "program": name, "elements": elements, "rate": rate, "settings": json.dumps(settings),
                              "error": most, "error_at_end": last, "stretch": stretch(answer), "unconverged": answer.get("unconverged", ""),
-                             "scan_us": answer["processor"][0] / simulated(case, rate) * 1e6})
+                             "scan_us": min(answer["processor"]) / simulated(case, rate) * 1e6})
             if explicit and most < 2:
                 break
     return rows, counts
@@ -89,6 +90,14 @@ def near_front(rows, cost, factor):
     return [row for row in rows if not any(other["error"] <= row["error"] and other[cost] * factor < row[cost] for other in rows)]
 
 
+def fewer(rows):
+    """The two cheapest of each twelfth of a decade of error."""
+    kept = {}
+    for row in sorted(rows, key=lambda row: row["scan_us"]):
+        kept.setdefault(math.floor(12 * math.log10(row["error"])), []).append(row)
+    return sorted((row for bin_rows in kept.values() for row in bin_rows[:2]), key=lambda row: row["scan_us"])
+
+
 def costs(programs, cases, rows, quick):
     """Adds alone_us and many_us, microseconds a strand and simulated second, to the rows that are near a front: medians over the rounds."""
     by_case = {case.name: case for case in cases}
@@ -96,7 +105,7 @@ def costs(programs, cases, rows, quick):
     for case in cases:
         for name, turn in turns.items():
             mine = [row for row in rows if row["case"] == case.name and row["program"] == name and 1e-3 < row["error"] < 0.1]
-            turn += sorted(near_front(mine, "scan_us", NEAR), key=lambda row: row["scan_us"])
+            turn += fewer(near_front(mine, "scan_us", NEAR))
     # In turn: what else the machine does falls on all programs alike.
     order = [turn[k] for k in range(max(map(len, turns.values()))) for turn in turns.values() if k < len(turn)]
     print(f"measured again: {', '.join(f'{len(turn)} of {name}' for name, turn in turns.items())}", flush=True)

@@ -2,10 +2,10 @@
 from itertools import product
 
 RATES = [30, 60, 120, 180, 240, 360, 480, 720, 960, 1440, 1920, 3840, 7680]
-FEW = {"curl": [3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30, 40, 60], "coil": [10, 15, 20, 30, 40, 50, 60, 80, 100, 150, 200],
+FEW = {"curl": [3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30, 40, 60], "coil": [10, 15, 20, 30, 40, 50, 60, 80, 100, 120, 150, 200],
        "cantilever": [2, 3, 4, 5, 6, 7, 8, 10, 12, 15, 20, 30, 40]}
 # Explicit steps are stable at these or not at all; the first that is counts.
-EXPLICIT_RATES = [7680 * 2**k for k in range(6)]
+EXPLICIT_RATES = [1920 * 2**k for k in range(8)]
 EXPLICIT_FEW = {"curl": [5, 7, 10, 15, 20, 30, 40], "coil": [30, 50, 80, 120, 160], "cantilever": [3, 5, 7, 10, 15, 20, 30]}
 # Clamped along the tangent at the origin, and half an edge before it (cases.vertices): the first is better, the second what one does at first.
 AT_THE_ORIGIN, BEFORE = 0.01, 1.0

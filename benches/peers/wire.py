@@ -58,6 +58,8 @@ def measure(program, request):
             finite = bool(np.isfinite(points).all())
             if not finite:
                 break
+        if finite and not (points[-1] == tips[-1]).all():
+            raise RuntimeError(f"the same run ended at {points[-1]} instead of {tips[-1]}")
         processor.append(processor_seconds)
         wall.append(wall_seconds)
         if first and finite and request["strands"] > 1:
