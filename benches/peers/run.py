@@ -14,6 +14,7 @@ import json
 import math
 import os
 import platform
+import resource
 import subprocess
 import time
 from pathlib import Path
@@ -33,7 +34,7 @@ FEWEST = 16
 # Settings whose first cost is within this factor of the front's are measured again: the first figure is rough.
 NEAR = 1.1
 # Errors beyond which a setting is of no interest, in lengths.
-USELESS = 0.3
+USELESS = 0.15
 
 
 def request(case, elements, rate, settings, do="measure", strands=1, seconds=None, patience=0.0, runs=(1, 1)):
@@ -56,7 +57,7 @@ def write(folder, name, rows):
     with open(folder / name, "w", newline="") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
-        writer.writerows({key: f"{value:.5g}" if isinstance(value, float) else value for key, value in row.items()} for row in rows)
+        writer.writerows({key: f"{value:.4g}" if isinstance(value, float) else value for key, value in row.items()} for row in rows)
     print(f"{folder / name}: {len(rows)} rows", flush=True)
 
 
@@ -185,8 +186,10 @@ def about(programs, seconds, quick, counts, checked):
     model = next((line.split(":", 1)[1].strip() for line in Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")),
                  platform.machine()) if Path("/proc/cpuinfo").exists() else platform.machine()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=REPOSITORY, capture_output=True, text=True).stdout.strip()
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
     found = {"commit": commit or "unknown", "processor": model, "processors": os.cpu_count(), "system": platform.platform(),
-             "python": platform.python_version(), "quick": quick, "minutes": seconds / 60, "rounds": 1 if quick else ROUNDS}
+             "python": platform.python_version(), "quick": quick, "minutes": seconds / 60,
+             "processor_minutes": (used.ru_utime + used.ru_stime) / 60, "rounds": 1 if quick else ROUNDS}
     for name, program in programs.items():
         found[f"version of {name}"] = program.version
         found[f"us of an empty step of {name}"] = program.overhead * 1e6
@@ -228,9 +231,9 @@ def main():
     said("costs")
     write(arguments.into, "peers_strands.csv", strands(programs, CASES[0], arguments.quick))
     said("strands")
-    write(arguments.into, "peers_about.csv", about(programs, time.monotonic() - began, arguments.quick, counts, checked))
     for program in programs.values():
         program.close()
+    write(arguments.into, "peers_about.csv", about(programs, time.monotonic() - began, arguments.quick, counts, checked))
 
 
 if __name__ == "__main__":

@@ -217,6 +217,8 @@ def about():
     versions = ", ".join(f"{name} {known[f'version of {name}']}" for name in PROGRAMS)
     empty = ", ".join(f"{name} {float(known[f'us of an empty step of {name}']):.1f} µs" for name in PROGRAMS if name != "superhelix")
     minutes = f"{float(known['minutes']):.0f} minutes"
+    if known.get("processor_minutes"):
+        minutes += f", {float(known['processor_minutes']):.0f} of processor time"
     put([f"{known['processor']}, {known['processors']} processors, {known['system']}, Python {known['python']}; {versions}; commit {known['commit']}; "
          f"{minutes}{', quick' if known['quick'] == 'True' else ''}. A step of an empty world (PyElastica: of one element): {empty}."], "machine")
     lines = ["| case | " + " | ".join(f"{program}: tried, blown up, stretched, refused" for program in PROGRAMS) + " |", "|---" * 5 + "|"]
