@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test demo soak bench figures tradeoff clean
+.PHONY: help lib test demo soak bench figures tradeoff peers clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -46,6 +46,10 @@ figures: ## every figure and table of docs/, from their programs
 tradeoff: ## what accuracy costs: docs/tradeoff.md, its figures, and src/study/measured.rs (about half an hour of one core)
 	@scripts/setup.sh build figures
 	scripts/tradeoff.sh
+
+peers: ## beside pyPBD, MuJoCo and PyElastica: docs/peers.md and its figures (under a quarter of an hour; PEERS_QUICK=yes: a try)
+	@scripts/setup.sh build figures
+	scripts/peers.sh
 
 clean: ## removes what the targets above made (not the figures, which are part of docs/)
 	rm -rf build out
