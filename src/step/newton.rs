@@ -18,7 +18,7 @@ use crate::chain::dense::{Dense, DenseMethod};
 use crate::chain::displacement;
 use crate::chain::elimination::Elimination;
 use crate::chain::system::{ChainSystem, Direction, LinearSolve};
-use crate::math::lane::{Kernel, Lane, MAX_LANES};
+use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
@@ -68,14 +68,23 @@ pub struct Iterate<T> {
     pub trial: Kinematics<T>,
     /// Stiffnesses and forces.
     pub system: ChainSystem<T>,
-    /// Where each quadrature point is drawn to, relative to the root's new origin, world axes.
+    /// Where each quadrature point was when the step began, relative to the root's origin then. What happens in a step is told as
+    /// differences from here: they keep their digits however short the step is.
+    pub point_base: Vec<Vec3<T>>,
+    /// What each curvature was when the step began.
+    pub curvature_base: Vec<[T; 3]>,
+    /// Where each point is drawn to from its base, its position then being relative to the root's new origin, world axes.
     pub point_target: Vec<Vec3<T>>,
-    /// Where each curvature is drawn to.
+    /// Where each curvature is drawn to from its base.
     pub curvature_target: Vec<[T; 3]>,
     /// The accepted curvatures.
     pub curvatures: Vec<[T; 3]>,
     /// The curvatures on trial.
     pub trial_curvatures: Vec<[T; 3]>,
+    /// What rounding left off the accepted curvatures in the last iteration (f32 only).
+    pub rests: Vec<[T; 3]>,
+    /// The same of the curvatures on trial.
+    pub trial_rests: Vec<[T; 3]>,
     /// Newton's direction.
     pub change: Vec<[T; 3]>,
     /// Tension that is laid aside.
@@ -88,10 +97,14 @@ impl<T: Lane> Default for Iterate<T> {
             kinematics: Kinematics::default(),
             trial: Kinematics::default(),
             system: ChainSystem::default(),
+            point_base: Vec::new(),
+            curvature_base: Vec::new(),
             point_target: Vec::new(),
             curvature_target: Vec::new(),
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
+            rests: Vec::new(),
+            trial_rests: Vec::new(),
             change: Vec::new(),
             spare_tension: Vec::new(),
         }
@@ -196,6 +209,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         running &= !walk(problem, it, &mut control, &found, part, running);
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
+        std::mem::swap(&mut it.rests, &mut it.trial_rests);
         let mut to_check = 0;
         for lane in lanes(running) {
             let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
@@ -366,6 +380,17 @@ fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64;
     let share = T::from_lanes(|lane| part[lane]);
     let moving = T::mask(moving);
     it.trial_curvatures.clone_from(&it.curvatures);
+    if T::PRECISION == Precision::F32 {
+        it.trial_rests.clone_from(&it.rests);
+        for (element, row) in it.trial_curvatures.iter_mut().enumerate() {
+            for axis in problem.axes {
+                let (sum, rest) = row[*axis].sum_and_rest(share * it.change[element][*axis]);
+                row[*axis] = T::select(moving, sum, row[*axis]);
+                it.trial_rests[element][*axis] = T::select(moving, rest, it.rests[element][*axis]);
+            }
+        }
+        return place_trial(problem, it);
+    }
     for (row, change) in it.trial_curvatures.iter_mut().zip(&it.change) {
         for axis in 0..3 {
             row[axis] = T::select(moving, row[axis] + share * change[axis], row[axis]);
@@ -411,15 +436,24 @@ fn usual_damping<T: Lane>(it: &Iterate<T>) -> T {
 /// Places the accepted state; its potential and the rounding of it.
 #[inline(always)]
 pub fn place_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
-    let Iterate { kinematics, system, point_target, curvature_target, curvatures, .. } = it;
-    T::call(Place { problem, kinematics, curvatures, system, point_target, curvature_target })
+    let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
+    T::call(Place { problem, kinematics, curvatures, system, point_base, curvature_base, point_target, curvature_target })
 }
 
 /// Places the state on trial.
 #[inline(always)]
 fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
-    let Iterate { trial, system, point_target, curvature_target, trial_curvatures, .. } = it;
-    T::call(Place { problem, kinematics: trial, curvatures: trial_curvatures, system, point_target, curvature_target })
+    let Iterate { trial, system, point_base, curvature_base, point_target, curvature_target, trial_curvatures, .. } = it;
+    T::call(Place {
+        problem,
+        kinematics: trial,
+        curvatures: trial_curvatures,
+        system,
+        point_base,
+        curvature_base,
+        point_target,
+        curvature_target,
+    })
 }
 
 /// Brings kinematics to curvatures, and evaluates the potential there.
@@ -428,6 +462,8 @@ struct Place<'a, T> {
     kinematics: &'a mut Kinematics<T>,
     curvatures: &'a [[T; 3]],
     system: &'a ChainSystem<T>,
+    point_base: &'a [Vec3<T>],
+    curvature_base: &'a [[T; 3]],
     point_target: &'a [Vec3<T>],
     curvature_target: &'a [[T; 3]],
 }
@@ -442,14 +478,14 @@ impl<T: Lane> Kernel for Place<'_, T> {
         let mut lever = T::zero();
         for (p, point) in self.kinematics.points.iter().enumerate() {
             let stiffness = self.system.point_stiffness[p];
-            let off = point.position - self.point_target[p];
+            let off = (point.position - self.point_base[p]) - self.point_target[p];
             let square = off.norm_squared();
             value += half * stiffness * square;
             lever += stiffness * (square * point.position.norm_squared()).sqrt();
         }
         for (element, row) in self.curvatures.iter().enumerate() {
             for axis in 0..3 {
-                let off = row[axis] - self.curvature_target[element][axis];
+                let off = (row[axis] - self.curvature_base[element][axis]) - self.curvature_target[element][axis];
                 value += half * self.system.curvature_stiffness[element][axis] * off * off;
             }
         }
@@ -460,13 +496,15 @@ impl<T: Lane> Kernel for Place<'_, T> {
 /// The forces of the springs at the accepted state.
 #[inline(always)]
 pub fn forces<T: Lane>(it: &mut Iterate<T>) {
-    let Iterate { kinematics, system, point_target, curvature_target, curvatures, .. } = it;
-    T::call(Forces { kinematics, system, point_target, curvature_target, curvatures });
+    let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
+    T::call(Forces { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures });
 }
 
 struct Forces<'a, T> {
     kinematics: &'a Kinematics<T>,
     system: &'a mut ChainSystem<T>,
+    point_base: &'a [Vec3<T>],
+    curvature_base: &'a [[T; 3]],
     point_target: &'a [Vec3<T>],
     curvature_target: &'a [[T; 3]],
     curvatures: &'a [[T; 3]],
@@ -477,12 +515,13 @@ impl<T: Lane> Kernel for Forces<'_, T> {
     #[inline(always)]
     fn run(self) {
         for (p, point) in self.kinematics.points.iter().enumerate() {
-            self.system.point_force[p] = (self.point_target[p] - point.position).scale(self.system.point_stiffness[p]);
+            let off = self.point_target[p] - (point.position - self.point_base[p]);
+            self.system.point_force[p] = off.scale(self.system.point_stiffness[p]);
         }
         for (element, row) in self.curvatures.iter().enumerate() {
             for axis in 0..3 {
-                self.system.curvature_force[element][axis] =
-                    self.system.curvature_stiffness[element][axis] * (self.curvature_target[element][axis] - row[axis]);
+                let off = self.curvature_target[element][axis] - (row[axis] - self.curvature_base[element][axis]);
+                self.system.curvature_force[element][axis] = self.system.curvature_stiffness[element][axis] * off;
             }
         }
     }
