@@ -11,6 +11,7 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
   cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
   cargo run --quiet --locked --release --example newton -- docs/figures/newton.csv
+  cargo run --quiet --locked --release --example single_precision -- docs/figures/single_precision.csv
   VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test validation_statics --test validation_vibration \
     --test validation_dynamics --test validation_whirl
   cargo run --quiet --locked --release --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
@@ -22,3 +23,4 @@ fi
 scripts/python_env.sh
 build/venv/bin/python docs/figures/plot.py
 build/venv/bin/python docs/figures/plot_validation.py
+build/venv/bin/python docs/figures/plot_single_precision.py

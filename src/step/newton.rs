@@ -30,6 +30,13 @@ const SHORTENED_AT_MOST: f64 = 20.0;
 const QUADRATIC: f64 = 50.0;
 /// Where the iterations themselves show a larger constant, this times what they show is taken.
 const QUADRATIC_SAFETY: f64 = 3.0;
+/// In f32 an iteration that goes its whole way undamped, turns by no more than this, rad, and by no less than [`STALLED`] of what the last
+/// turned by, has come to where only rounding moves it.
+const ROUNDING_AT_MOST: f64 = 1e-3;
+/// See [`ROUNDING_AT_MOST`].
+const STALLED: f64 = 0.25;
+/// How far rounding alone may leave an element of a strand of N elements, rad: this times N + 8 distances from 1 to the next number.
+const ROUNDING: f64 = 2.0;
 /// Dampings tried in an iteration: 4⁴⁰ spans all of f64 that matters.
 const MAX_DAMPINGS: u32 = 40;
 /// Armijo's fraction of the promised descent.
@@ -81,8 +88,10 @@ pub struct Iterate<T> {
     pub curvatures: Vec<[T; 3]>,
     /// The curvatures on trial.
     pub trial_curvatures: Vec<[T; 3]>,
-    /// What rounding left off the accepted curvatures in the last iteration (f32 only).
+    /// What rounding left off the accepted curvatures (f32 only).
     pub rests: Vec<[T; 3]>,
+    /// By how much each point is further on for it, to first order: J·rests (f32 only).
+    pub point_rests: Vec<Vec3<T>>,
     /// The same of the curvatures on trial.
     pub trial_rests: Vec<[T; 3]>,
     /// Newton's direction.
@@ -104,6 +113,7 @@ impl<T: Lane> Default for Iterate<T> {
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
             rests: Vec::new(),
+            point_rests: Vec::new(),
             trial_rests: Vec::new(),
             change: Vec::new(),
             spare_tension: Vec::new(),
@@ -166,6 +176,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
 ) {
     it.system.exact = options.exact_hessian && problem.tension_at_start;
     it.system.point_tension.clear();
+    place_rests(it);
     let (value, noise) = start;
     let usual = usual_damping(it);
     let mut control = Control {
@@ -175,6 +186,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         before: [None; MAX_LANES],
         gone: [0.0; MAX_LANES],
     };
+    let rounding = ROUNDING * T::PRECISION.constants().epsilon * (it.kinematics.elements.len() + 8) as f64;
     let mut running = active;
     for lane in lanes(active) {
         outcomes[lane] = StrandOutcome::default();
@@ -210,6 +222,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
         std::mem::swap(&mut it.rests, &mut it.trial_rests);
+        place_rests(it);
         let mut to_check = 0;
         for lane in lanes(running) {
             let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
@@ -225,7 +238,16 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             let quadratic = newton && it.system.exact;
             let left = constant(rotation, control.before[lane]) * rotation;
             outcome.residual = if quadratic { rotation * left.min(1.0) } else { rotation };
+            if T::PRECISION == Precision::F32 {
+                let stalled = control.before[lane].is_some_and(|before| rotation >= STALLED * before);
+                if newton && stalled && rotation <= ROUNDING_AT_MOST && outcome.residual > options.tolerance {
+                    (outcome.residual, outcome.converged) = (rotation, true);
+                    running &= !(1 << lane);
+                    continue;
+                }
+            }
             if outcome.residual <= options.tolerance {
+                outcome.residual = outcome.residual.max(rounding);
                 if newton {
                     outcome.converged = true;
                     running &= !(1 << lane);
@@ -266,7 +288,13 @@ pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T
     if T::all(better) {
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
+        std::mem::swap(&mut it.rests, &mut it.trial_rests);
         return second;
+    }
+    for (row, trial) in it.rests.iter_mut().zip(&it.trial_rests) {
+        for axis in 0..3 {
+            row[axis] = T::select(better, trial[axis], row[axis]);
+        }
     }
     for (row, trial) in it.curvatures.iter_mut().zip(&it.trial_curvatures) {
         for axis in 0..3 {
@@ -320,13 +348,14 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
     loop {
         it.system.rotation_stiffness = T::from_lanes(|lane| control.damping[lane].value);
         let found = solver.solve(&it.kinematics, &it.system, axes, &mut it.change);
-        // The dense solves repair by eigenvalues and know no damping; a direction that is not finite stays so. A lane that does keeps
-        // its damping, and gets the same direction again.
+        // The dense solves repair by eigenvalues and know no damping. A lane that is good keeps its damping, and gets the same direction
+        // again.
         let mut good = true;
         if S::DAMPED && tries < MAX_DAMPINGS {
             for lane in lanes(running) {
                 let squared = found.rotation_squared.lane(lane);
-                if squared.is_finite() && (found.repaired.lane(lane) != 0.0 || squared > largest) {
+                // Too large for a number is too large.
+                if found.repaired.lane(lane) != 0.0 || !(squared <= largest) {
                     control.damping[lane].grow();
                     good = false;
                 }
@@ -384,7 +413,8 @@ fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64;
         it.trial_rests.clone_from(&it.rests);
         for (element, row) in it.trial_curvatures.iter_mut().enumerate() {
             for axis in problem.axes {
-                let (sum, rest) = row[*axis].sum_and_rest(share * it.change[element][*axis]);
+                let way = share * it.change[element][*axis] + it.rests[element][*axis];
+                let (sum, rest) = row[*axis].sum_and_rest(way);
                 row[*axis] = T::select(moving, sum, row[*axis]);
                 it.trial_rests[element][*axis] = T::select(moving, rest, it.rests[element][*axis]);
             }
@@ -493,11 +523,48 @@ impl<T: Lane> Kernel for Place<'_, T> {
     }
 }
 
+/// In f32: where what rounding left off the accepted curvatures puts the points. The potential does not see it: its own rounding is no
+/// finer; the forces do, so that an iteration's direction is of the step's changes and not of what rounding makes anew each time.
+#[inline(always)]
+fn place_rests<T: Lane>(it: &mut Iterate<T>) {
+    if T::PRECISION == Precision::F32 {
+        let Iterate { kinematics, rests, point_rests, .. } = it;
+        point_rests.resize(kinematics.points.len(), Vec3::zero());
+        T::call(PlaceRests { kinematics, rests, point_rests });
+    }
+}
+
+struct PlaceRests<'a, T> {
+    kinematics: &'a Kinematics<T>,
+    rests: &'a [[T; 3]],
+    point_rests: &'a mut [Vec3<T>],
+}
+
+impl<T: Lane> Kernel for PlaceRests<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let point_rests = self.point_rests;
+        displacement::for_each_point(self.kinematics, self.rests, |p, moved| point_rests[p] = moved);
+    }
+}
+
 /// The forces of the springs at the accepted state.
 #[inline(always)]
 pub fn forces<T: Lane>(it: &mut Iterate<T>) {
     let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
-    T::call(Forces { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures });
+    let (rests, point_rests) = (&it.rests, &it.point_rests);
+    T::call(Forces {
+        kinematics,
+        system,
+        point_base,
+        curvature_base,
+        point_target,
+        curvature_target,
+        curvatures,
+        rests,
+        point_rests,
+    });
 }
 
 struct Forces<'a, T> {
@@ -508,6 +575,8 @@ struct Forces<'a, T> {
     point_target: &'a [Vec3<T>],
     curvature_target: &'a [[T; 3]],
     curvatures: &'a [[T; 3]],
+    rests: &'a [[T; 3]],
+    point_rests: &'a [Vec3<T>],
 }
 
 impl<T: Lane> Kernel for Forces<'_, T> {
@@ -515,12 +584,20 @@ impl<T: Lane> Kernel for Forces<'_, T> {
     #[inline(always)]
     fn run(self) {
         for (p, point) in self.kinematics.points.iter().enumerate() {
-            let off = self.point_target[p] - (point.position - self.point_base[p]);
+            let mut moved = point.position - self.point_base[p];
+            if T::PRECISION == Precision::F32 {
+                moved += self.point_rests[p];
+            }
+            let off = self.point_target[p] - moved;
             self.system.point_force[p] = off.scale(self.system.point_stiffness[p]);
         }
         for (element, row) in self.curvatures.iter().enumerate() {
             for axis in 0..3 {
-                let off = self.curvature_target[element][axis] - (row[axis] - self.curvature_base[element][axis]);
+                let mut change = row[axis] - self.curvature_base[element][axis];
+                if T::PRECISION == Precision::F32 {
+                    change += self.rests[element][axis];
+                }
+                let off = self.curvature_target[element][axis] - change;
                 self.system.curvature_force[element][axis] = self.system.curvature_stiffness[element][axis] * off;
             }
         }

@@ -92,10 +92,10 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(
     let (one, two) = (T::one(), T::splat(2.0));
     let ratio = loaded.step / loaded.past_step;
     let divisor = one / (one + two * ratio);
-    let (now, then) = ((one + ratio) * (one + ratio) * divisor, ratio * ratio * divisor);
+    // (1+ω)²/(1+2ω) is one more than this: from what is now, on by `then` of the last step's change. What does not change stays exactly.
+    let then = ratio * ratio * divisor;
     let stage = &mut stages[0];
     stage.resize(loaded.lengths.len(), past_base.len());
-    // now = 1 + then: from where it is, on by `then` of the last step's way.
     for (p, start) in stage.start_displacements.iter_mut().enumerate() {
         let mut way = (iterate.point_base[p] - past_base[p]) - loaded.past_offset;
         *start = Vec3::zero();
@@ -106,7 +106,7 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(
         *start += way.scale(then);
     }
     for (p, start) in stage.start_velocities.iter_mut().enumerate() {
-        *start = loaded.velocities[p].scale(now) - loaded.past_velocities[p].scale(then);
+        *start = loaded.velocities[p] + (loaded.velocities[p] - loaded.past_velocities[p]).scale(then);
     }
     for (element, start) in stage.start_changes.iter_mut().enumerate() {
         for axis in 0..3 {
@@ -199,12 +199,12 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
     fn run(self) {
         let Self { times, setting, rule, freedoms, rotation, offset, workspace, solver, active, total } = self;
         let (axes, free) = (freedoms.axes(), freedoms.count());
-        let Workspace { loaded, iterate, stages, end_rests, .. } = workspace;
+        let Workspace { loaded, iterate, stages, .. } = workspace;
         let (before, stage) = stages.split_at_mut(times.index);
         let stage = &mut stage[0];
         let problem = Problem { root: rotation, lengths: &loaded.lengths, axes: &axes[..free], rule, tension_at_start: false };
         assemble_terms(times.k, offset, &rule.weights, loaded, stage, iterate);
-        lead(times.way, freedoms, loaded, before.last().map_or(&loaded.rates, |stage| &stage.rates), iterate);
+        lead(times.way, freedoms, loaded, before.last(), iterate);
         let start = newton::choose_start(&problem, iterate);
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
         newton::minimise(&problem, setting.options, iterate, solver, start, active, &mut outcomes);
@@ -215,7 +215,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
             total.condition = total.condition.max(outcome.condition);
             total.quarantined |= outcome.quarantined;
         }
-        finish_stage(times.k, offset, problem.axes, iterate, end_rests, stage);
+        finish_stage(times.k, offset, problem.axes, iterate, stage);
     }
 }
 
@@ -335,33 +335,20 @@ fn displace<T: Lane>(index: usize, tableau: &Tableau, workspace: &mut Workspace<
     }
 }
 
-/// What the stage's end says about velocities, accelerations and rates; in f32 the forces come to where the curvatures' rests put the
-/// points.
+/// What the stage's end says about velocities, accelerations and rates.
 #[inline(always)]
-fn finish_stage<T: Lane>(
-    k: T,
-    offset: Vec3<T>,
-    axes: &[usize],
-    iterate: &mut Iterate<T>,
-    rests: &mut Vec<Vec3<T>>,
-    stage: &mut Stage<T>,
-) {
+fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], iterate: &Iterate<T>, stage: &mut Stage<T>) {
     let inverse = T::one() / k;
-    if T::PRECISION == Precision::F32 {
-        rests.resize(iterate.kinematics.points.len(), Vec3::zero());
-        displacement::for_each_point(&iterate.kinematics, &iterate.rests, |p, moved| rests[p] = moved);
-        for (p, rest) in rests.iter().enumerate() {
-            iterate.system.point_force[p] -= rest.scale(iterate.system.point_stiffness[p]);
-        }
-    }
     for (p, point) in iterate.kinematics.points.iter().enumerate() {
         let mut moved = point.position - iterate.point_base[p];
         if T::PRECISION == Precision::F32 {
-            moved += rests[p];
+            moved += iterate.point_rests[p];
         }
-        let reached = (moved + (offset - stage.start_displacements[p])).scale(inverse);
-        stage.velocities[p] = reached;
-        stage.accelerations[p] = (reached - stage.start_velocities[p]).scale(inverse);
+        // As a change of ṽ: what is wrong with k and its inverse in the last digit must not act on the velocity step by step.
+        let start = stage.start_velocities[p];
+        let faster = ((moved + (offset - stage.start_displacements[p])) - start.scale(k)).scale(inverse);
+        stage.velocities[p] = start + faster;
+        stage.accelerations[p] = faster.scale(inverse);
     }
     for (element, row) in iterate.curvatures.iter().enumerate() {
         // A frozen curvature has no rate: the differences of the two-step start would leave it one, of rounding.
@@ -379,26 +366,28 @@ fn finish_stage<T: Lane>(
 
 /// Newton's two starts: where it is, and, on trial, where the rates lead. Frozen curvatures are natural.
 #[inline(always)]
-fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, rates: &[[T; 3]], iterate: &mut Iterate<T>) {
-    let Iterate { curvatures, trial_curvatures, rests, .. } = iterate;
+fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, before: Option<&Stage<T>>, iterate: &mut Iterate<T>) {
+    let rates = before.map_or(&loaded.rates, |stage| &stage.rates);
+    let Iterate { curvatures, trial_curvatures, rests, trial_rests, .. } = iterate;
     trial_curvatures.resize(curvatures.len(), [T::zero(); 3]);
-    if T::PRECISION == Precision::F32 {
-        rests.resize(curvatures.len(), [T::zero(); 3]);
+    if T::PRECISION == Precision::F32 && before.is_none() {
+        rests.clone_from(&loaded.rests);
     }
+    trial_rests.clone_from(rests);
     for (element, row) in curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
             if freedoms.contains(axis) {
-                trial_curvatures[element][axis] = row[axis] + way * rates[element][axis];
+                let change = way * rates[element][axis];
                 if T::PRECISION == Precision::F32 {
-                    rests[element][axis] = T::zero();
+                    let change = change + rests[element][axis];
+                    (trial_curvatures[element][axis], trial_rests[element][axis]) = row[axis].sum_and_rest(change);
+                } else {
+                    trial_curvatures[element][axis] = row[axis] + change;
                 }
             } else {
+                // What rounding leaves off it is as at the start, but for a host's change.
                 row[axis] = loaded.natural[element][axis];
                 trial_curvatures[element][axis] = row[axis];
-                // Natural as at the start, but for a host's change: so is what rounding leaves off.
-                if T::PRECISION == Precision::F32 {
-                    rests[element][axis] = loaded.rests[element][axis];
-                }
             }
         }
     }
@@ -420,7 +409,8 @@ fn assemble_terms<T: Lane>(
     point_target.resize(points, Vec3::zero());
     curvature_target.resize(loaded.lengths.len(), [T::zero(); 3]);
     let per_element = weights.len();
-    // Of all points only inertia's pull differs, and stiffnesses only by the weight: what they share is summed once.
+    // Of all points only the pulls of inertia and drag differ, and stiffnesses only by the weight: what they share is summed once. Pulls
+    // are taken from where the velocity leads, kṽ.
     let mut shared = PointQuadratic::zero();
     inertia::add(&mut shared, loaded.linear_density, k, Vec3::zero());
     gravity::add(&mut shared, loaded.linear_density, loaded.gravity);
@@ -428,13 +418,13 @@ fn assemble_terms<T: Lane>(
         drag::add(&mut shared, loaded.air_drag, k, loaded.wind);
     }
     let inverse = T::one() / shared.stiffness;
-    let fall = shared.pull.scale(inverse) - offset;
-    let momentum = loaded.linear_density / k * inverse;
     for (element, length) in loaded.lengths.iter().enumerate() {
         for (node, weight) in weights.iter().enumerate() {
             let p = element * per_element + node;
             system.point_stiffness[p] = shared.stiffness * (T::splat(*weight) * *length);
-            point_target[p] = stage.start_displacements[p] + (stage.start_velocities[p].scale(momentum) + fall);
+            let start = stage.start_velocities[p];
+            let pull = if loaded.has_drag { shared.pull - start.scale(loaded.air_drag) } else { shared.pull };
+            point_target[p] = stage.start_displacements[p] + (start.scale(k) + (pull.scale(inverse) - offset));
         }
         for axis in 0..3 {
             let start = stage.start_changes[element][axis];

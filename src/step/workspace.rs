@@ -63,8 +63,6 @@ pub struct Workspace<T> {
     pub base_rests: Vec<Vec3<T>>,
     /// The same at the start of the step before.
     pub past_rests: Vec<Vec3<T>>,
-    /// The same at the end of the stage.
-    pub end_rests: Vec<Vec3<T>>,
     /// The stages of the step.
     pub stages: [Stage<T>; MAX_STAGES],
     /// Which of them is the step's end; its curvatures are those of `iterate`.
@@ -85,7 +83,6 @@ impl<T: Lane> Default for Workspace<T> {
             past_base: Vec::new(),
             base_rests: Vec::new(),
             past_rests: Vec::new(),
-            end_rests: Vec::new(),
             stages: std::array::from_fn(|_| Stage::default()),
             last_stage: 0,
             roots: [Frame::default(); MAX_LANES],

@@ -73,8 +73,7 @@ fn all_instruction_sets_and_workers_give_the_same_bits_and_reports() {
         let count = |of: fn(&superhelix::solver::report::StepReport) -> u32| reports.iter().map(of).sum::<u32>();
         assert!(count(|report| report.quarantined) >= 7, "{reports:?}");
         if integrator != Integrator::LinearlyImplicit {
-            assert!(count(|report| report.subdivided) >= 10, "{reports:?}");
-            assert!(reports.iter().all(|report| report.max_iterations > 12), "{reports:?}");
+            assert!(count(|report| report.subdivided) >= 8 && count(|report| report.unconverged) >= 2, "{reports:?}");
         }
         for set in instruction_sets() {
             for workers in [
