@@ -55,7 +55,11 @@ fn trajectories_are_those_of_double_precision_at_every_step() {
             let single = tips(&case, Precision::F32, per_output);
             let off = apart(&single, &double) / length;
             let [error64, error32] = [&double, &single].map(|tips| apart(tips, &case.tips) / length);
-            println!("{} at 1/{} s: f32 from f64 {off:.1e} L; from the oracle {error64:.2e} and {error32:.2e}", case.name, 60 * per_output);
+            println!(
+                "{} at 1/{} s: f32 from f64 {off:.1e} L; from the oracle {error64:.2e} and {error32:.2e}",
+                case.name,
+                60 * per_output
+            );
             assert!(off < TRAJECTORY, "{} at 1/{} s: {off:e}", case.name, 60 * per_output);
             assert!(error32 < error64 + TRAJECTORY);
         }
@@ -67,8 +71,7 @@ fn hanging(count: usize) -> StrandDef {
     let mut def = StrandDef::straight(0.2, count);
     def.natural = vec![[3.0, 25.0, 0.0]; count];
     def.material = Material { youngs_modulus: 1e9, viscosity: 2e-3, air_drag: 5e-6, ..Material::default() };
-    def.root =
-        Frame { rotation: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.6), ..Frame::default() };
+    def.root = Frame { rotation: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.6), ..Frame::default() };
     def
 }
 

@@ -63,11 +63,21 @@ impl Table {
         let def = hair.strand(elements, false);
         let [double, single] = [Precision::F64, Precision::F32].map(|precision| run(&def, &way, precision, false));
         let weight = def.material.linear_density() * 9.81 * hair.length * hair.length;
-        let [off64, off32] = [&double, &single].map(|course| (course.energies[course.energies.len() - 1] - course.energies[0]) / weight);
+        let [off64, off32] =
+            [&double, &single].map(|course| (course.energies[course.energies.len() - 1] - course.energies[0]) / weight);
         self.line("energy", hair, elements, &way, [off32 * hair.length, off64 * hair.length], &double, &single);
     }
 
-    fn line(&mut self, study: &str, hair: &Hair, elements: usize, way: &Way, values: [f64; 2], double: &run::Course, single: &run::Course) {
+    fn line(
+        &mut self,
+        study: &str,
+        hair: &Hair,
+        elements: usize,
+        way: &Way,
+        values: [f64; 2],
+        double: &run::Course,
+        single: &run::Course,
+    ) {
         let [a, b] = values.map(|value| value / hair.length);
         let [unconverged, subdivided, quarantined] = single.failures;
         let line = format!(

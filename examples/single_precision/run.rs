@@ -88,9 +88,8 @@ fn total(solver: &Solver, id: StrandId) -> f64 {
 
 /// The largest distance of any two like points at any two like times, and at the end.
 pub fn apart(a: &Course, b: &Course) -> (f64, f64) {
-    let distance = |x: &[Vector3<f64>; POINTS], y: &[Vector3<f64>; POINTS]| {
-        x.iter().zip(y).map(|(x, y)| (x - y).norm()).fold(0.0, f64::max)
-    };
+    let distance =
+        |x: &[Vector3<f64>; POINTS], y: &[Vector3<f64>; POINTS]| x.iter().zip(y).map(|(x, y)| (x - y).norm()).fold(0.0, f64::max);
     let all = a.frames.iter().zip(&b.frames).map(|(x, y)| distance(x, y));
     let last = a.frames.last().zip(b.frames.last()).map_or(0.0, |(x, y)| distance(x, y));
     (all.fold(0.0, f64::max), last)

@@ -76,13 +76,8 @@ fn all_instruction_sets_and_workers_give_the_same_bits_and_reports() {
             assert!(count(|report| report.subdivided) >= 8 && count(|report| report.unconverged) >= 2, "{reports:?}");
         }
         for set in instruction_sets() {
-            for workers in [
-                Workers::Serial,
-                Workers::Pool(2),
-                Workers::Pool(3),
-                Workers::Pool(8),
-                Workers::Host(Arc::new(Host)),
-            ] {
+            for workers in [Workers::Serial, Workers::Pool(2), Workers::Pool(3), Workers::Pool(8), Workers::Host(Arc::new(Host))]
+            {
                 let name = format!("{integrator:?} {precision:?} {set:?} {workers:?}");
                 let (others, other) = run(set, workers);
                 assert_eq!(others, reports, "{name}");
@@ -138,11 +133,16 @@ fn together(options: SolverOptions, defs: &[StrandDef], steps: u32) -> Vec<Vec<u
 fn packs_of_every_size_give_each_strand_what_it_gets_alone() {
     let defs: Vec<_> = (0..17).map(alike).collect();
     for precision in [Precision::F64, Precision::F32] {
-        let alone: Vec<_> =
-            defs.iter().map(|def| together(options(precision, InstructionSet::Scalar), std::slice::from_ref(def), 4).remove(0)).collect();
+        let alone: Vec<_> = defs
+            .iter()
+            .map(|def| together(options(precision, InstructionSet::Scalar), std::slice::from_ref(def), 4).remove(0))
+            .collect();
         for set in instruction_sets() {
             for size in 1..=17 {
-                assert!(together(options(precision, set), &defs[..size], 4) == alone[..size], "{precision:?} {set:?}, {size} strands");
+                assert!(
+                    together(options(precision, set), &defs[..size], 4) == alone[..size],
+                    "{precision:?} {set:?}, {size} strands"
+                );
             }
         }
     }
@@ -171,11 +171,8 @@ fn a_lane_that_has_converged_is_not_disturbed_by_slow_and_by_failing_ones() {
         assert!(slowest >= 3, "{precision:?}: {slowest}");
         let calm = |k: u64| k != 2 && k != 5;
         let without: Vec<_> = defs.iter().filter(|def| calm(def.user_data)).cloned().collect();
-        let all: Vec<_> = together(options.clone(), &defs, 6)
-            .into_iter()
-            .zip(0..)
-            .filter_map(|(bits, k)| calm(k).then_some(bits))
-            .collect();
+        let all: Vec<_> =
+            together(options.clone(), &defs, 6).into_iter().zip(0..).filter_map(|(bits, k)| calm(k).then_some(bits)).collect();
         assert!(all == together(options, &without, 6), "{precision:?}");
     }
 }

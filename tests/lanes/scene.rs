@@ -47,7 +47,10 @@ pub fn swayed(k: u64, step: u32) -> Frame {
     let wave = 1.0 - (((t / 6.0) % 2.0) - 1.0).abs();
     let reach = if k.is_multiple_of(3) { 0.9 } else { 0.05 };
     let head = turn(0.0, 0.0, reach * wave);
-    Frame { origin: head * Vector3::new(0.09, 0.1 * reach * wave, 0.0), rotation: head * turn(0.0, 0.4 + 0.03 * (k % 40) as f64, 0.0) }
+    Frame {
+        origin: head * Vector3::new(0.09, 0.1 * reach * wave, 0.0),
+        rotation: head * turn(0.0, 0.4 + 0.03 * (k % 40) as f64, 0.0),
+    }
 }
 
 /// The frame of a root that is thrown so far that no number of its strand stays finite.
@@ -67,8 +70,7 @@ pub fn bits(solver: &Solver, id: StrandId) -> Vec<u64> {
     let rows = [solver.curvatures(id).unwrap(), solver.rates(id).unwrap()];
     let numbers = rows.into_iter().flatten().flatten().copied();
     let numbers = numbers.chain(wrench.force.iter().chain(wrench.torque.iter()).copied());
-    let mut bits: Vec<u64> =
-        numbers.chain([energies.kinetic, energies.elastic, energies.gravity]).map(f64::to_bits).collect();
+    let mut bits: Vec<u64> = numbers.chain([energies.kinetic, energies.elastic, energies.gravity]).map(f64::to_bits).collect();
     bits.push(u64::from(solver.iterations(id).unwrap()));
     bits.push(solver.status(id).unwrap() as u64);
     bits
