@@ -15,6 +15,7 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo run --quiet --locked --release --example quadrature -- angles docs/figures/quadrature_angles.csv
   cargo run --quiet --locked --release --example quadrature -- motions docs/figures/quadrature_motions.csv
   scripts/quadrature_cost.sh
+  cargo run --quiet --locked --release --example single_precision -- docs/figures/single_precision.csv
   VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test validation_statics --test validation_vibration \
     --test validation_dynamics --test validation_whirl
   cargo run --quiet --locked --release --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
@@ -26,3 +27,4 @@ fi
 scripts/python_env.sh
 build/venv/bin/python docs/figures/plot.py
 build/venv/bin/python docs/figures/plot_validation.py
+build/venv/bin/python docs/figures/plot_single_precision.py

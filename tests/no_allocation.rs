@@ -1,5 +1,5 @@
-//! A step allocates nothing once its scratch memory has grown: not alone, not on threads, not in parts. (It grows again when a strand is
-//! bent further than ever before, and needs more quadrature points.)
+//! A step allocates nothing once its scratch memory has grown: not alone, not on threads, not in parts, with no instruction set and in
+//! no precision. (It grows again when a strand is bent further than ever before, and needs more quadrature points.)
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -7,6 +7,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::math::frame::Frame;
+use superhelix::math::lane::Precision;
+use superhelix::math::lanes::InstructionSet;
 use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
@@ -48,9 +50,10 @@ fn swayed(t: f64) -> Frame {
 }
 
 /// Allocations in the steps after the first few.
-fn allocations(integrator: Integrator, workers: Workers, error_tolerance: f64) -> u64 {
-    let mut options = SolverOptions { workers, ..SolverOptions::default() };
+fn allocations(integrator: Integrator, workers: Workers, error_tolerance: f64, set: InstructionSet, precision: Precision) -> u64 {
+    let mut options = SolverOptions { workers, instruction_set: Some(set), ..SolverOptions::default() };
     (options.step.integrator, options.step.error_tolerance) = (integrator, error_tolerance);
+    options.step.precision = precision;
     let mut solver = Solver::new(options).unwrap();
     let defs: Vec<StrandDef> = (0..64)
         .map(|k| {
@@ -82,15 +85,24 @@ fn allocations(integrator: Integrator, workers: Workers, error_tolerance: f64) -
 // One test: the counter is the process's.
 #[test]
 fn steps_do_not_allocate() {
+    let best = InstructionSet::detected();
     for integrator in [Integrator::LinearlyImplicit, Integrator::ImplicitEuler, Integrator::SecondOrder] {
-        let serial = allocations(integrator, Workers::Serial, 0.0);
-        let threads = allocations(integrator, Workers::Pool(3), 0.0);
+        let serial = allocations(integrator, Workers::Serial, 0.0, best, Precision::F64);
+        let threads = allocations(integrator, Workers::Pool(3), 0.0, best, Precision::F64);
         println!("{integrator:?}: {serial} in 60 calls, {threads} on three threads");
         assert_eq!(serial, 0, "{integrator:?}");
         // rayon's queue takes a block now and then, and a thread that comes late grows its scratch memory; 7680 strand-steps do not (each memory once: some hundred pieces).
         assert!(threads <= 400, "{integrator:?}: {threads} on threads");
     }
-    let parts = allocations(Integrator::SecondOrder, Workers::Serial, 1e-5);
-    println!("in parts: {parts}");
-    assert_eq!(parts, 0);
+    for precision in [Precision::F64, Precision::F32] {
+        let parts = allocations(Integrator::SecondOrder, Workers::Serial, 1e-5, best, precision);
+        println!("{precision:?} in parts: {parts}");
+        assert_eq!(parts, 0);
+        for set in [InstructionSet::Scalar, InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512] {
+            if set <= best {
+                let packs = allocations(Integrator::SecondOrder, Workers::Serial, 0.0, set, precision);
+                assert_eq!(packs, 0, "{set:?} {precision:?}");
+            }
+        }
+    }
 }

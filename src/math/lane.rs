@@ -74,6 +74,13 @@ pub trait Lane:
     fn larger(self, other: Self) -> Self {
         Self::select(self.less(other), other, self)
     }
+    /// The rounded sum of two numbers, and exactly what rounding left off (Knuth's two-sum).
+    #[inline(always)]
+    fn sum_and_rest(self, other: Self) -> (Self, Self) {
+        let sum = self + other;
+        let gone = sum - self;
+        (sum, (self - (sum - gone)) + (other - gone))
+    }
     /// A value a lane.
     #[inline(always)]
     fn from_lanes(mut value: impl FnMut(usize) -> f64) -> Self {

@@ -238,9 +238,13 @@ pub(crate) fn weights(model: &StrandModel, rule_weights: &[f64], gravity: Vector
 
 /// The springs of a proximal step of k seconds from where the kinematics are.
 fn draw_on(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>, k: f64, iterate: &mut Iterate<f64>) {
-    let Iterate { kinematics, system, point_target, curvature_target, .. } = iterate;
+    let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, .. } = iterate;
     let points = kinematics.points.len();
     system.resize(model.element_count(), points);
+    point_base.clear();
+    point_base.resize(points, Vec3::zero());
+    curvature_base.clear();
+    curvature_base.resize(model.element_count(), [0.0; 3]);
     point_target.resize(points, Vec3::zero());
     curvature_target.clear();
     curvature_target.extend_from_slice(&model.natural);

@@ -9,7 +9,7 @@ use super::stages;
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome};
 use crate::chain::system::LinearSolve;
-use crate::math::lane::{Lane, MAX_LANES};
+use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::vector::Vec3;
 use crate::rod::velocity::{self, RootMotion};
 
@@ -86,12 +86,20 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
     let stage = &mut stages[0];
     stage.resize(loaded.lengths.len(), points);
     iterate.curvatures.resize(loaded.lengths.len(), [T::zero(); 3]);
+    if T::PRECISION == Precision::F32 {
+        iterate.rests.resize(loaded.lengths.len(), [T::zero(); 3]);
+    }
     for (element, row) in iterate.curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
             if freedoms.contains(axis) {
                 let rate = loaded.rates[element][axis] + iterate.change[element][axis];
                 stage.rates[element][axis] = rate;
-                row[axis] = loaded.curvatures[element][axis] + step * rate;
+                if T::PRECISION == Precision::F32 {
+                    let change = step * rate + loaded.rests[element][axis];
+                    (row[axis], iterate.rests[element][axis]) = loaded.curvatures[element][axis].sum_and_rest(change);
+                } else {
+                    row[axis] = loaded.curvatures[element][axis] + step * rate;
+                }
             } else {
                 stage.rates[element][axis] = T::zero();
                 row[axis] = loaded.natural[element][axis];

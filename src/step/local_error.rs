@@ -1,5 +1,5 @@
 //! The error that one step adds to the positions of a strand's points, told from the step itself (Milne's device; Hairer, Nørsett and
-//! Wanner 1993, section III.7). Positions are relative to the root's origin at the step's start, world axes.
+//! Wanner 1993, section III.7). World axes.
 
 use super::tableau::Tableau;
 use super::workspace::Workspace;
@@ -19,8 +19,9 @@ pub fn of_backward_differences<T: Lane>(ratio: T, offset: Vec3<T>, workspace: &W
     let mut worst = T::zero();
     for (p, point) in workspace.iterate.kinematics.points.iter().enumerate() {
         let (now, then) = (workspace.loaded.velocities[p], workspace.loaded.past_velocities[p]);
-        let predicted = workspace.base[p] + now.scale(h) + (now - then).scale(bend);
-        worst = worst.larger((point.position + offset - predicted).norm_squared());
+        let predicted = now.scale(h) + (now - then).scale(bend);
+        let moved = (point.position - workspace.iterate.point_base[p]) + offset;
+        worst = worst.larger((moved - predicted).norm_squared());
     }
     share * worst.sqrt()
 }

@@ -1,7 +1,8 @@
 //! The strands that take a step side by side, one a lane, and the way of their numbers into the lanes and back.
 //!
 //! In f32 every strand gets units of its own, powers of two near its length, its mass and the step, so that its numbers are of order one
-//! and nothing is lost on the way: f32 has too few exponents for the product of a hair's stiffness and a short step's square.
+//! and nothing is lost on the way: f32 has too few exponents for the product of a hair's stiffness and a short step's square. Curvatures
+//! go there and back in two parts, a rounded one and the rest, so that small changes add up over many steps.
 
 use super::options::Integrator;
 use super::state::{StrandState, rotation_matrix};
@@ -160,8 +161,12 @@ pub struct Loaded<T> {
     pub velocities: Vec<Vec3<T>>,
     /// The root's rotation.
     pub rotation: Mat3<T>,
+    /// What rounding leaves off κ (f32 only).
+    pub rests: Vec<[T; 3]>,
     /// κ a step ago.
     pub past_curvatures: Vec<[T; 3]>,
+    /// What rounding leaves off κ a step ago (f32 only).
+    pub past_rests: Vec<[T; 3]>,
     /// v a step ago.
     pub past_velocities: Vec<Vec3<T>>,
     /// The root's rotation a step ago.
@@ -194,7 +199,9 @@ impl<T: Lane> Default for Loaded<T> {
             rates: Vec::new(),
             velocities: Vec::new(),
             rotation: Mat3::zero(),
+            rests: Vec::new(),
             past_curvatures: Vec::new(),
+            past_rests: Vec::new(),
             past_velocities: Vec::new(),
             past_rotation: Mat3::zero(),
             past_offset: Vec3::zero(),
@@ -221,6 +228,16 @@ fn put<T: Lane>(to: &mut [T; 3], lane: usize, from: &[f64; 3], factor: f64) {
 fn put_rows<T: Lane>(to: &mut [[T; 3]], lane: usize, from: &[[f64; 3]], factor: f64) {
     for (to, from) in to.iter_mut().zip(from) {
         put(to, lane, from, factor);
+    }
+}
+
+/// What rounding left off rows that were put into a lane.
+#[inline(always)]
+fn put_rests<T: Lane>(to: &mut [[T; 3]], lane: usize, from: &[[f64; 3]], factor: f64, rounded: &[[T; 3]]) {
+    for ((to, from), rounded) in to.iter_mut().zip(from).zip(rounded) {
+        for axis in 0..3 {
+            to[axis].set_lane(lane, from[axis] * factor - rounded[axis].lane(lane));
+        }
     }
 }
 
@@ -274,6 +291,12 @@ impl<T: Lane> Loaded<T> {
             self.past_curvatures.resize(elements, [T::zero(); 3]);
             self.past_velocities.resize(points, Vec3::zero());
         }
+        if T::PRECISION == Precision::F32 {
+            self.rests.resize(elements, [T::zero(); 3]);
+            if reads.past {
+                self.past_rests.resize(elements, [T::zero(); 3]);
+            }
+        }
         (self.has_drag, self.has_dissipation) = (false, [false; 3]);
         for lane in 0..T::LANES {
             let member = if lane < self.count { lane } else { 0 };
@@ -316,12 +339,18 @@ impl<T: Lane> Loaded<T> {
         put_rows(&mut self.natural, lane, &model.natural, length);
         put_rows(&mut self.curvatures, lane, &state.curvatures, length);
         put_rows(&mut self.rates, lane, &state.rates, length * time);
+        if T::PRECISION == Precision::F32 {
+            put_rests(&mut self.rests, lane, &state.curvatures, length, &self.curvatures);
+        }
         put_rotation(&mut self.rotation, lane, &state.root);
         if reads.velocities {
             put_vectors(&mut self.velocities, lane, &state.velocities, 1.0 / units.speed());
         }
         if reads.past {
             put_rows(&mut self.past_curvatures, lane, &state.past.curvatures, length);
+            if T::PRECISION == Precision::F32 {
+                put_rests(&mut self.past_rests, lane, &state.past.curvatures, length, &self.past_curvatures);
+            }
             put_vectors(&mut self.past_velocities, lane, &state.past.velocities, 1.0 / units.speed());
             put_rotation(&mut self.past_rotation, lane, &state.past.root);
             put_offset(&mut self.past_offset, lane, &state.root, &state.past.root, &units);

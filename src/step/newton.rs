@@ -18,7 +18,7 @@ use crate::chain::dense::{Dense, DenseMethod};
 use crate::chain::displacement;
 use crate::chain::elimination::Elimination;
 use crate::chain::system::{ChainSystem, Direction, LinearSolve};
-use crate::math::lane::{Kernel, Lane, MAX_LANES};
+use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
@@ -30,6 +30,13 @@ const SHORTENED_AT_MOST: f64 = 20.0;
 const QUADRATIC: f64 = 50.0;
 /// Where the iterations themselves show a larger constant, this times what they show is taken.
 const QUADRATIC_SAFETY: f64 = 3.0;
+/// In f32 an iteration that goes its whole way undamped, turns by no more than this, rad, and by no less than [`STALLED`] of what the last
+/// turned by, has come to where only rounding moves it.
+const ROUNDING_AT_MOST: f64 = 1e-3;
+/// See [`ROUNDING_AT_MOST`].
+const STALLED: f64 = 0.25;
+/// How far rounding alone may leave an element of a strand of N elements, rad: this times N + 8 distances from 1 to the next number.
+const ROUNDING: f64 = 2.0;
 /// Dampings tried in an iteration: 4⁴⁰ spans all of f64 that matters.
 const MAX_DAMPINGS: u32 = 40;
 /// Armijo's fraction of the promised descent.
@@ -68,14 +75,25 @@ pub struct Iterate<T> {
     pub trial: Kinematics<T>,
     /// Stiffnesses and forces.
     pub system: ChainSystem<T>,
-    /// Where each quadrature point is drawn to, relative to the root's new origin, world axes.
+    /// Where each quadrature point was when the step began, relative to the root's origin then. What happens in a step is told as
+    /// differences from here: they keep their digits however short the step is.
+    pub point_base: Vec<Vec3<T>>,
+    /// What each curvature was when the step began.
+    pub curvature_base: Vec<[T; 3]>,
+    /// Where each point is drawn to from its base, its position then being relative to the root's new origin, world axes.
     pub point_target: Vec<Vec3<T>>,
-    /// Where each curvature is drawn to.
+    /// Where each curvature is drawn to from its base.
     pub curvature_target: Vec<[T; 3]>,
     /// The accepted curvatures.
     pub curvatures: Vec<[T; 3]>,
     /// The curvatures on trial.
     pub trial_curvatures: Vec<[T; 3]>,
+    /// What rounding left off the accepted curvatures (f32 only).
+    pub rests: Vec<[T; 3]>,
+    /// By how much each point is further on for it, to first order: J·rests (f32 only).
+    pub point_rests: Vec<Vec3<T>>,
+    /// The same of the curvatures on trial.
+    pub trial_rests: Vec<[T; 3]>,
     /// Newton's direction.
     pub change: Vec<[T; 3]>,
     /// Tension that is laid aside.
@@ -88,10 +106,15 @@ impl<T: Lane> Default for Iterate<T> {
             kinematics: Kinematics::default(),
             trial: Kinematics::default(),
             system: ChainSystem::default(),
+            point_base: Vec::new(),
+            curvature_base: Vec::new(),
             point_target: Vec::new(),
             curvature_target: Vec::new(),
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
+            rests: Vec::new(),
+            point_rests: Vec::new(),
+            trial_rests: Vec::new(),
             change: Vec::new(),
             spare_tension: Vec::new(),
         }
@@ -170,6 +193,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
 ) {
     it.system.exact = options.exact_hessian && problem.tension_at_start;
     it.system.point_tension.clear();
+    place_rests(it);
     let (value, noise) = start;
     let usual = usual_damping(it);
     let mut control = Control {
@@ -179,6 +203,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         before: [None; MAX_LANES],
         gone: [0.0; MAX_LANES],
     };
+    let rounding = ROUNDING * T::PRECISION.constants().epsilon * (it.kinematics.elements.len() + 8) as f64;
     let mut running = active;
     for lane in lanes(active) {
         outcomes[lane] = StrandOutcome::default();
@@ -196,6 +221,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         let found = damped_direction(it, problem.axes, solver, &mut control, running);
         let mut part = [0.0; MAX_LANES];
         let mut rotations = [0.0; MAX_LANES];
+        let mut trusted = 0;
         for lane in lanes(running) {
             let (outcome, rotation) = (&mut outcomes[lane], found.rotation_squared.lane(lane).sqrt());
             outcome.iterations = iteration;
@@ -208,11 +234,17 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             outcome.residual = rotation;
             rotations[lane] = rotation;
             part[lane] = if rotation > S::ROTATION_LIMIT { S::ROTATION_LIMIT / rotation } else { 1.0 };
+            // So near the end an f32's potential says nothing but rounding, and the whole way is the right one.
+            if T::PRECISION == Precision::F32 && rotation <= ROUNDING_AT_MOST && found.repaired.lane(lane) == 0.0 {
+                trusted |= 1 << lane;
+            }
         }
         // Lanes with no way down that rounding lets us see are as good as their potential can tell.
-        running &= !walk(problem, it, &mut control, &found, part, running);
+        running &= !walk(problem, it, &mut control, &found, part, running, trusted);
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
+        std::mem::swap(&mut it.rests, &mut it.trial_rests);
+        place_rests(it);
         let mut to_check = 0;
         for lane in lanes(running) {
             let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
@@ -228,7 +260,16 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             let quadratic = newton && it.system.exact;
             let left = constant(rotation, control.before[lane]) * rotation;
             outcome.residual = if quadratic { rotation * left.min(1.0) } else { rotation };
+            if T::PRECISION == Precision::F32 {
+                let stalled = control.before[lane].is_some_and(|before| rotation >= STALLED * before);
+                if newton && stalled && rotation <= ROUNDING_AT_MOST && outcome.residual > options.tolerance {
+                    (outcome.residual, outcome.converged) = (rotation, true);
+                    running &= !(1 << lane);
+                    continue;
+                }
+            }
             if outcome.residual <= options.tolerance {
+                outcome.residual = outcome.residual.max(rounding);
                 if newton {
                     outcome.converged = true;
                     running &= !(1 << lane);
@@ -271,7 +312,13 @@ pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T
     if T::all(better) {
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
+        std::mem::swap(&mut it.rests, &mut it.trial_rests);
         return second;
+    }
+    for (row, trial) in it.rests.iter_mut().zip(&it.trial_rests) {
+        for axis in 0..3 {
+            row[axis] = T::select(better, trial[axis], row[axis]);
+        }
     }
     for (row, trial) in it.curvatures.iter_mut().zip(&it.trial_curvatures) {
         for axis in 0..3 {
@@ -325,13 +372,14 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
     loop {
         it.system.rotation_stiffness = T::from_lanes(|lane| control.damping[lane].value);
         let found = solver.solve(&it.kinematics, &it.system, axes, &mut it.change);
-        // The dense solves repair by eigenvalues and know no damping; a direction that is not finite stays so. A lane that does keeps
-        // its damping, and gets the same direction again.
+        // The dense solves repair by eigenvalues and know no damping. A lane that is good keeps its damping, and gets the same direction
+        // again.
         let mut good = true;
         if S::DAMPED && tries < MAX_DAMPINGS {
             for lane in lanes(running) {
                 let squared = found.rotation_squared.lane(lane);
-                if squared.is_finite() && (found.repaired.lane(lane) != 0.0 || squared > largest) {
+                // Too large for a number is too large.
+                if found.repaired.lane(lane) != 0.0 || !(squared <= largest) {
                     control.damping[lane].grow();
                     good = false;
                 }
@@ -345,7 +393,7 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
 }
 
 /// Goes along the direction, `part` of it at first, halving until the potential falls enough; the trial state is then where it is. The
-/// lanes that found no way down are told, and stay where they are, as those that do not run.
+/// lanes that found no way down are told, and stay where they are, as those that do not run. `trusted` lanes go the whole way unseen.
 #[inline(always)]
 fn walk<T: Lane>(
     problem: &Problem<T>,
@@ -354,6 +402,7 @@ fn walk<T: Lane>(
     found: &Direction<T>,
     mut part: [f64; MAX_LANES],
     running: u32,
+    trusted: u32,
 ) -> u32 {
     let mut pending = running;
     let mut moving = running;
@@ -362,7 +411,8 @@ fn walk<T: Lane>(
         for lane in lanes(pending) {
             let from = control.potential[lane];
             let trial = Potential { value: value.lane(lane), noise: noise.lane(lane) };
-            if trial.value <= from.value - ARMIJO * part[lane] * found.descent.lane(lane) + from.noise {
+            let falls = trial.value <= from.value - ARMIJO * part[lane] * found.descent.lane(lane) + from.noise;
+            if falls || trusted >> lane & 1 == 1 {
                 control.next[lane] = trial;
                 control.gone[lane] = part[lane];
                 pending &= !(1 << lane);
@@ -385,6 +435,18 @@ fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64;
     let share = T::from_lanes(|lane| part[lane]);
     let moving = T::mask(moving);
     it.trial_curvatures.clone_from(&it.curvatures);
+    if T::PRECISION == Precision::F32 {
+        it.trial_rests.clone_from(&it.rests);
+        for (element, row) in it.trial_curvatures.iter_mut().enumerate() {
+            for axis in problem.axes {
+                let way = share * it.change[element][*axis] + it.rests[element][*axis];
+                let (sum, rest) = row[*axis].sum_and_rest(way);
+                row[*axis] = T::select(moving, sum, row[*axis]);
+                it.trial_rests[element][*axis] = T::select(moving, rest, it.rests[element][*axis]);
+            }
+        }
+        return place_trial(problem, it);
+    }
     for (row, change) in it.trial_curvatures.iter_mut().zip(&it.change) {
         for axis in 0..3 {
             row[axis] = T::select(moving, row[axis] + share * change[axis], row[axis]);
@@ -430,15 +492,24 @@ fn usual_damping<T: Lane>(it: &Iterate<T>) -> T {
 /// Places the accepted state; its potential and the rounding of it.
 #[inline(always)]
 pub fn place_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
-    let Iterate { kinematics, system, point_target, curvature_target, curvatures, .. } = it;
-    T::call(Place { problem, kinematics, curvatures, system, point_target, curvature_target })
+    let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
+    T::call(Place { problem, kinematics, curvatures, system, point_base, curvature_base, point_target, curvature_target })
 }
 
 /// Places the state on trial.
 #[inline(always)]
 fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
-    let Iterate { trial, system, point_target, curvature_target, trial_curvatures, .. } = it;
-    T::call(Place { problem, kinematics: trial, curvatures: trial_curvatures, system, point_target, curvature_target })
+    let Iterate { trial, system, point_base, curvature_base, point_target, curvature_target, trial_curvatures, .. } = it;
+    T::call(Place {
+        problem,
+        kinematics: trial,
+        curvatures: trial_curvatures,
+        system,
+        point_base,
+        curvature_base,
+        point_target,
+        curvature_target,
+    })
 }
 
 /// Brings kinematics to curvatures, and evaluates the potential there.
@@ -447,6 +518,8 @@ struct Place<'a, T> {
     kinematics: &'a mut Kinematics<T>,
     curvatures: &'a [[T; 3]],
     system: &'a ChainSystem<T>,
+    point_base: &'a [Vec3<T>],
+    curvature_base: &'a [[T; 3]],
     point_target: &'a [Vec3<T>],
     curvature_target: &'a [[T; 3]],
 }
@@ -461,14 +534,14 @@ impl<T: Lane> Kernel for Place<'_, T> {
         let mut lever = T::zero();
         for (p, point) in self.kinematics.points.iter().enumerate() {
             let stiffness = self.system.point_stiffness[p];
-            let off = point.position - self.point_target[p];
+            let off = (point.position - self.point_base[p]) - self.point_target[p];
             let square = off.norm_squared();
             value += half * stiffness * square;
             lever += stiffness * (square * point.position.norm_squared()).sqrt();
         }
         for (element, row) in self.curvatures.iter().enumerate() {
             for axis in 0..3 {
-                let off = row[axis] - self.curvature_target[element][axis];
+                let off = (row[axis] - self.curvature_base[element][axis]) - self.curvature_target[element][axis];
                 value += half * self.system.curvature_stiffness[element][axis] * off * off;
             }
         }
@@ -476,19 +549,60 @@ impl<T: Lane> Kernel for Place<'_, T> {
     }
 }
 
+/// In f32: where what rounding left off the accepted curvatures puts the points. The potential does not see it: its own rounding is no
+/// finer; the forces do, so that an iteration's direction is of the step's changes and not of what rounding makes anew each time.
+#[inline(always)]
+fn place_rests<T: Lane>(it: &mut Iterate<T>) {
+    if T::PRECISION == Precision::F32 {
+        let Iterate { kinematics, rests, point_rests, .. } = it;
+        point_rests.resize(kinematics.points.len(), Vec3::zero());
+        T::call(PlaceRests { kinematics, rests, point_rests });
+    }
+}
+
+struct PlaceRests<'a, T> {
+    kinematics: &'a Kinematics<T>,
+    rests: &'a [[T; 3]],
+    point_rests: &'a mut [Vec3<T>],
+}
+
+impl<T: Lane> Kernel for PlaceRests<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let point_rests = self.point_rests;
+        displacement::for_each_point(self.kinematics, self.rests, |p, moved| point_rests[p] = moved);
+    }
+}
+
 /// The forces of the springs at the accepted state.
 #[inline(always)]
 pub fn forces<T: Lane>(it: &mut Iterate<T>) {
-    let Iterate { kinematics, system, point_target, curvature_target, curvatures, .. } = it;
-    T::call(Forces { kinematics, system, point_target, curvature_target, curvatures });
+    let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
+    let (rests, point_rests) = (&it.rests, &it.point_rests);
+    T::call(Forces {
+        kinematics,
+        system,
+        point_base,
+        curvature_base,
+        point_target,
+        curvature_target,
+        curvatures,
+        rests,
+        point_rests,
+    });
 }
 
 struct Forces<'a, T> {
     kinematics: &'a Kinematics<T>,
     system: &'a mut ChainSystem<T>,
+    point_base: &'a [Vec3<T>],
+    curvature_base: &'a [[T; 3]],
     point_target: &'a [Vec3<T>],
     curvature_target: &'a [[T; 3]],
     curvatures: &'a [[T; 3]],
+    rests: &'a [[T; 3]],
+    point_rests: &'a [Vec3<T>],
 }
 
 impl<T: Lane> Kernel for Forces<'_, T> {
@@ -496,12 +610,21 @@ impl<T: Lane> Kernel for Forces<'_, T> {
     #[inline(always)]
     fn run(self) {
         for (p, point) in self.kinematics.points.iter().enumerate() {
-            self.system.point_force[p] = (self.point_target[p] - point.position).scale(self.system.point_stiffness[p]);
+            let mut moved = point.position - self.point_base[p];
+            if T::PRECISION == Precision::F32 {
+                moved += self.point_rests[p];
+            }
+            let off = self.point_target[p] - moved;
+            self.system.point_force[p] = off.scale(self.system.point_stiffness[p]);
         }
         for (element, row) in self.curvatures.iter().enumerate() {
             for axis in 0..3 {
-                self.system.curvature_force[element][axis] =
-                    self.system.curvature_stiffness[element][axis] * (self.curvature_target[element][axis] - row[axis]);
+                let mut change = row[axis] - self.curvature_base[element][axis];
+                if T::PRECISION == Precision::F32 {
+                    change += self.rests[element][axis];
+                }
+                let off = self.curvature_target[element][axis] - change;
+                self.system.curvature_force[element][axis] = self.system.curvature_stiffness[element][axis] * off;
             }
         }
     }

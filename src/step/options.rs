@@ -64,7 +64,8 @@ pub struct StepOptions {
     /// Newton iterations a solve at most, 1 to 10000. A strand that needs more is reported as unconverged.
     pub max_iterations: u32,
     /// Converged when no element is estimated to be further than this from where the iteration would end, rad; above zero. Newton
-    /// converges quadratically, and the estimate counts on that (`docs/newton.md`).
+    /// converges quadratically, and the estimate counts on that (`docs/newton.md`). In f32 also where only rounding moves it on; the
+    /// outcome's residual then tells by how much, which may be above the tolerance (`docs/lanes.md`).
     pub tolerance: f64,
     /// Newton's matrix is the exact Hessian (tension included). False: Gauss–Newton, for comparison.
     pub exact_hessian: bool,

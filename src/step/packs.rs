@@ -31,8 +31,12 @@ pub fn take(
     set: InstructionSet,
     scratch: &mut Scratch,
 ) -> [StrandOutcome; MAX_LANES] {
-    let count = members.count();
     let rule = &mut scratch.rule;
+    #[cfg(target_arch = "x86_64")]
+    let count = members.count();
+    // Registers of one width only.
+    #[cfg(target_arch = "aarch64")]
+    let _ = set;
     // The narrowest registers that hold all: a wide instruction costs more than a narrow one.
     #[cfg(target_arch = "x86_64")]
     match (setting.options.precision, set) {
@@ -54,7 +58,7 @@ pub fn take(
     }
     #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
     {
-        let _ = (members, setting, h, set, count, rule);
+        let _ = (members, setting, h, set, rule);
         unreachable!("no packs on this kind of machine")
     }
 }

@@ -3,6 +3,9 @@
 //! is least, k = γh: implicit Euler over k from a displaced start r̃ = r_t + hΣaᵢⱼVⱼ, ṽ = v_t + hΣaᵢⱼAⱼ, q̃ = q_t + hΣaᵢⱼq̇ⱼ, where
 //! Vᵢ = (r − r̃)/k, Aᵢ = (Vᵢ − ṽ)/k, q̇ᵢ = (q − q̃)/k. r̃ need not be a shape of the strand: it is where each point is drawn to.
 //! Velocity products need no code: they are in r(q). The root moves first, rigidly; r̃ stays in the world.
+//!
+//! r, r̃, q and q̃ are told from the step's start, as differences: what the step changes keeps its digits however short the step is. In
+//! f32 curvatures are pairs, a rounded part, which says where the points are, and the rest, which moves them by J·rest to first order.
 
 use super::members::{self, Loaded, Members, Reads};
 use super::newton::{self, Iterate, Problem};
@@ -10,13 +13,14 @@ use super::state::StrandState;
 use super::tableau::{self, Tableau};
 use super::workspace::{Stage, Workspace};
 use super::{Setting, StrandOutcome, local_error};
+use crate::chain::displacement;
 use crate::chain::system::LinearSolve;
 use crate::energy::{CurvatureQuadratic, PointQuadratic, drag, elastic, friction, gravity, inertia};
-use crate::math::lane::{Kernel, Lane, MAX_LANES};
+use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::freedoms::Freedoms;
-use crate::rod::kinematics;
+use crate::rod::kinematics::{self, Kinematics};
 
 /// Takes strands through a step of `h` seconds; the workspace then holds its end. See [`super::whole::take`].
 #[inline(always)]
@@ -84,22 +88,35 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(
     past_base(rule, workspace);
     base(rule, workspace);
 
-    let Workspace { loaded, stages, base, past_base, .. } = workspace;
+    let Workspace { loaded, iterate, stages, past_base, base_rests, past_rests, .. } = workspace;
     let (one, two) = (T::one(), T::splat(2.0));
     let ratio = loaded.step / loaded.past_step;
     let divisor = one / (one + two * ratio);
-    let (now, then) = ((one + ratio) * (one + ratio) * divisor, ratio * ratio * divisor);
+    // (1+ω)²/(1+2ω) is one more than this: from what is now, on by `then` of the last step's change. What does not change stays exactly.
+    let then = ratio * ratio * divisor;
     let stage = &mut stages[0];
-    stage.resize(loaded.lengths.len(), base.len());
-    for (p, start) in stage.start_positions.iter_mut().enumerate() {
-        *start = base[p].scale(now) - past_base[p].scale(then);
+    stage.resize(loaded.lengths.len(), past_base.len());
+    for (p, start) in stage.start_displacements.iter_mut().enumerate() {
+        let mut way = (iterate.point_base[p] - past_base[p]) - loaded.past_offset;
+        *start = Vec3::zero();
+        if T::PRECISION == Precision::F32 {
+            way += base_rests[p] - past_rests[p];
+            *start = base_rests[p];
+        }
+        *start += way.scale(then);
     }
     for (p, start) in stage.start_velocities.iter_mut().enumerate() {
-        *start = loaded.velocities[p].scale(now) - loaded.past_velocities[p].scale(then);
+        *start = loaded.velocities[p] + (loaded.velocities[p] - loaded.past_velocities[p]).scale(then);
     }
-    for (element, start) in stage.start_curvatures.iter_mut().enumerate() {
+    for (element, start) in stage.start_changes.iter_mut().enumerate() {
         for axis in 0..3 {
-            start[axis] = now * loaded.curvatures[element][axis] - then * loaded.past_curvatures[element][axis];
+            let mut way = loaded.curvatures[element][axis] - loaded.past_curvatures[element][axis];
+            start[axis] = T::zero();
+            if T::PRECISION == Precision::F32 {
+                way += loaded.rests[element][axis] - loaded.past_rests[element][axis];
+                start[axis] = loaded.rests[element][axis];
+            }
+            start[axis] += then * way;
         }
     }
 
@@ -187,7 +204,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
         let stage = &mut stage[0];
         let problem = Problem { root: rotation, lengths: &loaded.lengths, axes: &axes[..free], rule, tension_at_start: false };
         assemble_terms(times.k, offset, &rule.weights, loaded, stage, iterate);
-        lead(times.way, freedoms, loaded, before.last().map_or(&loaded.rates, |stage| &stage.rates), iterate);
+        lead(times.way, freedoms, loaded, before.last(), iterate);
         let start = newton::choose_start(&problem, iterate);
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
         newton::minimise(&problem, setting.options, iterate, solver, start, active, &mut outcomes);
@@ -205,50 +222,68 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
 /// Places the strands where the step found them.
 #[inline(always)]
 fn base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, iterate, base, .. } = workspace;
+    let Workspace { loaded, iterate, base_rests, .. } = workspace;
     T::call(Positions {
         rotation: &loaded.rotation,
         lengths: &loaded.lengths,
         curvatures: &loaded.curvatures,
-        offset: Vec3::zero(),
+        rests: &loaded.rests,
         rule,
-        positions: base,
+        kinematics: &mut iterate.kinematics,
+        positions: &mut iterate.point_base,
+        point_rests: base_rests,
     });
+    iterate.curvature_base.clone_from(&loaded.curvatures);
     iterate.curvatures.clone_from(&loaded.curvatures);
 }
 
 /// Places the strands where the step before found them.
 #[inline(always)]
 fn past_base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, past_base, .. } = workspace;
+    let Workspace { loaded, iterate, past_base, past_rests, .. } = workspace;
     T::call(Positions {
         rotation: &loaded.past_rotation,
         lengths: &loaded.lengths,
         curvatures: &loaded.past_curvatures,
-        offset: loaded.past_offset,
+        rests: &loaded.past_rests,
         rule,
+        kinematics: &mut iterate.kinematics,
         positions: past_base,
+        point_rests: past_rests,
     });
 }
 
-/// The positions of all points for given curvatures.
+/// The positions of all points for given curvatures, relative to the root's origin, and in f32 what the curvatures' rests add.
 struct Positions<'a, T> {
     rotation: &'a Mat3<T>,
     lengths: &'a [T],
     curvatures: &'a [[T; 3]],
-    offset: Vec3<T>,
+    rests: &'a [[T; 3]],
     rule: &'a Rule,
+    kinematics: &'a mut Kinematics<T>,
     positions: &'a mut Vec<Vec3<T>>,
+    point_rests: &'a mut Vec<Vec3<T>>,
 }
 
 impl<T: Lane> Kernel for Positions<'_, T> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
+        if T::PRECISION == Precision::F32 {
+            self.kinematics.update(self.rotation, self.lengths, self.curvatures, self.rule);
+            self.positions.resize(self.kinematics.points.len(), Vec3::zero());
+            for (position, point) in self.positions.iter_mut().zip(&self.kinematics.points) {
+                *position = point.position;
+            }
+            let point_rests = self.point_rests;
+            point_rests.resize(self.kinematics.points.len(), Vec3::zero());
+            displacement::for_each_point(self.kinematics, self.rests, |p, moved| point_rests[p] = moved);
+            return;
+        }
         self.positions.resize(self.lengths.len() * self.rule.len(), Vec3::zero());
-        let (positions, offset) = (self.positions, self.offset);
+        let positions = self.positions;
         kinematics::for_each_position(self.rotation, self.lengths, self.curvatures, self.rule, |p, position| {
-            positions[p] = position + offset;
+            positions[p] = position;
         });
     }
 }
@@ -280,20 +315,25 @@ fn tell_error<T: Lane>(error: T, members: &dyn Members, workspace: &Workspace<T>
 /// The displaced start of stage `index`: where it would be after the stages before it.
 #[inline(always)]
 fn displace<T: Lane>(index: usize, tableau: &Tableau, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, stages, base, .. } = workspace;
+    let Workspace { loaded, iterate, stages, base_rests, .. } = workspace;
     let (before, from_here) = stages.split_at_mut(index);
     let stage = &mut from_here[0];
-    stage.resize(loaded.lengths.len(), base.len());
-    stage.start_positions.clone_from(base);
+    stage.resize(loaded.lengths.len(), iterate.point_base.len());
     stage.start_velocities.clone_from(&loaded.velocities);
-    stage.start_curvatures.clone_from(&loaded.curvatures);
+    if T::PRECISION == Precision::F32 {
+        stage.start_displacements.clone_from(base_rests);
+        stage.start_changes.clone_from(&loaded.rests);
+    } else {
+        stage.start_displacements.fill(Vec3::zero());
+        stage.start_changes.fill([T::zero(); 3]);
+    }
     for (j, earlier) in before.iter().enumerate() {
         let share = loaded.step * T::splat(tableau.below[index][j]);
-        for p in 0..stage.start_positions.len() {
-            stage.start_positions[p] += earlier.velocities[p].scale(share);
+        for p in 0..stage.start_displacements.len() {
+            stage.start_displacements[p] += earlier.velocities[p].scale(share);
             stage.start_velocities[p] += earlier.accelerations[p].scale(share);
         }
-        for (row, rate) in stage.start_curvatures.iter_mut().zip(&earlier.rates) {
+        for (row, rate) in stage.start_changes.iter_mut().zip(&earlier.rates) {
             for axis in 0..3 {
                 row[axis] += share * rate[axis];
             }
@@ -306,15 +346,25 @@ fn displace<T: Lane>(index: usize, tableau: &Tableau, workspace: &mut Workspace<
 fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], iterate: &Iterate<T>, stage: &mut Stage<T>) {
     let inverse = T::one() / k;
     for (p, point) in iterate.kinematics.points.iter().enumerate() {
-        let reached = (point.position + offset - stage.start_positions[p]).scale(inverse);
-        stage.velocities[p] = reached;
-        stage.accelerations[p] = (reached - stage.start_velocities[p]).scale(inverse);
+        let mut moved = point.position - iterate.point_base[p];
+        if T::PRECISION == Precision::F32 {
+            moved += iterate.point_rests[p];
+        }
+        // As a change of ṽ: what is wrong with k and its inverse in the last digit must not act on the velocity step by step.
+        let start = stage.start_velocities[p];
+        let faster = ((moved + (offset - stage.start_displacements[p])) - start.scale(k)).scale(inverse);
+        stage.velocities[p] = start + faster;
+        stage.accelerations[p] = faster.scale(inverse);
     }
     for (element, row) in iterate.curvatures.iter().enumerate() {
         // A frozen curvature has no rate: the differences of the two-step start would leave it one, of rounding.
         let mut rate = [T::zero(); 3];
         for axis in axes {
-            rate[*axis] = (row[*axis] - stage.start_curvatures[element][*axis]) * inverse;
+            let mut change = row[*axis] - iterate.curvature_base[element][*axis];
+            if T::PRECISION == Precision::F32 {
+                change += iterate.rests[element][*axis];
+            }
+            rate[*axis] = (change - stage.start_changes[element][*axis]) * inverse;
         }
         stage.rates[element] = rate;
     }
@@ -322,14 +372,26 @@ fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], iterate: &Iterat
 
 /// Newton's two starts: where it is, and, on trial, where the rates lead. Frozen curvatures are natural.
 #[inline(always)]
-fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, rates: &[[T; 3]], iterate: &mut Iterate<T>) {
-    let Iterate { curvatures, trial_curvatures, .. } = iterate;
+fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, before: Option<&Stage<T>>, iterate: &mut Iterate<T>) {
+    let rates = before.map_or(&loaded.rates, |stage| &stage.rates);
+    let Iterate { curvatures, trial_curvatures, rests, trial_rests, .. } = iterate;
     trial_curvatures.resize(curvatures.len(), [T::zero(); 3]);
+    if T::PRECISION == Precision::F32 && before.is_none() {
+        rests.clone_from(&loaded.rests);
+    }
+    trial_rests.clone_from(rests);
     for (element, row) in curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
             if freedoms.contains(axis) {
-                trial_curvatures[element][axis] = row[axis] + way * rates[element][axis];
+                let change = way * rates[element][axis];
+                if T::PRECISION == Precision::F32 {
+                    let change = change + rests[element][axis];
+                    (trial_curvatures[element][axis], trial_rests[element][axis]) = row[axis].sum_and_rest(change);
+                } else {
+                    trial_curvatures[element][axis] = row[axis] + change;
+                }
             } else {
+                // What rounding leaves off it is as at the start, but for a host's change.
                 row[axis] = loaded.natural[element][axis];
                 trial_curvatures[element][axis] = row[axis];
             }
@@ -348,12 +410,13 @@ fn assemble_terms<T: Lane>(
     iterate: &mut Iterate<T>,
 ) {
     let Iterate { system, point_target, curvature_target, .. } = iterate;
-    let points = stage.start_positions.len();
+    let points = stage.start_displacements.len();
     system.resize(loaded.lengths.len(), points);
     point_target.resize(points, Vec3::zero());
     curvature_target.resize(loaded.lengths.len(), [T::zero(); 3]);
     let per_element = weights.len();
-    // Of all points only inertia's pull differs, and stiffnesses only by the weight: what they share is summed once.
+    // Of all points only the pulls of inertia and drag differ, and stiffnesses only by the weight: what they share is summed once. Pulls
+    // are taken from where the velocity leads, kṽ.
     let mut shared = PointQuadratic::zero();
     inertia::add(&mut shared, loaded.linear_density, k, Vec3::zero());
     gravity::add(&mut shared, loaded.linear_density, loaded.gravity);
@@ -361,18 +424,19 @@ fn assemble_terms<T: Lane>(
         drag::add(&mut shared, loaded.air_drag, k, loaded.wind);
     }
     let inverse = T::one() / shared.stiffness;
-    let fall = shared.pull.scale(inverse) - offset;
-    let momentum = loaded.linear_density / k * inverse;
     for (element, length) in loaded.lengths.iter().enumerate() {
         for (node, weight) in weights.iter().enumerate() {
             let p = element * per_element + node;
             system.point_stiffness[p] = shared.stiffness * (T::splat(*weight) * *length);
-            point_target[p] = stage.start_positions[p] + stage.start_velocities[p].scale(momentum) + fall;
+            let start = stage.start_velocities[p];
+            let pull = if loaded.has_drag { shared.pull - start.scale(loaded.air_drag) } else { shared.pull };
+            point_target[p] = stage.start_displacements[p] + (start.scale(k) + (pull.scale(inverse) - offset));
         }
         for axis in 0..3 {
-            let start = stage.start_curvatures[element][axis];
+            let start = stage.start_changes[element][axis];
+            let natural = loaded.natural[element][axis] - loaded.curvatures[element][axis];
             let mut quadratic = CurvatureQuadratic::zero();
-            elastic::add(&mut quadratic, loaded.stiffness[axis], loaded.natural[element][axis], start);
+            elastic::add(&mut quadratic, loaded.stiffness[axis], natural, start);
             if loaded.has_dissipation[axis] {
                 friction::add(&mut quadratic, loaded.dissipation[axis], k);
             }

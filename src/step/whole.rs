@@ -7,7 +7,7 @@ use super::workspace::Workspace;
 use super::{Setting, StrandOutcome, linearly_implicit, stages, tableau};
 use crate::chain::system::LinearSolve;
 use crate::energy::Energies;
-use crate::math::lane::{Kernel, Lane, MAX_LANES};
+use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
 use crate::math::vector::Vec3;
 
 /// Takes strands through a step of `h` seconds, by any integrator but the reference; the strands are as they were, and the workspace
@@ -132,7 +132,7 @@ impl<T: Lane> Kernel for Save<'_, T> {
     fn run(self) {
         let Self { members, lane, setting, h, workspace } = self;
         let units = &workspace.loaded.units[lane];
-        let (_, state) = members.parts(lane);
+        let (model, state) = members.parts(lane);
         let stage = &workspace.stages[workspace.last_stage];
         if setting.options.integrator == Integrator::SecondOrder {
             std::mem::swap(&mut state.past.curvatures, &mut state.curvatures);
@@ -147,6 +147,17 @@ impl<T: Lane> Kernel for Save<'_, T> {
         for (row, lanes) in state.curvatures.iter_mut().zip(&workspace.iterate.curvatures) {
             for axis in 0..3 {
                 row[axis] = lanes[axis].lane(lane) * per_length;
+            }
+        }
+        if T::PRECISION == Precision::F32 {
+            for (element, (row, rests)) in state.curvatures.iter_mut().zip(&workspace.iterate.rests).enumerate() {
+                for axis in 0..3 {
+                    if model.freedoms.contains(axis) {
+                        row[axis] += rests[axis].lane(lane) * per_length;
+                    } else {
+                        row[axis] = model.natural[element][axis];
+                    }
+                }
             }
         }
         for (row, lanes) in state.rates.iter_mut().zip(&stage.rates) {

@@ -7,16 +7,15 @@ use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES};
 use crate::math::vector::Vec3;
 
-/// One stage of a Runge–Kutta step: where it starts from and what its end says. Positions relative to the root's origin at the step's
-/// start, world axes.
+/// One stage of a Runge–Kutta step: where it starts from and what its end says. World axes.
 #[derive(Debug, Clone)]
 pub struct Stage<T> {
-    /// r̃.
-    pub start_positions: Vec<Vec3<T>>,
+    /// r̃ from the points' places at the step's start (`Iterate::point_base`).
+    pub start_displacements: Vec<Vec3<T>>,
     /// ṽ.
     pub start_velocities: Vec<Vec3<T>>,
-    /// q̃.
-    pub start_curvatures: Vec<[T; 3]>,
+    /// q̃ from the curvatures at the step's start.
+    pub start_changes: Vec<[T; 3]>,
     /// V.
     pub velocities: Vec<Vec3<T>>,
     /// A.
@@ -28,9 +27,9 @@ pub struct Stage<T> {
 impl<T> Default for Stage<T> {
     fn default() -> Self {
         Self {
-            start_positions: Vec::new(),
+            start_displacements: Vec::new(),
             start_velocities: Vec::new(),
-            start_curvatures: Vec::new(),
+            start_changes: Vec::new(),
             velocities: Vec::new(),
             accelerations: Vec::new(),
             rates: Vec::new(),
@@ -42,9 +41,9 @@ impl<T: Lane> Stage<T> {
     /// Makes room.
     #[inline(always)]
     pub fn resize(&mut self, elements: usize, points: usize) {
-        self.start_positions.resize(points, Vec3::zero());
+        self.start_displacements.resize(points, Vec3::zero());
         self.start_velocities.resize(points, Vec3::zero());
-        self.start_curvatures.resize(elements, [T::zero(); 3]);
+        self.start_changes.resize(elements, [T::zero(); 3]);
         self.velocities.resize(points, Vec3::zero());
         self.accelerations.resize(points, Vec3::zero());
         self.rates.resize(elements, [T::zero(); 3]);
@@ -58,10 +57,12 @@ pub struct Workspace<T> {
     pub loaded: Loaded<T>,
     /// Newton's iteration.
     pub iterate: Iterate<T>,
-    /// Where each point was at the step's start, relative to the root's origin then.
-    pub base: Vec<Vec3<T>>,
-    /// Where each point was at the start of the step before, relative to the root's origin now.
+    /// Where each point was at the start of the step before, relative to the root's origin then.
     pub past_base: Vec<Vec3<T>>,
+    /// By how much each point is further on at the step's start than the rounded curvatures put it (f32 only).
+    pub base_rests: Vec<Vec3<T>>,
+    /// The same at the start of the step before.
+    pub past_rests: Vec<Vec3<T>>,
     /// The stages of the step.
     pub stages: [Stage<T>; MAX_STAGES],
     /// Which of them is the step's end; its curvatures are those of `iterate`.
@@ -79,8 +80,9 @@ impl<T: Lane> Default for Workspace<T> {
         Self {
             loaded: Loaded::default(),
             iterate: Iterate::default(),
-            base: Vec::new(),
             past_base: Vec::new(),
+            base_rests: Vec::new(),
+            past_rests: Vec::new(),
             stages: std::array::from_fn(|_| Stage::default()),
             last_stage: 0,
             roots: [Frame::default(); MAX_LANES],

@@ -1,0 +1,155 @@
+//! Single precision: how far it goes with double precision, against theory and trajectories of the independent oracle. What it is good
+//! for over all of stiffness, curl, elements and steps is measured by `examples/single_precision` and told in docs/lanes.md.
+
+mod oracle_cases;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use oracle_cases::Case;
+use superhelix::math::frame::Frame;
+use superhelix::math::lane::Precision;
+use superhelix::rod::material::Material;
+use superhelix::solver::Solver;
+use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::step::equilibrium::EquilibriumOptions;
+use superhelix::step::options::Integrator;
+
+fn solver(precision: Precision, integrator: Integrator) -> Solver {
+    let mut options = SolverOptions::default();
+    (options.step.precision, options.step.integrator) = (precision, integrator);
+    Solver::new(options).unwrap()
+}
+
+/// Tips at the reference's times (each 1/60 s) with `per_output` steps between two of them.
+fn tips(case: &Case, precision: Precision, per_output: u32) -> Vec<Vector3<f64>> {
+    let mut solver = solver(precision, Integrator::SecondOrder);
+    let id = solver.add_strands(std::slice::from_ref(&case.def)).unwrap()[0];
+    let h = 1.0 / 60.0 / f64::from(per_output);
+    let mut tips = Vec::new();
+    for output in 0..case.times.len() as u32 {
+        for step in 0..per_output {
+            if let Some(root) = case.root {
+                let t = h * f64::from(output * per_output + step + 1);
+                solver.set_root_frames(&[id], &[root.at(t)], h).unwrap();
+            }
+            let report = solver.step(h, 1).unwrap();
+            assert_eq!((report.unconverged, report.quarantined, report.subdivided), (0, 0, 0), "{}", case.name);
+        }
+        solver.sample_at(id, &[case.def.length()], |_, sample| tips.push(sample.position)).unwrap();
+    }
+    tips
+}
+
+fn apart(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
+}
+
+/// The oracle's trajectories, at steps from 1/60 s to 1/7680 s: f32 stays as near to f64 as a motion of half a second makes of some
+/// thousand roundings of 6·10⁻⁸, and its error against the oracle is f64's. Without differences from the step's start, and with curvatures rounded
+/// at each step, it is off by 10⁻³ to 10⁻² of the length at the shortest step.
+#[test]
+fn trajectories_are_those_of_double_precision_at_every_step() {
+    for case in oracle_cases::all() {
+        let length = case.def.length();
+        for per_output in [1, 16, 128] {
+            let double = tips(&case, Precision::F64, per_output);
+            let single = tips(&case, Precision::F32, per_output);
+            let off = apart(&single, &double) / length;
+            let [error64, error32] = [&double, &single].map(|tips| apart(tips, &case.tips) / length);
+            println!(
+                "{} at 1/{} s: f32 from f64 {off:.1e} L; from the oracle {error64:.2e} and {error32:.2e}",
+                case.name,
+                60 * per_output
+            );
+            assert!(off < TRAJECTORY, "{} at 1/{} s: {off:e}", case.name, 60 * per_output);
+            assert!(error32 < error64 + TRAJECTORY);
+        }
+    }
+}
+const TRAJECTORY: f64 = 1e-4;
+
+fn hanging(count: usize) -> StrandDef {
+    let mut def = StrandDef::straight(0.2, count);
+    def.natural = vec![[3.0, 25.0, 0.0]; count];
+    def.material = Material { youngs_modulus: 1e9, viscosity: 2e-3, air_drag: 5e-6, ..Material::default() };
+    def.root = Frame { rotation: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.6), ..Frame::default() };
+    def
+}
+
+/// A strand put at its rest stays there for ten seconds, at frame-sized and at short steps: it neither creeps nor trembles by more than a
+/// hundredth of a thousandth of its length, a hundred times what one rounding of its curvatures makes.
+#[test]
+fn a_strand_at_rest_stays() {
+    for (count, per_second) in [(8, 60), (8, 1000), (40, 60)] {
+        let mut solver = solver(Precision::F32, Integrator::SecondOrder);
+        let id = solver.add_strands(&[hanging(count)]).unwrap()[0];
+        let found = solver.settle(&[id], &EquilibriumOptions::default()).unwrap();
+        assert!(found[0].converged);
+        let tip = |solver: &Solver| {
+            let mut tip = Vector3::zeros();
+            solver.sample_at(id, &[0.2], |_, sample| tip = sample.position).unwrap();
+            tip
+        };
+        let start = tip(&solver);
+        let mut worst = 0.0_f64;
+        for _ in 0..10 * per_second {
+            let report = solver.step(1.0 / f64::from(per_second), 1).unwrap();
+            assert_eq!((report.unconverged, report.quarantined), (0, 0));
+            worst = worst.max((tip(&solver) - start).norm() / 0.2);
+        }
+        println!("N = {count} at 1/{per_second} s: at most {worst:.1e} L from its rest in 10 s");
+        assert!(worst < 1e-5, "N = {count} at 1/{per_second} s: {worst:e}");
+    }
+}
+
+/// Changes a step far below the last digit of an f32 add up: a strand whose friction is so strong that its curvature goes
+/// κ = κⁿ − (κⁿ − κ₀) exp(−t/μ) with μ a day goes there, although each step changes it by a hundredth of a rounding.
+#[test]
+fn what_is_too_small_for_a_step_is_not_lost() {
+    for integrator in [Integrator::ImplicitEuler, Integrator::SecondOrder, Integrator::LinearlyImplicit] {
+        let mut options = SolverOptions { gravity: Vector3::zeros(), ..SolverOptions::default() };
+        (options.step.precision, options.step.integrator) = (Precision::F32, integrator);
+        let mut solver = Solver::new(options).unwrap();
+        let (from, natural, time) = (10.0, 20.0, 86_400.0);
+        let mut def = StrandDef::straight(0.02, 2);
+        def.material = Material { viscosity: time, ..Material::default() };
+        def.natural = vec![[0.0, natural, 0.0]; 2];
+        def.initial = Some(vec![[0.0, from, 0.0]; 2]);
+        // It moves from the start as it will go on: no inertia to get over.
+        def.initial_rates = Some(vec![[0.0, (natural - from) / time, 0.0]; 2]);
+        let id = solver.add_strands(&[def]).unwrap()[0];
+        let (steps, h) = (2000, 1e-3);
+        for _ in 0..steps {
+            let report = solver.step(h, 1).unwrap();
+            assert_eq!((report.unconverged, report.quarantined), (0, 0));
+        }
+        let expected = (natural - from) * f64::from(steps) * h / time;
+        for row in solver.curvatures(id).unwrap() {
+            let gone = row[1] - from;
+            println!("{integrator:?}: gone {gone:e} of {expected:e}");
+            // The step's own error is a millionth; f32 has its few digits of the change, not of the curvature.
+            assert!((gone - expected).abs() < 1e-3 * expected, "{integrator:?}: {gone:e} of {expected:e}");
+        }
+    }
+}
+
+/// What a step tells as its rest is no less than what f32 can tell apart, and is converged where f64 is.
+#[test]
+fn residuals_are_honest() {
+    for count in [10, 50, 150] {
+        let mut solver = solver(Precision::F32, Integrator::SecondOrder);
+        let id = solver.add_strands(&[hanging(count)]).unwrap()[0];
+        let mut reports = Vec::new();
+        for step in 0..60 {
+            let mut root = hanging(1).root;
+            root.origin.x = 0.02 * (0.3 * f64::from(step)).sin();
+            solver.set_root_frames(&[id], &[root], 1.0 / 60.0).unwrap();
+            reports.push(solver.step(1.0 / 60.0, 1).unwrap());
+        }
+        for report in &reports {
+            assert_eq!((report.unconverged, report.quarantined, report.subdivided), (0, 0, 0), "N = {count}: {report:?}");
+        }
+        let most = reports.iter().map(|report| report.max_iterations).max().unwrap();
+        let residual = reports.iter().map(|report| report.max_residual).fold(0.0, f64::max);
+        println!("N = {count}: at most {most} iterations, residual {residual:e} rad");
+    }
+}
