@@ -360,7 +360,7 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
             for lane in lanes(running) {
                 let squared = found.rotation_squared.lane(lane);
                 // Too large for a number is too large.
-                if found.repaired.lane(lane) != 0.0 || !(squared <= largest) {
+                if found.repaired.lane(lane) != 0.0 || squared > largest || !squared.is_finite() {
                     control.damping[lane].grow();
                     good = false;
                 }
