@@ -166,7 +166,7 @@
 // Double precision. The default.
 #define SHX_PRECISION_F64 1
 
-// Single precision: twice as many strands side by side. For substeps of 1/240 s or longer and up to 50 elements a strand, where it is
+// Single precision: twice as many strands side by side. For substeps of 1/240 s or longer and up to 200 elements a strand, where it is
 // within 1e-3 of a strand's length of double precision after seconds of a walk, and mostly within 1e-4. Shorter substeps make it worse, not
 // better: what rounding makes at each of them adds up. Measured over stiffness, curl, elements and substeps in docs/lanes.md. With
 // SHX_LINEAR_SOLVER_LINEAR_TIME only, and not with SHX_INTEGRATOR_REFERENCE.

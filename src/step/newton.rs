@@ -30,11 +30,11 @@ const SHORTENED_AT_MOST: f64 = 20.0;
 const QUADRATIC: f64 = 50.0;
 /// Where the iterations themselves show a larger constant, this times what they show is taken.
 const QUADRATIC_SAFETY: f64 = 3.0;
-/// In f32 an iteration that goes its whole way undamped, turns by no more than this, rad, and by no less than [`STALLED`] of what the last
-/// turned by, has come to where only rounding moves it.
-const ROUNDING_AT_MOST: f64 = 1e-3;
+/// In f32 an iteration that goes its whole way undamped, turns by no more than this many [`ROUNDING`]s, and by no less than [`STALLED`] of
+/// what the last turned by, has come to where only rounding moves it.
+const ROUNDING_AT_MOST: f64 = 16.0;
 /// See [`ROUNDING_AT_MOST`].
-const STALLED: f64 = 0.25;
+const STALLED: f64 = 0.5;
 /// How far rounding alone may leave an element of a strand of N elements, rad: this times N + 8 distances from 1 to the next number.
 const ROUNDING: f64 = 2.0;
 /// Dampings tried in an iteration: 4⁴⁰ spans all of f64 that matters.
@@ -235,7 +235,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             rotations[lane] = rotation;
             part[lane] = if rotation > S::ROTATION_LIMIT { S::ROTATION_LIMIT / rotation } else { 1.0 };
             // So near the end an f32's potential says nothing but rounding, and the whole way is the right one.
-            if T::PRECISION == Precision::F32 && rotation <= ROUNDING_AT_MOST && found.repaired.lane(lane) == 0.0 {
+            if T::PRECISION == Precision::F32 && rotation <= ROUNDING_AT_MOST * rounding && found.repaired.lane(lane) == 0.0 {
                 trusted |= 1 << lane;
             }
         }
@@ -262,7 +262,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             outcome.residual = if quadratic { rotation * left.min(1.0) } else { rotation };
             if T::PRECISION == Precision::F32 {
                 let stalled = control.before[lane].is_some_and(|before| rotation >= STALLED * before);
-                if newton && stalled && rotation <= ROUNDING_AT_MOST && outcome.residual > options.tolerance {
+                if newton && stalled && rotation <= ROUNDING_AT_MOST * rounding && outcome.residual > options.tolerance {
                     (outcome.residual, outcome.converged) = (rotation, true);
                     running &= !(1 << lane);
                     continue;
@@ -379,7 +379,7 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
             for lane in lanes(running) {
                 let squared = found.rotation_squared.lane(lane);
                 // Too large for a number is too large.
-                if found.repaired.lane(lane) != 0.0 || !(squared <= largest) {
+                if found.repaired.lane(lane) != 0.0 || squared > largest || !squared.is_finite() {
                     control.damping[lane].grow();
                     good = false;
                 }
