@@ -1,0 +1,137 @@
+//! How many arithmetic operations an iteration is: the engine's own kernels run over a number type that counts.
+
+use std::cell::Cell;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+use nalgebra::Vector3;
+use superhelix::chain::elimination::Elimination;
+use superhelix::math::frame::Frame;
+use superhelix::math::lane::{Kernel, Lane, Precision};
+use superhelix::math::quadrature::Rules;
+use superhelix::rod::strand::StrandModel;
+use superhelix::step::members::One;
+use superhelix::step::state::StrandState;
+use superhelix::step::whole::Take;
+use superhelix::step::workspace::Workspace;
+use superhelix::step::{Setting, Surroundings};
+
+use crate::crowd;
+use crate::scene::{GRAVITY, STEP, Stage};
+
+thread_local! {
+    static OPERATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// A number that counts additions, subtractions, multiplications, divisions and square roots, each as one.
+#[derive(Debug, Clone, Copy)]
+struct Counted(f64);
+
+fn count(value: f64) -> Counted {
+    OPERATIONS.set(OPERATIONS.get() + 1);
+    Counted(value)
+}
+
+macro_rules! operator {
+    ($trait:ident, $function:ident, $assign:ident) => {
+        impl $trait for Counted {
+            type Output = Self;
+            fn $function(self, other: Self) -> Self {
+                count(self.0.$function(other.0))
+            }
+        }
+    };
+}
+operator!(Add, add, add_assign);
+operator!(Sub, sub, sub_assign);
+operator!(Mul, mul, mul_assign);
+operator!(Div, div, div_assign);
+
+impl Neg for Counted {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+impl AddAssign for Counted {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+impl SubAssign for Counted {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl Lane for Counted {
+    type Mask = bool;
+    const LANES: usize = 1;
+    const PRECISION: Precision = Precision::F64;
+
+    fn splat(value: f64) -> Self {
+        Self(value)
+    }
+    fn sqrt(self) -> Self {
+        count(self.0.sqrt())
+    }
+    fn less(self, other: Self) -> bool {
+        self.0 < other.0
+    }
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
+    }
+    fn bits(mask: bool) -> u32 {
+        u32::from(mask)
+    }
+    fn both(a: bool, b: bool) -> bool {
+        a && b
+    }
+    fn splat_mask(value: bool) -> bool {
+        value
+    }
+    fn lane(&self, _index: usize) -> f64 {
+        self.0
+    }
+    fn set_lane(&mut self, _index: usize, value: f64) {
+        self.0 = value;
+    }
+    fn call<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run()
+    }
+}
+
+/// Operations and iterations of one step of the setting's first strand, whose root has begun to move.
+pub fn step(setting: &crowd::Setting) -> (f64, f64) {
+    let stage = Stage::new(setting.scene, setting.strands);
+    let def = stage.strands(&setting.hair).swap_remove(0);
+    let rules = Rules::default();
+    let model = StrandModel::new(def.element_lengths.clone(), def.natural.clone(), def.material, def.freedoms);
+    let curvatures = def.initial.clone().unwrap_or_else(|| def.natural.clone());
+    let rates = vec![[0.0; 3]; curvatures.len()];
+    let mut state = StrandState::new(&model, &rules, curvatures, rates, def.root, def.root_velocity, def.root_angular_velocity);
+    // A past at rest, so that the second-order integrator goes its usual way.
+    state.past.curvatures.clone_from(&state.curvatures);
+    state.past.velocities.clone_from(&state.velocities);
+    (state.past.root, state.past.step) = (state.root, STEP);
+    let surroundings = Surroundings { gravity: GRAVITY.into(), wind: Vector3::zeros().into() };
+    let options = setting.options.step;
+    let inner = Setting { surroundings: &surroundings, options: &options, rules: &rules };
+    let end = stage.roots(STEP)[0];
+    let start = def.root;
+    let root_at = move |elapsed: f64| Frame {
+        origin: start.origin + (end.origin - start.origin) * (elapsed / STEP),
+        rotation: start.rotation.slerp(&end.rotation, elapsed / STEP),
+    };
+    let one = One { model: &model, state: &mut state, root_at: &root_at };
+    let mut workspace = Workspace::<Counted>::default();
+    let mut elimination = Elimination::default();
+    OPERATIONS.set(0);
+    let outcome = Take { members: &one, setting: &inner, h: STEP, workspace: &mut workspace, solver: &mut elimination }.run()[0];
+    (OPERATIONS.get() as f64, f64::from(outcome.iterations))
+}
+
+/// Operations an element of one more iteration.
+pub fn iteration(setting: &crowd::Setting) -> f64 {
+    let (few, many) = (step(&setting.clone().iterations(3)), step(&setting.clone().iterations(7)));
+    (many.0 - few.0) / (many.1 - few.1) / setting.hair.elements as f64
+}
