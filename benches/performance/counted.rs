@@ -22,18 +22,19 @@ thread_local! {
     static OPERATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// A number that counts additions, subtractions, multiplications, divisions and square roots, each as one.
+/// A number that counts additions, subtractions, multiplications, divisions and square roots, each as one. `NARROW`: what f32 does, which
+/// needs fewer terms of its series; the arithmetic itself is of f64 either way.
 #[derive(Debug, Clone, Copy)]
-struct Counted(f64);
+struct Counted<const NARROW: bool>(f64);
 
-fn count(value: f64) -> Counted {
+fn count<const NARROW: bool>(value: f64) -> Counted<NARROW> {
     OPERATIONS.set(OPERATIONS.get() + 1);
     Counted(value)
 }
 
 macro_rules! operator {
-    ($trait:ident, $function:ident, $assign:ident) => {
-        impl $trait for Counted {
+    ($trait:ident, $function:ident) => {
+        impl<const NARROW: bool> $trait for Counted<NARROW> {
             type Output = Self;
             fn $function(self, other: Self) -> Self {
                 count(self.0.$function(other.0))
@@ -41,32 +42,32 @@ macro_rules! operator {
         }
     };
 }
-operator!(Add, add, add_assign);
-operator!(Sub, sub, sub_assign);
-operator!(Mul, mul, mul_assign);
-operator!(Div, div, div_assign);
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
 
-impl Neg for Counted {
+impl<const NARROW: bool> Neg for Counted<NARROW> {
     type Output = Self;
     fn neg(self) -> Self {
         Self(-self.0)
     }
 }
-impl AddAssign for Counted {
+impl<const NARROW: bool> AddAssign for Counted<NARROW> {
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
-impl SubAssign for Counted {
+impl<const NARROW: bool> SubAssign for Counted<NARROW> {
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl Lane for Counted {
+impl<const NARROW: bool> Lane for Counted<NARROW> {
     type Mask = bool;
     const LANES: usize = 1;
-    const PRECISION: Precision = Precision::F64;
+    const PRECISION: Precision = if NARROW { Precision::F32 } else { Precision::F64 };
 
     fn splat(value: f64) -> Self {
         Self(value)
@@ -102,6 +103,13 @@ impl Lane for Counted {
 
 /// Operations and iterations of one step of the setting's first strand, whose root has begun to move.
 pub fn step(setting: &crowd::Setting) -> (f64, f64) {
+    match setting.options.step.precision {
+        Precision::F64 => step_in::<Counted<false>>(setting),
+        Precision::F32 => step_in::<Counted<true>>(setting),
+    }
+}
+
+fn step_in<T: Lane>(setting: &crowd::Setting) -> (f64, f64) {
     let stage = Stage::new(setting.scene, setting.strands);
     let def = stage.strands(&setting.hair).swap_remove(0);
     let rules = Rules::default();
@@ -123,8 +131,8 @@ pub fn step(setting: &crowd::Setting) -> (f64, f64) {
         rotation: start.rotation.slerp(&end.rotation, elapsed / STEP),
     };
     let one = One { model: &model, state: &mut state, root_at: &root_at };
-    let mut workspace = Workspace::<Counted>::default();
-    let mut elimination = Elimination::default();
+    let mut workspace = Workspace::<T>::default();
+    let mut elimination = Elimination::<T>::default();
     OPERATIONS.set(0);
     let outcome = Take { members: &one, setting: &inner, h: STEP, workspace: &mut workspace, solver: &mut elimination }.run()[0];
     (OPERATIONS.get() as f64, f64::from(outcome.iterations))

@@ -18,6 +18,12 @@ pub fn processor_seconds() -> f64 {
     time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
 }
 
+/// Processor seconds of all threads of this process.
+fn processor_seconds_of_all() -> f64 {
+    let time = clock_gettime(ClockId::ProcessCPUTime);
+    time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
+}
+
 /// What a crowd is made from.
 #[derive(Debug, Clone)]
 pub struct Setting {
@@ -112,6 +118,8 @@ pub struct Timed {
     pub failed: f64,
     /// Seconds a step to say where the roots are.
     pub roots: f64,
+    /// Processor seconds a step, all threads together.
+    pub processor: f64,
 }
 
 /// Strands on the move.
@@ -156,9 +164,10 @@ impl Crowd {
             let started = processor_seconds();
             self.solver.set_root_frames(&self.ids, &roots, STEP).expect("roots");
             sum.roots += processor_seconds() - started;
-            let (wall, processor) = (Instant::now(), processor_seconds());
+            let (wall, processor) = (Instant::now(), processor_seconds_of_all());
             let report = self.solver.step(STEP, 1).expect("a step");
-            let (wall, processor) = (wall.elapsed().as_secs_f64(), processor_seconds() - processor);
+            let (wall, processor) = (wall.elapsed().as_secs_f64(), processor_seconds_of_all() - processor);
+            sum.processor += processor;
             sum.seconds += if serial { processor } else { wall };
             sum.iterations += report.mean_iterations;
             sum.failed += f64::from(report.unconverged + report.quarantined) / self.setting.strands as f64;
@@ -169,6 +178,7 @@ impl Crowd {
             iterations: sum.iterations * share,
             failed: sum.failed * share,
             roots: sum.roots * share,
+            processor: sum.processor * share,
         }
     }
 }

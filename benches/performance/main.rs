@@ -5,7 +5,8 @@
 //! alike; figures are medians over the rounds. On one thread it is processor time that is measured, on two the clock on the wall.
 //!
 //! `cargo bench --profile demo --bench performance -- [--csv DIRECTORY] [--rounds 15] [--only aims,cost,…]`
-//! `cargo bench … -- --profile N f64|f32 SET exact|gauss_newton SECONDS`: nothing but steps of nine iterations, for a profiler.
+//! `cargo bench … -- --profile N f64|f32 SET exact|gauss_newton|linearly_implicit|head SECONDS`: nothing but steps, for a
+//! profiler (of nine iterations; or 50000 strands of 5 elements).
 //! `cargo bench … -- --steps COUNT N f64|f32 SET ITERATIONS`: that many steps of 16 strands, for `scripts/instructions.sh`.
 
 mod absent;
@@ -25,9 +26,11 @@ use std::time::Instant;
 
 use superhelix::math::lane::Precision;
 use superhelix::math::lanes::InstructionSet;
+use superhelix::step::options::Integrator;
 
 use crate::crowd::{Crowd, Setting, processor_seconds};
 use crate::machine::Peak;
+use crate::scene::Hair;
 use crate::table::{Table, digits};
 
 /// All parts, in the order in which they are measured.
@@ -107,9 +110,13 @@ fn named(words: &[String]) -> Setting {
     Setting::new(count.parse().expect("N")).precision(precision).instructions(set)
 }
 
-/// Steps with nine iterations each for some seconds, and nothing else.
+/// Steps for some seconds, and nothing else.
 fn profile(words: &[String]) {
-    let setting = named(words).exact(words[3] == "exact").iterations(9);
+    let setting = match words[3].as_str() {
+        "linearly_implicit" => named(words).hair(Hair::viscous(5)).integrator(Integrator::LinearlyImplicit).strands(50_000),
+        "head" => named(words).hair(Hair::viscous(5)).strands(50_000),
+        hessian => named(words).exact(hessian == "exact").iterations(9),
+    };
     let seconds: f64 = words[4].parse().expect("seconds");
     let mut crowd = Crowd::warm(&setting, 3);
     let (mut iterations, mut steps) = (0.0, 0);

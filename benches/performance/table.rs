@@ -13,14 +13,15 @@ impl Table {
     /// A table by that name with those columns; its title is printed.
     pub fn new(name: &'static str, title: &str, header: &[&'static str]) -> Self {
         println!("\n{title}");
-        println!("{}", header.iter().map(|text| format!("{text:>18}")).collect::<String>());
+        let header_cells: Vec<_> = header.iter().map(|text| (*text).to_owned()).collect();
+        print(&header_cells);
         Self { name, header: header.to_vec(), rows: Vec::new() }
     }
 
     /// Adds and prints a row.
     pub fn row(&mut self, cells: Vec<String>) {
         assert_eq!(cells.len(), self.header.len(), "{}", self.name);
-        println!("{}", cells.iter().map(|text| format!("{text:>18}")).collect::<String>());
+        print(&cells);
         self.rows.push(cells);
     }
 
@@ -39,6 +40,13 @@ impl Table {
         let path = directory.join(format!("performance_{}.csv", self.name));
         std::fs::write(&path, text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     }
+}
+
+/// A line on the terminal: what is measured to the left, numbers and notes to the right of it.
+fn print(cells: &[String]) {
+    let line: String =
+        cells.iter().enumerate().map(|(k, text)| if k == 0 { format!("{text:56}") } else { format!("{text:>17}") }).collect();
+    println!("{}", line.trim_end());
 }
 
 /// Three significant digits, without an exponent.
