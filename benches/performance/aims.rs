@@ -98,11 +98,11 @@ impl Aims<'_> {
     /// A strand alone: no packing possible.
     fn alone(&mut self) {
         let setting = Setting::new(5).strands(1);
-        let (mut marginal, mut whole) = (Marginal::new(&setting, 100), Crowd::warm(&setting, 12));
+        let (mut marginal, mut whole) = (Marginal::new(&setting, 50), Crowd::warm(&setting, 12));
         let mut steps = Vec::new();
         for _ in 0..self.rounds {
             marginal.take();
-            let timed = whole.take(100);
+            let timed = whole.take(50);
             steps.push(timed.seconds / timed.iterations);
         }
         self.row(

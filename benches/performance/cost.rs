@@ -155,7 +155,7 @@ pub fn by_scene(rounds: usize) -> Table {
 
 /// From one strand to every hair of a head, 5 elements each.
 pub fn over_strands(rounds: usize) -> Table {
-    let header = ["kind", "strands", "threads", "ms_step", "us_element_step", "spread", "bytes_strand"];
+    let header = ["kind", "strands", "threads", "ms_step", "us_element_step", "spread", "bytes_strand", "failed"];
     let mut table = Table::new("scaling", "From one strand to all of a head: calm scene, 5 elements", &header);
     let kinds = [
         ("second order f64", Setting::new(5).hair(Hair::viscous(5))),
@@ -170,10 +170,10 @@ pub fn over_strands(rounds: usize) -> Table {
                 let setting = setting.clone().strands(strands).threads(threads);
                 let few = strands >= 16_384;
                 let mut crowd = Crowd::warm(&setting, if few { 3 } else { 20 });
-                let steps = (4096 / strands as u32).clamp(1, 256);
+                let steps = (256 / strands as u32).clamp(1, 16);
                 let rounds = if few { rounds.min(5) } else { rounds };
-                let samples: Vec<_> = (0..rounds).map(|_| crowd.take(steps).seconds).collect();
-                let step = Summary::of(&samples);
+                let samples: Vec<_> = (0..rounds).map(|_| crowd.take(steps)).collect();
+                let step = Summary::of(&samples.iter().map(|timed| timed.seconds).collect::<Vec<_>>());
                 table.row(vec![
                     name.to_owned(),
                     strands.to_string(),
@@ -182,6 +182,7 @@ pub fn over_strands(rounds: usize) -> Table {
                     digits(1e6 * step.median / crowd.elements() as f64),
                     format!("{:.3}", step.spread),
                     digits(crowd.solver.memory_usage() as f64 / strands as f64),
+                    digits(samples.iter().map(|timed| timed.failed).sum::<f64>() / samples.len() as f64),
                 ]);
             }
         }

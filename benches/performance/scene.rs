@@ -157,8 +157,10 @@ impl Stage {
 /// Where a strand grows on the head, at the head's origin.
 fn follicle(scene: Scene, index: usize, strands: usize) -> Frame {
     let about_z = |angle| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle);
+    // n1 level, n2 upwards: the curvature κ1 bends the strand down.
+    let level = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -std::f64::consts::FRAC_PI_2);
     match scene {
-        Scene::Sway => Frame { origin: Vector3::zeros(), rotation: about_z(-1.2) },
+        Scene::Sway => Frame { origin: Vector3::zeros(), rotation: about_z(-1.2) * level },
         Scene::Shake => Frame { origin: Vector3::new(0.09, 0.0, 0.0), rotation: about_z(0.5 - 0.1 * spread(index, 3.0)) },
         Scene::Walk => {
             // A spiral over the upper half of a sphere of 9 cm; hair leaves between outwards and downwards.
