@@ -83,7 +83,8 @@ int main(void) {
   shx_solver *none = NULL;
   CHECK(shx_solver_def_init(&unsupported, sizeof unsupported));
   unsupported.precision = SHX_PRECISION_F32;
-  show("single precision", SHX_ERROR_UNSUPPORTED, shx_solver_create(&unsupported, &none));
+  unsupported.integrator = SHX_INTEGRATOR_REFERENCE;
+  show("the reference integrator in single precision", SHX_ERROR_UNSUPPORTED, shx_solver_create(&unsupported, &none));
   CHECK(shx_solver_def_init(&unsupported, sizeof unsupported));
   unsupported.integrator = 77;
   show("an unknown integrator", SHX_ERROR_INVALID_ARGUMENT, shx_solver_create(&unsupported, &none));

@@ -166,8 +166,24 @@
 // Double precision. The default.
 #define SHX_PRECISION_F64 1
 
-// Single precision. Not in this version: SHX_ERROR_UNSUPPORTED.
+// Single precision: twice as many strands side by side, for up to 30 elements a strand and substeps of 1 ms or more; what it errs by
+// is told in docs/lanes.md. With SHX_LINEAR_SOLVER_LINEAR_TIME only, and not with SHX_INTEGRATOR_REFERENCE.
 #define SHX_PRECISION_F32 2
+
+// The best vector instructions that the machine has. The default.
+#define SHX_INSTRUCTION_SET_BEST 0
+
+// None: strands go one by one.
+#define SHX_INSTRUCTION_SET_SCALAR 1
+
+// What every machine of the kind has: SSE2 on x86-64, NEON on AArch64.
+#define SHX_INSTRUCTION_SET_BASELINE 2
+
+// AVX2.
+#define SHX_INSTRUCTION_SET_AVX2 3
+
+// AVX-512 (F, BW, DQ, VL).
+#define SHX_INSTRUCTION_SET_AVX512 4
 
 // ---- Freedoms of a strand ------------------------------------------------------------------------------------------
 
@@ -328,8 +344,9 @@ typedef struct shx_solver_def {
   // How often a strand's substep may be halved where it does not converge, turns non-finite or errs by more than error_tolerance;
   // only that strand takes it in parts. 0 to 10; default 3; 0: never. Implicit Euler and second order only.
   uint32_t max_subdivisions;
-  // 0.
-  uint32_t reserved_word;
+  // SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST. Results are the same to the bit with all of them; one that the machine
+  // lacks is SHX_ERROR_UNSUPPORTED.
+  uint32_t instruction_set;
   // The error that a substep, or a part of it, may add to a point's position before it is halved, in units of the strand's length.
   // 0 (default): errors are not looked at, and cost nothing. Where the halvings do not suffice the report's max_error tells.
   double error_tolerance;

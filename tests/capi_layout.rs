@@ -36,7 +36,7 @@ macro_rules! layouts {
 #[test]
 fn every_size_and_offset_is_as_published() {
     let expected = layouts! {
-        shx_solver_def: 160 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, reserved_word: 124, error_tolerance: 128, reserved: 136, reference_tolerance: 152 }
+        shx_solver_def: 160 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reserved: 136, reference_tolerance: 152 }
         shx_frame: 56 { origin: 0, rotation: 24 }
         shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, freedoms: 88, reserved0: 92, root: 96, natural: 152, user_data: 160, initial: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
         shx_step_report: 88 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_error: 80 }

@@ -134,6 +134,10 @@ fn keys_that_only_say_how_change_nothing() {
         let tip = last_tip(&run(&directory, &with(small_scene(), pointer, value.clone())));
         assert_eq!(tip, reference, "{pointer} {value}");
     }
+    // Seven digits of every number, and what a tenth of a second makes of their rounding.
+    let single = last_tip(&run(&directory, &with(small_scene(), "/precision", json!("f32"))));
+    let off = difference(&single, &reference);
+    assert!(off > 0.0 && off < 1e-5, "f32: {off:e} m");
     for solver in ["dense_cholesky", "dense_cg", "dense_svd"] {
         let tip = last_tip(&run(&directory, &with(small_scene(), "/solver", json!(solver))));
         assert!(difference(&tip, &reference) < 1e-7, "{solver}");

@@ -129,13 +129,14 @@ fn values_out_of_range_are_named() {
 fn what_this_version_does_not_have_is_said() {
     let directory = directory("absent");
     for (pointer, value, key, shown) in [
-        ("/precision", json!("f32"), "precision", "unsupported in this version"),
         ("/hair_contact", json!(true), "hair_contact", "not in this version"),
         ("/colliders", json!([{"shape": "sphere"}]), "colliders[0]", "not in this version"),
         ("/attachments", json!([{"strand": 0}]), "attachments[0]", "not in this version"),
     ] {
         refuse(&directory, &with(small_scene(), pointer, value).to_string(), key, shown);
     }
+    let dense = with(with(small_scene(), "/precision", json!("f32")), "/solver", json!("dense_svd"));
+    refuse(&directory, &dense.to_string(), "precision", "f32");
 }
 
 #[test]

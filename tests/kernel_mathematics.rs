@@ -9,7 +9,7 @@ use superhelix::chain::dense::{self, DenseMethod};
 use superhelix::chain::displacement;
 use superhelix::chain::elimination::Elimination;
 use superhelix::chain::force::generalised;
-use superhelix::chain::system::ChainSystem;
+use superhelix::chain::system::{ChainSystem, LinearSolve};
 use superhelix::math::entire::Stumpff;
 use superhelix::math::quadrature::{Rule, Rules};
 use superhelix::math::vector::{Mat3, Vec3};

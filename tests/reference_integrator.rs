@@ -12,7 +12,9 @@ use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::step::options::{Integrator, StepOptions};
 use superhelix::step::state::{StrandState, rotation_matrix};
-use superhelix::step::workspace::Workspace;
+use superhelix::rod::kinematics::Kinematics;
+use superhelix::step::members::One;
+use superhelix::step::scratch::Scratch;
 use superhelix::step::{self, Setting, Surroundings};
 
 fn options(reference_tolerance: f64) -> StepOptions {
@@ -46,8 +48,9 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
     );
     let surroundings = Surroundings { gravity: Vector3::new(0.0, 0.0, -9.81).into(), wind: Vector3::zeros().into() };
     let options = options(tolerance);
-    let setting = Setting { model: &model, surroundings: &surroundings, options: &options, rules: &rules };
-    let mut workspace = Workspace::default();
+    let setting = Setting { surroundings: &surroundings, options: &options, rules: &rules };
+    let mut scratch = Scratch::default();
+    let mut kinematics = Kinematics::default();
     let (mut tips, mut iterations) = (Vec::new(), 0);
     let mut t = 0.0;
     for time in &case.times {
@@ -56,13 +59,13 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
         for step in 0..steps as u32 {
             let from = t + h * f64::from(step);
             let root_at = |elapsed: f64| case.root.map_or(def.root, |root| root.at(from + elapsed));
-            let outcome = step::take(&setting, &mut state, &root_at, h, &mut workspace);
+            let outcome = step::take(&setting, &mut One { model: &model, state: &mut state, root_at: &root_at }, h, &mut scratch);
             assert!(outcome.converged && !outcome.quarantined, "{} at {tolerance:e}, {from} s", case.name);
             iterations += outcome.iterations;
         }
         t = *time;
-        workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rules.rule(state.rule));
-        tips.push(Vector3::from(workspace.kinematics.elements[count - 1].origin_right()) + state.root.origin);
+        kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rules.rule(state.rule));
+        tips.push(Vector3::from(kinematics.elements[count - 1].origin_right()) + state.root.origin);
     }
     (tips, iterations)
 }

@@ -12,7 +12,9 @@ use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::step::equilibrium::EquilibriumOptions;
 use superhelix::step::options::{Integrator, StepOptions};
 use superhelix::step::state::{StrandState, rotation_matrix};
-use superhelix::step::workspace::Workspace;
+use superhelix::rod::kinematics::Kinematics;
+use superhelix::step::members::One;
+use superhelix::step::scratch::Scratch;
 use superhelix::step::{self, Setting, Surroundings};
 
 use crate::hair::Hair;
@@ -57,22 +59,23 @@ fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &Step
     let initial = def.initial.clone().expect("settled");
     let rates = vec![[0.0; 3]; elements];
     let mut state = StrandState::new(&model, &rules, initial, rates, def.root, def.root_velocity, def.root_angular_velocity);
-    let mut workspace = Workspace::default();
+    let mut scratch = Scratch::default();
+    let mut kinematics = Kinematics::default();
     let mut path = Path::default();
     let h = 1.0 / f64::from(rate);
     for call in 0..(DURATION * f64::from(rate)).round() as u32 {
         let from = h * f64::from(call);
         let root_at = |elapsed: f64| scene.root(walk, from + elapsed);
         let surroundings = Surroundings { gravity: Vector3::from(GRAVITY).into(), wind: scene.wind(from).into() };
-        let setting = Setting { model: &model, surroundings: &surroundings, options, rules: &rules };
-        let outcome = step::take(&setting, &mut state, &root_at, h, &mut workspace);
+        let setting = Setting { surroundings: &surroundings, options, rules: &rules };
+        let outcome = step::take(&setting, &mut One { model: &model, state: &mut state, root_at: &root_at }, h, &mut scratch);
         assert!(outcome.converged && !outcome.quarantined, "{} {} at {from} s: {outcome:?}", scene.name(), hair.name());
         if (call + 1) % (rate / FRAMES) == 0 {
             let rule = rules.rule(state.rule);
-            workspace.kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
+            kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
             path.frames.push(Some(std::array::from_fn(|point| {
                 let last = (point + 1) * elements / POINTS - 1;
-                Vector3::from(workspace.kinematics.elements[last].origin_right()) + state.root.origin
+                Vector3::from(kinematics.elements[last].origin_right()) + state.root.origin
             })));
         }
     }

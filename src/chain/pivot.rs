@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn factorises_and_refuses() {
-        let matrix = [[4.0, 1.0, 0.5], [1.0, 3.0, -0.2], [0.5, -0.2, 2.0]];
+        let matrix: [[f64; 3]; 3] = [[4.0, 1.0, 0.5], [1.0, 3.0, -0.2], [0.5, -0.2, 2.0]];
         let (factor, good) = cholesky(&matrix, 0.0);
         assert!(good);
         for i in 0..3 {
@@ -150,8 +150,8 @@ mod tests {
                 assert!((sum - matrix[i][j]).abs() < 1e-15);
             }
         }
-        assert!(!cholesky(&[[1.0, 2.0], [2.0, 1.0]], 0.0).1);
-        assert!(!cholesky(&[[f64::NAN]], 0.0).1);
+        assert!(!cholesky::<f64, 2>(&[[1.0, 2.0], [2.0, 1.0]], 0.0).1);
+        assert!(!cholesky::<f64, 1>(&[[f64::NAN]], 0.0).1);
     }
 
     #[test]

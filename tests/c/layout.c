@@ -25,7 +25,7 @@ AT(shx_solver_def, max_iterations, 104);
 AT(shx_solver_def, exact_hessian, 108);
 AT(shx_solver_def, tolerance, 112);
 AT(shx_solver_def, max_subdivisions, 120);
-AT(shx_solver_def, reserved_word, 124);
+AT(shx_solver_def, instruction_set, 124);
 AT(shx_solver_def, error_tolerance, 128);
 AT(shx_solver_def, reserved, 136);
 AT(shx_solver_def, reference_tolerance, 152);

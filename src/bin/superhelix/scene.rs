@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use serde_json::Value;
 use superhelix::error::Error;
 use superhelix::math::frame::Frame;
+use superhelix::math::lane::Precision;
 use superhelix::math::pose_spline::PoseSpline;
 use superhelix::rod::freedoms::Freedoms;
 use superhelix::rod::material::Material;
@@ -26,6 +27,9 @@ pub const INTEGRATORS: [(&str, Integrator); 4] = [
     ("second_order", Integrator::SecondOrder),
     ("reference", Integrator::Reference),
 ];
+
+/// The precisions by their names in a scene and on the command line.
+pub const PRECISIONS: [(&str, Precision); 2] = [("f64", Precision::F64), ("f32", Precision::F32)];
 
 /// The linear solvers by their names in a scene and on the command line.
 pub const LINEAR_SOLVERS: [(&str, LinearSolver); 4] = [
@@ -156,11 +160,6 @@ fn read(document: &Value) -> Result<Scene, Complaint> {
             timeline::MAX_OUTPUTS
         )));
     }
-    if let Some(precision) = scene.get("precision")
-        && !precision.choice(&[("f64", true), ("f32", false)])?
-    {
-        return Err(precision.complain("\"f64\": \"f32\" is unsupported in this version"));
-    }
     if scene.or("hair_contact", false, Node::boolean)? {
         return Err(Complaint::new("hair_contact", "is true; contact between hairs is not in this version"));
     }
@@ -192,6 +191,7 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
     let integrator = scene.or("integrator", Integrator::default(), |node| node.choice(&INTEGRATORS))?;
     let linear_solver = scene.or("solver", LinearSolver::default(), |node| node.choice(&LINEAR_SOLVERS))?;
     let mut step = StepOptions { integrator, linear_solver, ..StepOptions::default() };
+    step.precision = scene.or("precision", step.precision, |node| node.choice(&PRECISIONS))?;
     step.reference_tolerance = scene.or("reference_tolerance", step.reference_tolerance, Node::positive)?;
     step.max_subdivisions = scene.or("max_subdivisions", step.max_subdivisions, |node| Ok(node.whole(0..=10)? as u32))?;
     step.error_tolerance = scene.or("error_tolerance", step.error_tolerance, Node::not_negative)?;
@@ -206,6 +206,7 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
         wind: scene.or("wind", defaults.wind, |node| Ok(Vector3::from(node.numbers()?)))?,
         step,
         workers: if threads == 1 { Workers::Serial } else { Workers::Pool(threads) },
+        instruction_set: None,
     };
     options.check("scene").map_err(in_words_of_the_scene)?;
     Ok(options)

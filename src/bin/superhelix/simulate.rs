@@ -9,6 +9,7 @@ use superhelix::files::curves::Curves;
 use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
 use superhelix::math::frame::Frame;
+use superhelix::math::lane::Precision;
 use superhelix::rod::turning::coarse_strands;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, Workers};
@@ -102,6 +103,9 @@ pub struct SimulateArguments {
     /// Linear solver.
     #[arg(long, default_value = "linear_time", value_parser = linear_solver)]
     solver: LinearSolver,
+    /// Precision of the arithmetic: f64 or f32 (docs/lanes.md). Default: f64.
+    #[arg(long, value_parser = precision)]
+    precision: Option<Precision>,
     /// Newton's tolerance, rad. Default: 1e-4, or the preset's.
     #[arg(long, value_name = "RAD", value_parser = positive)]
     tolerance: Option<f64>,
@@ -194,6 +198,10 @@ fn linear_solver(text: &str) -> Result<LinearSolver, String> {
     named(text, &scene::LINEAR_SOLVERS)
 }
 
+fn precision(text: &str) -> Result<Precision, String> {
+    named(text, &scene::PRECISIONS)
+}
+
 /// Runs the command.
 pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let begun = Instant::now();
@@ -212,6 +220,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         wind: arguments.wind.unwrap_or(Vector3::zeros()),
         step: StepOptions { linear_solver: arguments.solver, ..fineness.step },
         workers: if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) },
+        instruction_set: None,
     })?;
 
     let polylines: Vec<(usize, Vec<Vector3<f64>>)> = curves
@@ -384,6 +393,7 @@ impl Fineness {
             (step, substeps, elements) = (settings.step, settings.substeps, settings.elements);
         }
         step.integrator = arguments.integrator.unwrap_or(step.integrator);
+        step.precision = arguments.precision.unwrap_or(step.precision);
         step.tolerance = arguments.tolerance.unwrap_or(step.tolerance);
         step.max_subdivisions = arguments.max_subdivisions.unwrap_or(step.max_subdivisions);
         step.error_tolerance = arguments.error_tolerance.unwrap_or(step.error_tolerance);
