@@ -14,6 +14,27 @@ use crate::table::{Table, digits};
 /// Elements a strand.
 const COUNT: usize = 10;
 
+/// What an iteration's operations are for.
+pub fn parts() -> Table {
+    let mut table = Table::new(
+        "parts",
+        "Operations an element of an iteration's parts, N = 10",
+        &["part", "f64", "f32", "f64, two freedoms"],
+    );
+    let two = Hair { freedoms: Freedoms::BEND1.union(Freedoms::BEND2), ..Hair::of(COUNT) };
+    let settings = [Setting::new(COUNT), Setting::new(COUNT).precision(Precision::F32), Setting::new(COUNT).hair(two)];
+    let parts = settings.each_ref().map(counted::parts);
+    for k in 0..parts[0].len() {
+        let mut cells = vec![parts[0][k].0.to_owned()];
+        cells.extend(parts.iter().map(|parts| format!("{:.0}", parts[k].1)));
+        table.row(cells);
+    }
+    let mut cells = vec!["an iteration, all".to_owned()];
+    cells.extend(settings.iter().map(|setting| format!("{:.0}", counted::iteration(setting))));
+    table.row(cells);
+    table
+}
+
 /// Measures.
 pub fn measure(rounds: usize) -> Table {
     let header = [

@@ -4,10 +4,14 @@ use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use nalgebra::Vector3;
+use superhelix::chain::displacement;
 use superhelix::chain::elimination::Elimination;
+use superhelix::chain::system::{ChainSystem, LinearSolve};
 use superhelix::math::frame::Frame;
 use superhelix::math::lane::{Kernel, Lane, Precision};
 use superhelix::math::quadrature::Rules;
+use superhelix::math::vector::Mat3;
+use superhelix::rod::kinematics::Kinematics;
 use superhelix::rod::strand::StrandModel;
 use superhelix::step::members::One;
 use superhelix::step::state::StrandState;
@@ -136,6 +140,55 @@ fn step_in<T: Lane>(setting: &crowd::Setting) -> (f64, f64) {
     OPERATIONS.set(0);
     let outcome = Take { members: &one, setting: &inner, h: STEP, workspace: &mut workspace, solver: &mut elimination }.run()[0];
     (OPERATIONS.get() as f64, f64::from(outcome.iterations))
+}
+
+/// Operations an element of the parts of an iteration.
+pub fn parts(setting: &crowd::Setting) -> Vec<(&'static str, f64)> {
+    match setting.options.step.precision {
+        Precision::F64 => parts_in::<Counted<false>>(setting),
+        Precision::F32 => parts_in::<Counted<true>>(setting),
+    }
+}
+
+fn parts_in<T: Lane>(setting: &crowd::Setting) -> Vec<(&'static str, f64)> {
+    let def = Stage::new(setting.scene, 1).strands(&setting.hair).swap_remove(0);
+    let curvatures = def.initial.clone().unwrap_or_else(|| def.natural.clone());
+    let rules = Rules::default();
+    let model = StrandModel::new(def.element_lengths.clone(), def.natural.clone(), def.material, def.freedoms);
+    let rule = rules.rule(rules.next_for_angle(0, model.largest_angle(&curvatures)));
+    let rows: Vec<_> = curvatures.iter().map(|row| row.map(T::splat)).collect();
+    let lengths: Vec<_> = def.element_lengths.iter().map(|length| T::splat(*length)).collect();
+    let root = Mat3(std::array::from_fn(|i| std::array::from_fn(|j| T::splat(f64::from(u8::from(i == j))))));
+    let elements = rows.len() as f64;
+    let counted = |work: &mut dyn FnMut()| {
+        OPERATIONS.set(0);
+        work();
+        OPERATIONS.get() as f64 / elements
+    };
+    let mut kinematics = Kinematics::<T>::default();
+    let place = counted(&mut || kinematics.update(&root, &lengths, &rows, rule));
+    let mut system = ChainSystem::default();
+    system.resize(rows.len(), kinematics.points.len());
+    system.point_stiffness.fill(T::one());
+    system.curvature_stiffness.fill([T::one(); 3]);
+    let (mut elimination, mut change) = (Elimination::default(), Vec::new());
+    let axes = setting.hair.freedoms.axes();
+    let axes = &axes[..setting.hair.freedoms.count()];
+    let mut solve = |exact: bool| {
+        system.exact = exact;
+        counted(&mut || {
+            elimination.solve(&kinematics, &system, axes, &mut change);
+        })
+    };
+    let (gauss_newton, exact) = (solve(false), solve(true));
+    let motion =
+        counted(&mut || displacement::for_each_point(&kinematics, &change, |_, moved| assert!(moved.0[0].lane(0).is_finite())));
+    vec![
+        ("positions of all points (kinematics)", place),
+        ("elimination, Gauss-Newton", gauss_newton),
+        ("elimination, exact Hessian: more", exact - gauss_newton),
+        ("motion of all points, for the tension", motion),
+    ]
 }
 
 /// Operations an element of one more iteration.

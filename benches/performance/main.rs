@@ -76,6 +76,7 @@ fn main() {
     }
     if wanted("absent") {
         absent::measure(rounds).write(directory.as_ref());
+        absent::parts().write(directory.as_ref());
     }
     if wanted("scaling") {
         cost::over_strands(short).write(directory.as_ref());

@@ -95,6 +95,11 @@ def absent():
                "µs an element and iteration", "step, to the first row's", "iteration, to the first row's"), lines), PAGE, "absent")
 
 
+def parts():
+    lines = [tuple(row.values()) for row in rows("performance_parts.csv")]
+    put(table(("operations an element", "f64", "f32", "f64, two freedoms"), lines), PAGE, "parts")
+
+
 def scaling():
     series = defaultdict(list)
     for row in rows("performance_scaling.csv"):
@@ -135,5 +140,5 @@ def instructions():
 
 
 if __name__ == "__main__":
-    for part in (machine, aims, cost, options, scenes, absent, scaling, cold, instructions):
+    for part in (machine, aims, cost, options, scenes, absent, parts, scaling, cold, instructions):
         part()

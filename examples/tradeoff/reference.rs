@@ -6,15 +6,15 @@
 use nalgebra::Vector3;
 use superhelix::math::quadrature::Rules;
 use superhelix::rod::freedoms::Freedoms;
+use superhelix::rod::kinematics::Kinematics;
 use superhelix::rod::strand::StrandModel;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::step::equilibrium::EquilibriumOptions;
-use superhelix::step::options::{Integrator, StepOptions};
-use superhelix::step::state::{StrandState, rotation_matrix};
-use superhelix::rod::kinematics::Kinematics;
 use superhelix::step::members::One;
+use superhelix::step::options::{Integrator, StepOptions};
 use superhelix::step::scratch::Scratch;
+use superhelix::step::state::{StrandState, rotation_matrix};
 use superhelix::step::{self, Setting, Surroundings};
 
 use crate::hair::Hair;
