@@ -16,17 +16,19 @@ program=$(cargo bench --locked --profile demo --bench performance --no-run --mes
 
 counted() { # counted STEPS N PRECISION SET ITERATIONS: instructions, and iterations that the steps took
   local log
-  log=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" --steps "$@" 2>&1)
-  sed -n 's/.*Collected : \([0-9]*\).*/\1/p' <<<"$log"
-  grep -E '^[0-9]+$' <<<"$log"
+  if ! log=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" --steps "$@" 2>&1); then
+    echo "$log" >&2
+    return 1
+  fi
+  echo "$(sed -n 's/.*Collected : \([0-9]*\).*/\1/p' <<<"$log") $(grep -E '^[0-9]+$' <<<"$log")"
 }
 
 # Two runs that differ in their number of steps: what starting costs falls out.
 between() { # between N PRECISION SET ITERATIONS
   local few many
-  mapfile -t few < <(counted 2 "$@")
-  mapfile -t many < <(counted 6 "$@")
-  echo "$((many[0] - few[0])) $((many[1] - few[1]))"
+  few=$(counted 2 "$@")
+  many=$(counted 6 "$@")
+  echo "$((${many% *} - ${few% *})) $((${many#* } - ${few#* }))"
 }
 
 compiler=$(rustc --version)
@@ -35,10 +37,10 @@ compiler=$(rustc --version)
   for set in scalar baseline avx2; do
     for precision in f64 f32; do
       for elements in 5 10 50; do
-        read -r three three_iterations < <(between "$elements" "$precision" "$set" 3)
-        read -r seven seven_iterations < <(between "$elements" "$precision" "$set" 7)
+        three=$(between "$elements" "$precision" "$set" 3)
+        seven=$(between "$elements" "$precision" "$set" 7)
         # 16 strands, 4 steps; iterations are means over the strands.
-        awk -v a="$three" -v b="$seven" -v i="$three_iterations" -v j="$seven_iterations" -v n="$elements" -v s="$set" -v p="$precision" \
+        awk -v a="${three% *}" -v b="${seven% *}" -v i="${three#* }" -v j="${seven#* }" -v n="$elements" -v s="$set" -v p="$precision" \
           -v c="$compiler" 'BEGIN { printf "%s,%s,%d,%.0f,%.0f,%s\n", s, p, n, a / (64 * n), (b - a) / (16 * n * (j - i)), c }'
       done
     done

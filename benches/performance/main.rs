@@ -134,5 +134,5 @@ fn profile(words: &[String]) {
 fn steps(words: &[String]) {
     let (steps, iterations) = (words[0].parse().expect("steps"), words[4].parse().expect("iterations"));
     let mut crowd = Crowd::new(&named(&words[1..]).strands(16).iterations(iterations));
-    println!("{}", (crowd.take(steps).iterations * f64::from(steps)).round());
+    println!("{}", crowd.take_untimed(steps).round());
 }
