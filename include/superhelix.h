@@ -355,6 +355,9 @@ typedef struct shx_solver_def {
   // SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
   // 1e-12 to 1e-2. Default 1e-8.
   double reference_tolerance;
+  // What the integrals along an element (inertia, drag, weight) may err by, relative: 1e-12 to 1e-2. Default 1e-4. It decides how
+  // many quadrature points elements get by how far they turn, and with that time and memory.
+  double quadrature_tolerance;
 } shx_solver_def;
 
 // A right-handed pose in the world: where a root or a cross-section sits and how it is turned.
@@ -548,7 +551,7 @@ typedef struct shx_fit {
 } shx_fit;
 
 // Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
-// integrator, max_iterations, max_subdivisions, tolerance and error_tolerance into a shx_solver_def, element_count into a
+// integrator, max_iterations, max_subdivisions and the three tolerances into a shx_solver_def, element_count into a
 // shx_strand_def, and step each frame in substeps.
 typedef struct shx_settings {
   // Set by shx_settings_init.
@@ -573,6 +576,8 @@ typedef struct shx_settings {
   // Processor time a strand and simulated second in the dearest of them, microseconds, one thread, on the machine of
   // docs/tradeoff.md. Negative: not measured.
   double cost;
+  // What integrals along an element may err by.
+  double quadrature_tolerance;
 } shx_settings;
 
 // What to fit and how. Fill with shx_friction_def_init, then set at least coefficients. What is pointed to is read during the call
@@ -790,7 +795,9 @@ SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3])
 // Alone with the solver.
 SHX_API shx_result shx_solver_step(shx_solver *solver, double dt, uint32_t substeps, shx_step_report *report);
 
-// Bytes of memory that the solver holds.
+// Bytes of memory that the solver holds, all its strands included, as it asked the allocator for them. Not in it: what the allocator
+// adds of its own, the stacks of the solver's threads, and each thread's scratch memory for a step, which grows with the longest strand
+// and not with their number. Looks at every strand.
 // Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
 SHX_API shx_result shx_solver_memory_usage(const shx_solver *solver, uint64_t *out_bytes);
 
@@ -844,6 +851,14 @@ SHX_API shx_result shx_solver_strand_status(const shx_solver *solver, const shx_
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
 SHX_API shx_result shx_solver_strand_iterations(const shx_solver *solver, const shx_strand_id *ids, size_t count,
     uint32_t *out_iterations);
+
+// With how many quadrature points the elements of each of count strands are integrated, into out_points, and what inertia, drag and
+// weight of the most turned element then err by in the present shape, relative, into out_errors: at most the solver's
+// quadrature_tolerance, unless an element has turned further than any rule is for (about 200 rad), or since the last step began. 1e-12
+// stands for that or less, infinity for more than 1e-2.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_strand_quadrature(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    uint32_t *out_points, double *out_errors);
 
 // The largest angle by which an element of each of count strands turns, in its natural or its present shape, rad, into out_turns.
 // Above pi/2 a strand moves too stiffly: give it more elements.
@@ -963,7 +978,10 @@ SHX_API shx_result shx_sample_def_init(shx_sample_def *def, size_t size);
 // Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 root, last one tip) of strand
 // ids[i]. points: SHX_FORMAT_F32X3, _F32X4 (with the strand's radius), _F64X3, _F64X4. frames: SHX_FORMAT_FRAME, or _F32X4 and
 // _F64X4 for the quaternions alone. velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3. One or two of the three may
-// be null. One call a frame for everything that is drawn.
+// be null. One call a frame for everything that is drawn. Where no output holds doubles, points are worked out in single precision
+// within an element: good to 1e-6 of the strand's length (measured: 2e-7) before they are rounded to what is written. Runs on the
+// solver's own threads (shx_solver_def.worker_count) when there is enough to do, not on the host's task system: a host that has one
+// calls from its tasks, for some of the strands each.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
 // SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
 SHX_API shx_result shx_solver_sample_strands(const shx_solver *solver, const shx_strand_id *ids, size_t count,
@@ -1018,7 +1036,8 @@ SHX_API shx_result shx_fit_polyline(const shx_input *polyline, uint32_t element_
 
 // Natural curvatures for which a strand of this definition hangs still under gravity (three doubles, m/s^2) in the shape of
 // curvatures (count rows, rad/m; count is def.element_count): the sag-free natural shape. They go to out_natural, which holds
-// count rows. Only the material, the lengths and the root of the definition matter.
+// count rows. Only the material, the lengths and the root of the definition matter. In a solver of the default quadrature_tolerance
+// the strand is in balance to rounding, in others to that tolerance.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
 SHX_API shx_result shx_fit_natural_curvatures(const shx_strand_def *def, const double *curvatures, size_t count,
     const double gravity[3], double *out_natural);

@@ -9,9 +9,13 @@ cd "$(dirname "$0")/.."
 if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   BENCH_DRAW=no scripts/bench.sh
   scripts/instructions.sh
+  cargo bench --locked --profile demo --bench sampling -- --csv docs/figures/sampling.csv
   cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
   cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
   cargo run --quiet --locked --release --example newton -- docs/figures/newton.csv
+  cargo run --quiet --locked --release --example quadrature -- angles docs/figures/quadrature_angles.csv
+  cargo run --quiet --locked --release --example quadrature -- motions docs/figures/quadrature_motions.csv
+  scripts/quadrature_cost.sh
   VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test validation_statics --test validation_vibration \
     --test validation_dynamics --test validation_whirl
   cargo run --quiet --locked --release --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv

@@ -36,7 +36,7 @@ macro_rules! layouts {
 #[test]
 fn every_size_and_offset_is_as_published() {
     let expected = layouts! {
-        shx_solver_def: 160 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reserved: 136, reference_tolerance: 152 }
+        shx_solver_def: 168 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reserved: 136, reference_tolerance: 152, quadrature_tolerance: 160 }
         shx_frame: 56 { origin: 0, rotation: 24 }
         shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, freedoms: 88, reserved0: 92, root: 96, natural: 152, user_data: 160, initial: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
         shx_step_report: 88 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_error: 80 }
@@ -44,7 +44,7 @@ fn every_size_and_offset_is_as_published() {
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
-        shx_settings: 56 { struct_size: 0, integrator: 4, max_iterations: 8, substeps: 12, element_count: 16, max_subdivisions: 20, tolerance: 24, error_tolerance: 32, error: 40, cost: 48 }
+        shx_settings: 64 { struct_size: 0, integrator: 4, max_iterations: 8, substeps: 12, element_count: 16, max_subdivisions: 20, tolerance: 24, error_tolerance: 32, error: 40, cost: 48, quadrature_tolerance: 56 }
         shx_settle_def: 24 { struct_size: 0, max_steps: 4, tolerance: 8, check_stability: 16, reserved: 20 }
         shx_settle_report: 48 { struct_size: 0, unconverged: 4, unstable: 8, saddles: 12, iterations: 16, max_residual: 24, smallest_eigenvalue: 32, seconds: 40 }
         shx_suggest_def: 64 { struct_size: 0, max_elements: 4, tolerance: 8, gravity: 16, motion: 40, motion_count: 48, motion_interval: 56 }

@@ -29,6 +29,7 @@ fn assert_same(c: &shx_settings, rust: &Settings) {
     assert_eq!((c.integrator, c.max_iterations), (rust.step.integrator as u32, rust.step.max_iterations));
     assert_eq!((c.max_subdivisions, c.substeps, c.element_count), (rust.step.max_subdivisions, rust.substeps, rust.elements));
     assert_eq!((c.tolerance, c.error_tolerance), (rust.step.tolerance, rust.step.error_tolerance));
+    assert_eq!(c.quadrature_tolerance, rust.step.quadrature_tolerance);
     assert_eq!((c.error, c.cost), (rust.error.unwrap_or(-1.0), rust.cost.unwrap_or(-1.0)));
 }
 
@@ -80,6 +81,7 @@ fn a_solver_takes_them() {
         solver_def.max_subdivisions = settings.max_subdivisions;
         solver_def.tolerance = settings.tolerance;
         solver_def.error_tolerance = settings.error_tolerance;
+        solver_def.quadrature_tolerance = settings.quadrature_tolerance;
         strand_def.length = 0.2;
         strand_def.element_count = settings.element_count;
         assert_eq!(shx_solver_create(&raw const solver_def, &raw mut solver), SHX_OK);

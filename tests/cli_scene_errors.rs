@@ -79,6 +79,8 @@ fn values_out_of_range_are_named() {
         ("/newton", json!(7), "newton", "7"),
         ("/reference_tolerance", json!(-1e-8), "reference_tolerance", "-1e-8"),
         ("/reference_tolerance", json!(1.0), "reference_tolerance", "1"),
+        ("/quadrature_tolerance", json!(0), "quadrature_tolerance", "0"),
+        ("/quadrature_tolerance", json!(0.1), "quadrature_tolerance", "0.1"),
         ("/solver", json!("lu"), "solver", "\"lu\""),
         ("/strands", json!({}), "strands", "{}"),
         ("/strands/0", json!(17), "strands[0]", "17"),

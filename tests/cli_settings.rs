@@ -27,6 +27,7 @@ fn presets_and_errors_give_what_the_library_gives() {
         (&said["tolerance"], &said["max_iterations"]),
         (&expected.step.tolerance.into(), &expected.step.max_iterations.into())
     );
+    assert_eq!(said["quadrature_tolerance"], expected.step.quadrature_tolerance);
     assert_eq!(said["measured_error"].as_f64(), expected.error);
 
     let straight = HairShape { curvature: 0.0, length: 0.2 };

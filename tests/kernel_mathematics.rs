@@ -64,7 +64,7 @@ impl Setting {
 #[test]
 fn inertia_agrees_with_the_oracle() {
     let cases: Value = serde_json::from_str(include_str!("data/reference/inertia.json")).unwrap();
-    let rules = Rules::default();
+    let rules = Rules::new(1e-10);
     let mut worst = 0.0_f64;
     for case in cases.as_array().unwrap() {
         let numbers = |v: &Value| -> Vec<f64> { v.as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect() };
@@ -73,7 +73,7 @@ fn inertia_agrees_with_the_oracle() {
             case["curvatures"].as_array().unwrap().iter().map(|row| numbers(row).try_into().unwrap()).collect();
         let angle = case["angle"].as_f64().unwrap();
         let density = case["linear_density"].as_f64().unwrap();
-        // The rule that the engine itself chooses for this angle.
+        // The rule that the engine itself chooses for this angle and tolerance.
         let rule = rules.rule(rules.for_angle(angle)).clone();
         let setting = Setting { root: Mat3::identity(), lengths, curvatures, rule };
         let kinematics = setting.kinematics(&setting.curvatures);

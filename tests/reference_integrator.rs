@@ -18,7 +18,8 @@ use superhelix::step::state::{StrandState, rotation_matrix};
 use superhelix::step::{self, Setting, Surroundings};
 
 fn options(reference_tolerance: f64) -> StepOptions {
-    StepOptions { integrator: Integrator::Reference, reference_tolerance, ..StepOptions::default() }
+    // Its steps have fine rules of their own; energies are told with those of the options.
+    StepOptions { integrator: Integrator::Reference, reference_tolerance, quadrature_tolerance: 1e-12, ..StepOptions::default() }
 }
 
 fn solver(tolerance: f64) -> Solver {
@@ -33,7 +34,7 @@ fn apart(case: &Case, one: &[Vector3<f64>], other: &[Vector3<f64>]) -> f64 {
 /// The tip at the case's times, and Newton's iterations in all. The root is followed itself: the moves between two
 /// frames that a solver makes are exact at the frames only.
 fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
-    let rules = Rules::default();
+    let rules = Rules::new(options(tolerance).quadrature_tolerance);
     let def = &case.def;
     let model = StrandModel::new(def.element_lengths.clone(), def.natural.clone(), def.material, def.freedoms);
     let count = model.element_count();

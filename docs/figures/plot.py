@@ -73,6 +73,30 @@ def convergence():
     put(lines, "convergence.md", "convergence")
 
 
+def sampling():
+    data = rows("sampling.csv")
+    lines = ["| what is written | a copy | one thread | two threads | ratio, one | ratio, two | processor time |", "|---" * 7 + "|"]
+    for row in data:
+        if row["kind"] == "sampling":
+            copy, one, two, spent = (float(row[key]) for key in "abcd")
+            lines.append(f"| {row['what']} | {copy:.2f} | {one:.1f} | {two:.1f} | {one / copy:.1f} | {two / copy:.1f} | {spent:.1f} |")
+        if row["kind"] == "one by one":
+            lines.append(f"| (strand by strand, `Solver::sample_strands`, all three in f64) | | {float(row['a']):.1f} | | | | {float(row['d']):.1f} |")
+    put(lines, "performance.md", "sampling")
+    told = {(row["what"], row["count"]): float(row["b"]) for row in data if row["kind"] == "memory"}
+    counts = sorted({int(count) for _, count in told})
+    lines = ["| integrator | " + " | ".join(f"N = {count}" for count in counts) + " |", "|---" * (len(counts) + 1) + "|"]
+    for name in ("SecondOrder", "ImplicitEuler", "LinearlyImplicit"):
+        words = "".join(" " + letter.lower() if letter.isupper() else letter for letter in name).strip()
+        lines.append(f"| {words} | " + " | ".join(f"{told[name, str(count)]:.0f}" for count in counts) + " |")
+    put(lines, "performance.md", "memory")
+    lines = ["| strands | added in one call | every other one removed in one call | as many added again |", "|---|---|---|---|"]
+    for row in data:
+        if row["kind"] == "population":
+            lines.append(f"| {int(row['count']):,} | " + " | ".join(f"{float(row[key]):.0f} ms" for key in "abc") + " |")
+    put(lines, "performance.md", "population")
+
+
 def limits():
     """The table in docs/integrators.md, between the markers."""
     table = defaultdict(dict)
@@ -102,6 +126,48 @@ def newton():
     put(lines, "newton.md", "newton")
 
 
+def power(value):
+    """A number to two digits, with a power of ten as the pages write it."""
+    mantissa, exponent = f"{value:.1e}".split("e")
+    raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"{mantissa}·10{raised}"
+
+
+def quadrature():
+    table = defaultdict(list)
+    for row in rows("quadrature_angles.csv"):
+        table[row["points"]].append(float(row["largest_turn"]))
+    raised = [str(exponent).translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")) for exponent in range(2, 13)]
+    lines = ["| points | " + " | ".join(f"10⁻{exponent}" for exponent in raised) + " |", "|---" * 12 + "|"]
+    for points, turns in table.items():
+        lines.append(f"| {points} | " + " | ".join("–" if turn == 0 else f"{turn:#.3g}".rstrip(".") for turn in turns) + " |")
+    put(lines, "mathematics.md", "quadrature angles")
+
+    tolerances = ["1e-2", "1e-3", "1e-4", "1e-6"]
+    worst = defaultdict(lambda: defaultdict(float))
+    for row in rows("quadrature_motions.csv"):
+        line = worst[row["hair"], row["elements"]]
+        line["error"] = min(line["error"] or 1, float(row["error"]))
+        for key, value in [("points", float(row["points"])), ("added", float(row["added"])),
+                           ("velocity", float(row["velocity_added"]) / float(row["velocity_error"]))]:
+            line[key, row["tolerance"]] = max(line[key, row["tolerance"]], value)
+    lines = ["| hair | N | least error, L | points: " + " | ".join(power(float(t))[4:] for t in tolerances) + " | positions, added, L: " +
+             " | ".join(power(float(t))[4:] for t in tolerances) + " | velocities, added, of the error: " +
+             " | ".join(power(float(t))[4:] for t in tolerances) + " |", "|---" * 15 + "|"]
+    for (hair, elements), line in worst.items():
+        lines.append(f"| {hair} | {elements} | {power(line['error'])} | " + " | ".join(f"{line['points', t]:.1f}" for t in tolerances) + " | " +
+                     " | ".join(power(line["added", t]) for t in tolerances) + " | " +
+                     " | ".join(f"{100 * line['velocity', t]:.2g} %" for t in tolerances) + " |")
+    put(lines, "mathematics.md", "quadrature motions")
+
+    costs = rows("quadrature_cost.csv")
+    six = next(float(row["instructions"]) for row in costs if row["points"] == "6")
+    lines = ["| points | tolerance | iterations a step | instructions an element and step | of those of six points |", "|---" * 5 + "|"]
+    for row in costs:
+        lines.append(f"| {row['points']} | {power(float(row['tolerance']))[4:]} | {float(row['iterations']):.2f} | {row['instructions']} | {float(row['instructions']) / six:.2f} |")
+    put(lines, "performance.md", "quadrature cost")
+
+
 def friction():
     data = {key: np.array([float(row[key]) for row in rows("friction_curve.csv")]) for key in ("time", "recorded", "best", "quarter", "fourfold")}
     figure, axes = plt.subplots(figsize=(7.2, 3.2))
@@ -126,6 +192,8 @@ def friction():
 
 if __name__ == "__main__":
     convergence()
+    sampling()
     limits()
     newton()
+    quadrature()
     friction()

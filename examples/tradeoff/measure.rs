@@ -60,6 +60,7 @@ fn run(scene: Scene, walk: &Walk, setting: &Setting, def: &StrandDef) -> Run {
         tolerance: setting.tolerance,
         max_subdivisions: setting.subdivisions,
         error_tolerance: setting.error_tolerance,
+        quadrature_tolerance: setting.quadrature_tolerance,
         ..StepOptions::default()
     };
     let strands = strands(setting.elements);

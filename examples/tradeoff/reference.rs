@@ -24,6 +24,8 @@ use crate::walk::Walk;
 
 /// Steps a second of the coarser of two runs.
 pub const RATE: u32 = 1920;
+/// What its integrals along an element may err by.
+const QUADRATURE: f64 = 1e-10;
 /// Where two trajectories of one motion are this far apart, in lengths, the motion has forgotten how it began.
 const PARTED: f64 = 0.02;
 
@@ -53,7 +55,7 @@ pub fn strand(scene: Scene, hair: Hair, walk: &Walk, elements: usize, freedoms: 
 
 /// The path of a strand of `elements` elements, a multiple of eight, in `rate` calls a second, a multiple of 24.
 fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &StepOptions, rate: u32) -> Path {
-    let rules = Rules::default();
+    let rules = Rules::new(options.quadrature_tolerance);
     let def = strand(scene, hair, walk, elements, Freedoms::ALL);
     let model = StrandModel::new(def.element_lengths.clone(), def.natural.clone(), def.material, def.freedoms);
     let initial = def.initial.clone().expect("settled");
@@ -84,7 +86,12 @@ fn follow(scene: Scene, hair: Hair, walk: &Walk, elements: usize, options: &Step
 
 /// By the reference integrator, to `tolerance` of the length a second.
 pub fn radau(scene: Scene, hair: Hair, walk: &Walk, elements: usize, tolerance: f64) -> Path {
-    let options = StepOptions { integrator: Integrator::Reference, reference_tolerance: tolerance, ..StepOptions::default() };
+    let options = StepOptions {
+        integrator: Integrator::Reference,
+        reference_tolerance: tolerance,
+        quadrature_tolerance: QUADRATURE,
+        ..StepOptions::default()
+    };
     follow(scene, hair, walk, elements, &options, FRAMES)
 }
 
@@ -98,7 +105,8 @@ pub fn checked_elements(scene: Scene, hair: Hair) -> Vec<usize> {
 
 /// By second order at `rate` and at twice as many steps a second, extrapolated; and how far the two are apart in lengths.
 pub fn extrapolated(scene: Scene, hair: Hair, walk: &Walk, elements: usize, rate: u32) -> (Path, Distance) {
-    let options = StepOptions { tolerance: 1e-8, max_iterations: 200, ..StepOptions::default() };
+    let options =
+        StepOptions { tolerance: 1e-8, max_iterations: 200, quadrature_tolerance: QUADRATURE, ..StepOptions::default() };
     let coarse = follow(scene, hair, walk, elements, &options, rate);
     let fine = follow(scene, hair, walk, elements, &options, 2 * rate);
     let apart = coarse.distance(&fine, fine.frames.len(), scene.length(hair.length()));

@@ -32,6 +32,8 @@ pub struct Setting {
     pub subdivisions: u32,
     /// The error that a step may add, in lengths; 0: not looked at.
     pub error_tolerance: f64,
+    /// What integrals along an element may err by.
+    pub quadrature_tolerance: f64,
     /// Curvatures that may change.
     pub freedoms: Freedoms,
 }
@@ -48,7 +50,7 @@ pub fn integrator_name(integrator: Integrator) -> &'static str {
 
 impl Setting {
     fn plain(integrator: Integrator, rate: u32, elements: u32) -> Self {
-        let StepOptions { max_iterations, max_subdivisions, .. } = StepOptions::default();
+        let StepOptions { max_iterations, max_subdivisions, quadrature_tolerance, .. } = StepOptions::default();
         Self {
             preset: None,
             integrator,
@@ -58,6 +60,7 @@ impl Setting {
             tolerance: TOLERANCE,
             subdivisions: max_subdivisions,
             error_tolerance: 0.0,
+            quadrature_tolerance,
             freedoms: Freedoms::ALL,
         }
     }
@@ -105,6 +108,7 @@ impl Setting {
                 tolerance: recipe.step.tolerance,
                 subdivisions: recipe.step.max_subdivisions,
                 error_tolerance: recipe.step.error_tolerance,
+                quadrature_tolerance: recipe.step.quadrature_tolerance,
                 freedoms: Freedoms::ALL,
             });
         }

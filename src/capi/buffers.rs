@@ -286,12 +286,7 @@ impl Writer {
     /// Writes the leading numbers of a list; a format of three numbers leaves the fourth out.
     fn numbers(&self, index: usize, numbers: &[f64]) {
         assert!(index < self.needed);
-        let count = match self.format {
-            SHX_FORMAT_F32X3 | SHX_FORMAT_F64X3 => 3,
-            SHX_FORMAT_F32X4 | SHX_FORMAT_F64X4 => 4,
-            _ => 7,
-        };
-        for (position, number) in numbers[..count].iter().enumerate() {
+        for (position, number) in numbers[..self.width()].iter().enumerate() {
             // SAFETY: index < needed <= count of the memory that `optional` was promised, position inside the format's size.
             unsafe {
                 let item = self.data.add(index * self.stride);
@@ -326,5 +321,45 @@ impl Writer {
     /// The frame of a sample, relative to `origin`.
     pub(crate) fn sample_frame(&self, index: usize, sample: &Sample, origin: nalgebra::Vector3<f64>) {
         self.frame(index, &Frame { origin: sample.position - origin, rotation: sample.rotation });
+    }
+
+    /// Whether items are floats.
+    pub(crate) fn is_single(&self) -> bool {
+        matches!(self.format, SHX_FORMAT_F32X3 | SHX_FORMAT_F32X4)
+    }
+
+    /// Numbers of an item.
+    pub(crate) fn width(&self) -> usize {
+        match self.format {
+            SHX_FORMAT_F32X3 | SHX_FORMAT_F64X3 => 3,
+            SHX_FORMAT_F32X4 | SHX_FORMAT_F64X4 => 4,
+            _ => 7,
+        }
+    }
+
+    /// Writes `count` items of `WIDTH` floats from `first` on: `item(k)` is the kth of them. The quick way for many.
+    #[inline(always)]
+    pub(crate) fn singles<const WIDTH: usize>(&self, first: usize, count: usize, item: impl Fn(usize) -> [f32; WIDTH]) {
+        assert!(self.is_single() && self.width() == WIDTH);
+        self.items(first, count, item);
+    }
+
+    /// The same for doubles.
+    #[inline(always)]
+    pub(crate) fn doubles<const WIDTH: usize>(&self, first: usize, count: usize, item: impl Fn(usize) -> [f64; WIDTH]) {
+        assert!(!self.is_single() && self.width() == WIDTH);
+        self.items(first, count, item);
+    }
+
+    #[inline(always)]
+    fn items<T>(&self, first: usize, count: usize, item: impl Fn(usize) -> T) {
+        assert!(first <= self.needed && count <= self.needed - first);
+        // SAFETY: first <= needed <= count of the memory that `optional` was promised.
+        let mut place = unsafe { self.data.add(first * self.stride) };
+        for k in 0..count {
+            // SAFETY: item first + k of the same memory, and T is as large as the format says.
+            unsafe { place.cast::<T>().write_unaligned(item(k)) };
+            place = place.wrapping_add(self.stride);
+        }
     }
 }

@@ -107,7 +107,8 @@ pub unsafe extern "C" fn shx_fit_polyline(
 
 /// Natural curvatures for which a strand of this definition hangs still under gravity (three doubles, m/s^2) in the shape of
 /// curvatures (count rows, rad/m; count is def.element_count): the sag-free natural shape. They go to out_natural, which holds
-/// count rows. Only the material, the lengths and the root of the definition matter.
+/// count rows. Only the material, the lengths and the root of the definition matter. In a solver of the default quadrature_tolerance
+/// the strand is in balance to rounding, in others to that tolerance.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
 /// cbindgen:ptrs-as-arrays=[[gravity; 3]]
 #[unsafe(no_mangle)]

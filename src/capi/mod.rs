@@ -25,6 +25,7 @@ pub mod level_of_detail;
 pub mod log;
 pub mod parallel;
 pub mod roots;
+mod sample_outputs;
 pub mod sampling;
 pub mod settings;
 pub mod settle;

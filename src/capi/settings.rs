@@ -34,7 +34,7 @@ pub const SHX_SCENE_WIND_GUST: u32 = 32;
 pub const SHX_SCENE_ALL: u32 = 63;
 
 /// Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
-/// integrator, max_iterations, max_subdivisions, tolerance and error_tolerance into a shx_solver_def, element_count into a
+/// integrator, max_iterations, max_subdivisions and the three tolerances into a shx_solver_def, element_count into a
 /// shx_strand_def, and step each frame in substeps.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
@@ -61,6 +61,8 @@ pub struct shx_settings {
     /// Processor time a strand and simulated second in the dearest of them, microseconds, one thread, on the machine of
     /// docs/tradeoff.md. Negative: not measured.
     pub cost: f64,
+    /// What integrals along an element may err by.
+    pub quadrature_tolerance: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -80,12 +82,13 @@ unsafe impl Versioned for shx_settings {
             error_tolerance: step.error_tolerance,
             error: -1.0,
             cost: -1.0,
+            quadrature_tolerance: step.quadrature_tolerance,
         }
     }
 }
 
 const _: () = {
-    assert!(size_of::<shx_settings>() == 56);
+    assert!(size_of::<shx_settings>() == 64);
     assert!(offset_of!(shx_settings, element_count) == 16 && offset_of!(shx_settings, tolerance) == 24);
 };
 
@@ -101,6 +104,7 @@ impl shx_settings {
             error_tolerance: settings.step.error_tolerance,
             error: settings.error.unwrap_or(-1.0),
             cost: settings.cost.unwrap_or(-1.0),
+            quadrature_tolerance: settings.step.quadrature_tolerance,
             ..Self::defaults()
         }
     }

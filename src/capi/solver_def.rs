@@ -103,6 +103,9 @@ pub struct shx_solver_def {
     /// SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
     /// 1e-12 to 1e-2. Default 1e-8.
     pub reference_tolerance: f64,
+    /// What the integrals along an element (inertia, drag, weight) may err by, relative: 1e-12 to 1e-2. Default 1e-4. It decides how
+    /// many quadrature points elements get by how far they turn, and with that time and memory.
+    pub quadrature_tolerance: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, pointers and nullable functions only.
@@ -132,13 +135,14 @@ unsafe impl Versioned for shx_solver_def {
             error_tolerance: options.step.error_tolerance,
             reserved: [0; 2],
             reference_tolerance: options.step.reference_tolerance,
+            quadrature_tolerance: options.step.quadrature_tolerance,
         }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_solver_def>() == 160);
+    assert!(size_of::<shx_solver_def>() == 168);
     assert!(offset_of!(shx_solver_def, parallel_for) == 56 && offset_of!(shx_solver_def, log_level) == 88);
     assert!(offset_of!(shx_solver_def, linear_solver) == 96 && offset_of!(shx_solver_def, tolerance) == 112);
 };
@@ -203,6 +207,7 @@ impl shx_solver_def {
                 max_subdivisions: self.max_subdivisions,
                 error_tolerance: self.error_tolerance,
                 precision,
+                quadrature_tolerance: self.quadrature_tolerance,
             },
             workers,
             instruction_set,

@@ -117,6 +117,11 @@ const _: () = {
     assert!(offset_of!(shx_strand_def, initial) == 168 && offset_of!(shx_strand_def, root_velocity) == 184);
 };
 
+/// Takes a field; its whole name is made only for an error: for many definitions the names cost more than all the rest.
+fn named<T>(argument: &str, field: &str, take: impl Fn(&str) -> Result<T>) -> Result<T> {
+    take(field).or_else(|_| take(&format!("{argument}.{field}")))
+}
+
 /// Rows of curvatures in the caller's memory; nothing for null.
 ///
 /// # Safety
@@ -143,9 +148,11 @@ impl shx_strand_def {
             return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
         }
         check_reserved(argument, &self.reserved)?;
-        let natural_argument = format!("{argument}.natural");
-        // SAFETY: the caller's rows.
-        let natural = unsafe { optional_rows(&natural_argument, self.natural, count)? }.unwrap_or(vec![[0.0; 3]; count]);
+        let rows = |field: &str, rows: *const f64| {
+            // SAFETY: the caller's rows.
+            named(argument, field, |name| unsafe { optional_rows(name, rows, count) })
+        };
+        let natural = rows("natural", self.natural)?.unwrap_or_else(|| vec![[0.0; 3]; count]);
         let definition = StrandDef {
             // SAFETY: the caller's lengths.
             element_lengths: unsafe { self.element_lengths(argument, count)? },
@@ -158,13 +165,11 @@ impl shx_strand_def {
                 viscosity: self.viscosity,
                 air_drag: self.air_drag,
             },
-            freedoms: Freedoms::from_bits(&format!("{argument}.freedoms"), self.freedoms)?,
-            root: Frame::from_arrays(&format!("{argument}.root"), self.root.origin, self.root.rotation)?,
+            freedoms: named(argument, "freedoms", |name| Freedoms::from_bits(name, self.freedoms))?,
+            root: named(argument, "root", |name| Frame::from_arrays(name, self.root.origin, self.root.rotation))?,
             natural,
-            // SAFETY: the caller's rows.
-            initial: unsafe { optional_rows(&format!("{argument}.initial"), self.initial, count)? },
-            // SAFETY: the caller's rows.
-            initial_rates: unsafe { optional_rows(&format!("{argument}.initial_rates"), self.initial_rates, count)? },
+            initial: rows("initial", self.initial)?,
+            initial_rates: rows("initial_rates", self.initial_rates)?,
             root_velocity: Vector3::from(self.root_velocity),
             root_angular_velocity: Vector3::from(self.root_angular_velocity),
             user_data: self.user_data,
@@ -176,10 +181,9 @@ impl shx_strand_def {
     /// # Safety
     /// `element_lengths` is null or points to `count` lengths.
     unsafe fn element_lengths(&self, argument: &str, count: usize) -> Result<Vec<f64>> {
-        let length_argument = format!("{argument}.length");
         if self.element_lengths.is_null() {
             if !(self.length.is_finite() && self.length > 0.0) {
-                return Err(Error::invalid(length_argument, self.length, "a finite number above zero (m)"));
+                return Err(Error::invalid(format!("{argument}.length"), self.length, "a finite number above zero (m)"));
             }
             return Ok(vec![self.length / count as f64; count]);
         }
@@ -196,7 +200,7 @@ impl shx_strand_def {
         let agrees = (self.length - sum).abs() <= LENGTH_TOLERANCE * sum;
         if self.length != 0.0 && !agrees {
             return Err(Error::invalid(
-                length_argument,
+                format!("{argument}.length"),
                 self.length,
                 format!("{sum}, the sum of the element lengths, or 0 to have it summed"),
             ));

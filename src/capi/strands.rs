@@ -30,17 +30,20 @@ unsafe fn definitions(defs: *const shx_strand_def, stride: usize, count: usize) 
     if stride == 0 || count.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
         return Err(Error::invalid("def_stride", stride, "sizeof(shx_strand_def), or the stride of a structure that holds one"));
     }
-    let mut definitions = Vec::new();
-    for index in 0..count {
-        let argument = format!("defs[{index}]");
+    let one = |index: usize, argument: &str| {
         let def = defs.wrapping_byte_add(index * stride);
         // SAFETY: one of the caller's structures, of the size that it states.
-        let def = unsafe { read_versioned(&argument, def)? };
+        let def = unsafe { read_versioned(argument, def)? };
         if def.struct_size as usize > stride {
             return Err(Error::invalid("def_stride", stride, format!("at least {argument}.struct_size, {}", def.struct_size)));
         }
         // SAFETY: its arrays are the caller's.
-        definitions.push(unsafe { def.definition(&argument)? });
+        unsafe { def.definition(argument) }
+    };
+    let mut definitions = Vec::new();
+    for index in 0..count {
+        // Named only where it is wrong.
+        definitions.push(one(index, "defs").or_else(|_| one(index, &format!("defs[{index}]")))?);
     }
     Ok(definitions)
 }
@@ -241,6 +244,31 @@ pub unsafe extern "C" fn shx_solver_strand_iterations(
         read("shx_solver_strand_iterations", solver, |core| {
             let places = Places::new("out_iterations", "count", out_iterations, count)?;
             places.write(&each(&strand_ids(ids, count)?, |id| core.iterations(id))?)
+        })
+    }
+}
+
+/// With how many quadrature points the elements of each of count strands are integrated, into out_points, and what inertia, drag and
+/// weight of the most turned element then err by in the present shape, relative, into out_errors: at most the solver's
+/// quadrature_tolerance, unless an element has turned further than any rule is for (about 200 rad), or since the last step began. 1e-12
+/// stands for that or less, infinity for more than 1e-2.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_quadrature(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    out_points: *mut u32,
+    out_errors: *mut f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and places for count numbers each.
+    unsafe {
+        read("shx_solver_strand_quadrature", solver, |core| {
+            let points = Places::new("out_points", "count", out_points, count)?;
+            let errors = Places::new("out_errors", "count", out_errors, count)?;
+            let found = each(&strand_ids(ids, count)?, |id| core.quadrature(id))?;
+            points.write(&found.iter().map(|quadrature| quadrature.points).collect::<Vec<_>>())?;
+            errors.write(&found.iter().map(|quadrature| quadrature.error).collect::<Vec<_>>())
         })
     }
 }

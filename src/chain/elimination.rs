@@ -103,12 +103,27 @@ fn full<T: Lane>(m: &Upper<T>) -> Mat3<T> {
     Mat3([[m[0], m[1], m[2]], [m[1], m[3], m[4]], [m[2], m[4], m[5]]])
 }
 
+/// turn·m·turnᵀ.
 #[inline(always)]
-fn upper_of<T: Lane>(m: &Mat3<T>) -> Upper<T> {
-    let half = T::splat(0.5);
-    let mean = |i: usize, j: usize| (m.0[i][j] + m.0[j][i]) * half;
-    [m.0[0][0], mean(0, 1), mean(0, 2), m.0[1][1], mean(1, 2), m.0[2][2]]
+fn congruent<T: Lane>(turn: &Mat3<T>, m: &Upper<T>) -> Upper<T> {
+    let (half, turn) = (turn.mul(&full(m)).0, &turn.0);
+    let mut out = *m;
+    for (slot, (i, j)) in PAIRS.into_iter().enumerate() {
+        out[slot] = half[i][0] * turn[j][0] + half[i][1] * turn[j][1] + half[i][2] * turn[j][2];
+    }
+    out
 }
+
+/// Adds aᵀb, of which the caller knows that it is symmetric.
+#[inline(always)]
+fn add_symmetric_product<T: Lane>(to: &mut Upper<T>, a: &Mat3<T>, b: &Mat3<T>) {
+    for (slot, (i, j)) in PAIRS.into_iter().enumerate() {
+        to[slot] += a.0[0][i] * b.0[0][j] + a.0[1][i] * b.0[1][j] + a.0[2][i] * b.0[2][j];
+    }
+}
+
+/// Rows and columns of an upper triangle.
+const PAIRS: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
 
 /// What lies downstream of a point of the strand, in the axes at hand. A and C are kept symmetric by construction: without it rounding
 /// grows like a geometric series along the strand.
@@ -145,9 +160,9 @@ impl<T: Lane> Downstream<T> {
     #[inline(always)]
     fn turned(&self, turn: &Mat3<T>) -> Self {
         Self {
-            a: upper_of(&turn.mul(&full(&self.a)).mul_transposed(turn)),
+            a: congruent(turn, &self.a),
             b: turn.mul(&self.b).mul_transposed(turn),
-            c: upper_of(&turn.mul(&full(&self.c)).mul_transposed(turn)),
+            c: congruent(turn, &self.c),
             moment: turn.apply(self.moment),
             force: turn.apply(self.force),
             whole_moment: turn.apply(self.whole_moment),
@@ -166,9 +181,8 @@ impl<T: Lane> Downstream<T> {
         let s_bt = self.b.transpose().crossed_from_left(x);
         let s_sct = sc.transpose().crossed_from_left(x);
         let mut a = self.a;
-        let pairs = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
         let half = T::splat(0.5);
-        for (slot, (i, j)) in pairs.into_iter().enumerate() {
+        for (slot, (i, j)) in PAIRS.into_iter().enumerate() {
             a[slot] += s_bt.0[i][j] + s_bt.0[j][i] + (s_sct.0[i][j] + s_sct.0[j][i]) * half;
         }
         Self {
@@ -301,7 +315,9 @@ fn eliminate<T: Lane, const D: usize>(
     // What is downstream, through δκ: Y = P (Ψ; J), and its couplings.
     let y_psi = full(&right.a).mul(&psi).add(&right.b.mul(&jacobian));
     let y_rho = right.b.transposed_mul(&psi).add(&full(&right.c).mul(&jacobian));
-    let mut kk = psi.transposed_mul(&y_psi).add(&jacobian.transposed_mul(&y_rho));
+    let mut kk = [T::zero(); 6];
+    add_symmetric_product(&mut kk, &psi, &y_psi);
+    add_symmetric_product(&mut kk, &jacobian, &y_rho);
     let mut psi_k = y_psi.add(&y_rho.crossed_from_left(end));
     let mut rho_k = y_rho;
     let mut reduced = psi.apply_transposed(right.moment) + jacobian.apply_transposed(right.force);
@@ -343,7 +359,7 @@ fn eliminate<T: Lane, const D: usize>(
         own[5] += k_xx - kx.0[2] * x.0[2];
         let kj = j.scale(stiffness);
         point_rho_k = point_rho_k.add(&kj);
-        kk = kk.add(&j.transposed_mul(&kj));
+        add_symmetric_product(&mut kk, &j, &kj);
         let mut coupling = kj.crossed_from_left(x);
         if system.exact {
             let f = element.frame_left.apply_transposed(system.tension(p));
@@ -372,16 +388,20 @@ fn eliminate<T: Lane, const D: usize>(
     left.c[3] += stiffness_sum;
     left.c[5] += stiffness_sum;
     if system.exact {
-        kk = kk.add(&form.matrix(kappa));
+        let form = form.matrix(kappa).0;
+        for (slot, (i, j)) in PAIRS.into_iter().enumerate() {
+            kk[slot] += form[i][j];
+        }
     }
 
     // The pivot of the free curvatures.
     let own_stiffness = &system.curvature_stiffness[index];
     let own_force = &system.curvature_force[index];
+    let kk = full(&kk).0;
     let mut pivot = [[T::zero(); D]; D];
     for i in 0..D {
         for j in 0..D {
-            pivot[i][j] = T::splat(0.5) * (kk.0[axes[i]][axes[j]] + kk.0[axes[j]][axes[i]]);
+            pivot[i][j] = kk[axes[i]][axes[j]];
         }
         pivot[i][i] += own_stiffness[axes[i]];
     }

@@ -9,7 +9,7 @@
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
 use super::polyline::Polyline;
-pub use super::rest_shape::natural_under_gravity;
+pub use super::rest_shape::{natural_under_gravity, natural_under_gravity_with};
 use crate::chain::elimination::Elimination;
 use crate::chain::system::{ChainSystem, LinearSolve};
 use crate::error::{Error, Result};

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::chain::force::generalised;
 use crate::error::{Result, check_finite};
-use crate::math::quadrature::Rules;
+use crate::math::quadrature::{self, Rules};
 use crate::math::vector::Vec3;
 use crate::rod::definition::{StrandDef, check_rows};
 use crate::rod::kinematics::Kinematics;
@@ -14,11 +14,28 @@ use crate::step::state::rotation_matrix;
 /// Natural curvatures with which a strand of this definition is in equilibrium under gravity (m/s²) in the shape `curvatures`, a row an
 /// element. Frozen freedoms carry no moment of their own: their natural value is the curvature itself.
 ///
-/// Whether that equilibrium is stable is another question: a limp strand drawn upright is held exactly, and falls at a touch.
+/// The balance is exact to rounding in a solver of the default
+/// [`StepOptions::quadrature_tolerance`](crate::step::options::StepOptions::quadrature_tolerance), and to that tolerance in others:
+/// [`natural_under_gravity_with`] is for them. Whether that equilibrium is stable is another question: a limp strand drawn upright is held
+/// exactly, and falls at a touch.
 ///
 /// # Errors
 /// [`crate::error::Error::InvalidArgument`] for a definition or rows that cannot be used.
 pub fn natural_under_gravity(strand: &StrandDef, curvatures: &[[f64; 3]], gravity: Vector3<f64>) -> Result<Vec<[f64; 3]>> {
+    natural_under_gravity_with(strand, curvatures, gravity, quadrature::DEFAULT_TOLERANCE)
+}
+
+/// The same for a solver of that `quadrature_tolerance`.
+///
+/// # Errors
+/// [`crate::error::Error::InvalidArgument`] for a definition, rows or a tolerance (1e-12 to 1e-2) that cannot be used.
+pub fn natural_under_gravity_with(
+    strand: &StrandDef,
+    curvatures: &[[f64; 3]],
+    gravity: Vector3<f64>,
+    quadrature_tolerance: f64,
+) -> Result<Vec<[f64; 3]>> {
+    quadrature::check_tolerance("quadrature_tolerance", quadrature_tolerance)?;
     strand.check("strand")?;
     check_rows("curvatures", curvatures, strand.element_lengths.len())?;
     for axis in 0..3 {
@@ -26,7 +43,7 @@ pub fn natural_under_gravity(strand: &StrandDef, curvatures: &[[f64; 3]], gravit
     }
     let model = StrandModel::new(strand.element_lengths.clone(), strand.natural.clone(), strand.material, strand.freedoms);
     // The rule that a step will use: the balance is then exact to rounding.
-    let rules = Rules::default();
+    let rules = Rules::new(quadrature_tolerance);
     let rule = rules.rule(rules.next_for_angle(0, model.largest_angle(curvatures)));
     let mut kinematics = Kinematics::default();
     kinematics.update(&rotation_matrix(&strand.root), &model.lengths, curvatures, rule);

@@ -8,11 +8,13 @@
 use super::lane::Lane;
 use super::trigonometry::sine_cosine;
 
-/// Below this z the series is used (its terms fall quickly), above it sine and cosine (their cancellation is gone by then).
+/// Below this z the series is used (its terms fall quickly; below 1 half of them do), above it sine and cosine (their cancellation is
+/// gone by then).
 /// At the join both are good to 4 ulp; see the tests.
 const JOIN: f64 = 15.0;
 
-/// Coefficients of c6 and c7: (−1)ʲ/(2j+6)! and (−1)ʲ/(2j+7)!. Fifteen terms leave 1e-17 of the first at the join, eight 2e-9 (f32).
+/// Coefficients of c6 and c7: (−1)ʲ/(2j+6)! and (−1)ʲ/(2j+7)!. Fifteen terms leave 1e-17 of the first at the join, eight 2e-9
+/// (f32); at 1 eight leave 6e-19 and four 4e-10.
 const TERMS: usize = 15;
 const SERIES_6: [f64; TERMS] = reciprocal_factorials(6);
 const SERIES_7: [f64; TERMS] = reciprocal_factorials(7);
@@ -57,29 +59,36 @@ impl<T: Lane> Stumpff<T> {
     /// Evaluates all seven at `z` = x² ≥ 0.
     #[inline(always)]
     pub fn at(z: T) -> Self {
+        let tiny = T::less(z, T::one());
+        if T::all(tiny) {
+            return Self::by_series(z, T::PRECISION.constants().short_series);
+        }
+        // Which way a lane goes depends on its own z alone, so that its bits do not depend on the others.
+        let by_short = Self::by_series(z, T::PRECISION.constants().short_series);
+        let by_series = Self::by_series(z, T::PRECISION.constants().series);
+        let within = Self::select(tiny, &by_short, &by_series);
         let small = T::less(z, T::splat(JOIN));
         if T::all(small) {
-            return Self::by_series(z);
+            return within;
         }
-        let by_angle = Self::by_angle(z);
-        if !T::any(small) {
-            return by_angle;
-        }
-        let by_series = Self::by_series(z);
+        Self::select(small, &within, &Self::by_angle(z))
+    }
+
+    #[inline(always)]
+    fn select(mask: T::Mask, yes: &Self, no: &Self) -> Self {
         Self {
-            c1: T::select(small, by_series.c1, by_angle.c1),
-            c2: T::select(small, by_series.c2, by_angle.c2),
-            c3: T::select(small, by_series.c3, by_angle.c3),
-            c4: T::select(small, by_series.c4, by_angle.c4),
-            c5: T::select(small, by_series.c5, by_angle.c5),
-            c6: T::select(small, by_series.c6, by_angle.c6),
-            c7: T::select(small, by_series.c7, by_angle.c7),
+            c1: T::select(mask, yes.c1, no.c1),
+            c2: T::select(mask, yes.c2, no.c2),
+            c3: T::select(mask, yes.c3, no.c3),
+            c4: T::select(mask, yes.c4, no.c4),
+            c5: T::select(mask, yes.c5, no.c5),
+            c6: T::select(mask, yes.c6, no.c6),
+            c7: T::select(mask, yes.c7, no.c7),
         }
     }
 
     #[inline(always)]
-    fn by_series(z: T) -> Self {
-        let terms = const { T::PRECISION.constants().series_terms };
+    fn by_series(z: T, terms: usize) -> Self {
         let mut c6 = T::splat(SERIES_6[terms - 1]);
         let mut c7 = T::splat(SERIES_7[terms - 1]);
         for j in (0..terms - 1).rev() {
@@ -99,8 +108,9 @@ impl<T: Lane> Stumpff<T> {
         let x = z.sqrt();
         // Half the angle: 1 − cos x = 2 sin²(x/2) keeps its digits near whole turns.
         let (sine, cosine) = sine_cosine(T::splat(0.5) * x);
-        let c1 = T::splat(2.0) * sine * cosine / x;
-        let inverse = T::one() / z;
+        let reciprocal = T::one() / x;
+        let inverse = reciprocal * reciprocal;
+        let c1 = T::splat(2.0) * sine * cosine * reciprocal;
         let c2 = T::splat(2.0) * sine * sine * inverse;
         let c3 = (T::one() - c1) * inverse;
         let c4 = (T::splat(0.5) - c2) * inverse;

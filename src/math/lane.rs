@@ -129,7 +129,9 @@ pub struct Constants {
     /// 1.5 times the power of two above which there are no fractions.
     pub round_shift: f64,
     /// Terms of the series of Stumpff's functions.
-    pub series_terms: usize,
+    pub series: usize,
+    /// Terms that do below 1.
+    pub short_series: usize,
     /// π/2 in three parts; the products of the first two with a quadrant's number are exact (f64: to 2²⁰; f32: to 2¹¹).
     pub half_pi_parts: [f64; 3],
 }
@@ -142,13 +144,15 @@ impl Precision {
             Self::F64 => &Constants {
                 epsilon: f64::EPSILON,
                 round_shift: 6_755_399_441_055_744.0,
-                series_terms: 15,
+                series: 15,
+                short_series: 8,
                 half_pi_parts: [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21],
             },
             Self::F32 => &Constants {
                 epsilon: f32::EPSILON as f64,
                 round_shift: 12_582_912.0,
-                series_terms: 8,
+                series: 8,
+                short_series: 4,
                 half_pi_parts: [1.570_312_5, 4.837_512_969_970_703e-4, 7.549_789_954_891_88e-8],
             },
         }
@@ -198,7 +202,8 @@ macro_rules! scalar {
             fn set_lane(&mut self, _index: usize, value: f64) {
                 *self = value as $float;
             }
-            #[inline(always)]
+            // A function of its own here too: inlined wherever it is called, a kernel is compiled many times over.
+            #[inline(never)]
             fn call<K: Kernel>(kernel: K) -> K::Output {
                 kernel.run()
             }

@@ -1,7 +1,22 @@
 //! Gauss–Legendre rules on [0, 1], and how many points a segment needs.
 
-/// Numbers of points that are kept ready. A strand uses one of these for all its elements.
-const SIZES: [usize; 14] = [4, 6, 8, 10, 12, 14, 16, 20, 24, 32, 40, 64, 96, 128];
+use super::quadrature_limits::{self, RULES};
+pub use super::quadrature_limits::{LOOSEST, TIGHTEST};
+use crate::error::{Error, Result};
+
+/// What the integrals along an element may err by, relative, unless a host says otherwise (`docs/mathematics.md`).
+pub const DEFAULT_TOLERANCE: f64 = 1e-4;
+
+/// Checks a tolerance of quadrature; `argument` is its name in the message.
+///
+/// # Errors
+/// [`Error::InvalidArgument`] for one that is not within [`TIGHTEST`] and [`LOOSEST`].
+pub fn check_tolerance(argument: &str, tolerance: f64) -> Result<()> {
+    if (TIGHTEST..=LOOSEST).contains(&tolerance) {
+        return Ok(());
+    }
+    Err(Error::invalid(argument, tolerance, format!("{TIGHTEST:e} to {LOOSEST:e} (relative)")))
+}
 
 /// One rule: ∫₀¹ f ≈ Σ wᵢ f(xᵢ), exact for polynomials of degree 2n − 1.
 #[derive(Debug, Clone)]
@@ -59,51 +74,122 @@ impl Rule {
         self.nodes.is_empty()
     }
 
+    /// The coefficients with which values at the nodes give the value at node `node` of the rule `to`: of the interpolating polynomial
+    /// itself where `to` has as many points or more, else of the polynomial of as many coefficients as `to` has points that is nearest
+    /// to it in the mean square. Integrals stay, those of squares do not grow.
+    pub fn transfer(&self, to: &Self, node: usize, coefficients: &mut Vec<f64>) {
+        if to.len() >= self.len() {
+            return self.interpolation(to.nodes[node], coefficients);
+        }
+        // Lagrange's polynomials of Gauss' nodes are orthogonal, and the integrals of their squares are the weights. This rule integrates
+        // their products with its own polynomials exactly.
+        coefficients.clear();
+        for (x, weight) in self.nodes.iter().zip(&self.weights) {
+            coefficients.push(weight * to.basis(node, *x) / to.weights[node]);
+        }
+    }
+
+    /// Lagrange's polynomial that is one at node `node` and zero at the others.
+    fn basis(&self, node: usize, x: f64) -> f64 {
+        let here = self.nodes[node];
+        self.nodes.iter().enumerate().filter(|(k, _)| *k != node).map(|(_, other)| (x - other) / (here - other)).product()
+    }
+
     /// The coefficients with which values at the nodes give the interpolating polynomial's value at `x`.
     pub fn interpolation(&self, x: f64, coefficients: &mut Vec<f64>) {
         coefficients.clear();
+        self.for_each_coefficient(x, |_, coefficient| coefficients.push(coefficient));
+    }
+
+    /// The same without memory: `take(node, coefficient)`, in the nodes' order.
+    pub fn for_each_coefficient(&self, x: f64, mut take: impl FnMut(usize, f64)) {
         if let Some(hit) = self.nodes.iter().position(|node| *node == x) {
-            coefficients.extend((0..self.len()).map(|i| if i == hit { 1.0 } else { 0.0 }));
+            (0..self.len()).for_each(|i| take(i, if i == hit { 1.0 } else { 0.0 }));
             return;
         }
-        coefficients.extend(self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node)));
-        let sum: f64 = coefficients.iter().sum();
-        for coefficient in coefficients.iter_mut() {
-            *coefficient /= sum;
-        }
+        let shares = || self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node));
+        let sum: f64 = shares().sum();
+        shares().enumerate().for_each(|(i, share)| take(i, share / sum));
     }
 }
 
-/// The rules of one solver.
+/// The rules of one solver, and what they may err by. A strand uses one of them for all its elements.
 #[derive(Debug, Clone)]
 pub struct Rules {
     rules: Vec<Rule>,
+    tolerance: f64,
+    /// The largest turn, rad, that each rule is for.
+    limits: Vec<f64>,
 }
 
 impl Default for Rules {
     fn default() -> Self {
-        Self { rules: SIZES.iter().map(|count| Rule::gauss_legendre(*count)).collect() }
+        Self::new(DEFAULT_TOLERANCE)
     }
 }
 
 impl Rules {
-    /// The smallest rule that integrates a segment's inertia to 1e-10 of itself when the segment turns by `angle` = Ωℓ rad
-    /// (measured: 7 + 0.6 Ωℓ points, six below a radian), as an index for [`Rules::rule`].
+    /// Rules to integrate an element's inertia, drag and weight to `tolerance`, relative.
+    ///
+    /// # Panics
+    /// For a tolerance that is not within [`TIGHTEST`] and [`LOOSEST`].
+    pub fn new(tolerance: f64) -> Self {
+        let rules = RULES.iter().map(|(count, _)| Rule::gauss_legendre(*count)).collect();
+        let mut out = Self { rules, tolerance, limits: Vec::new() };
+        out.set_tolerance(tolerance);
+        out
+    }
+
+    /// Chooses rules for another tolerance from now on; the rules and their indices stay.
+    ///
+    /// # Panics
+    /// For a tolerance that is not within [`TIGHTEST`] and [`LOOSEST`].
+    pub fn set_tolerance(&mut self, tolerance: f64) {
+        assert!((TIGHTEST..=LOOSEST).contains(&tolerance), "quadrature tolerance {tolerance}: {TIGHTEST} to {LOOSEST}");
+        self.tolerance = tolerance;
+        self.limits = (0..RULES.len()).map(|index| quadrature_limits::largest_turn(index, tolerance)).collect();
+    }
+
+    /// What the integrals may err by, relative.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// The smallest rule that integrates an element to the tolerance when it turns by `angle` = Ωℓ rad, as an index for
+    /// [`Rules::rule`]. Beyond what the largest rule is for it is the largest; [`Rules::error`] then tells.
     pub fn for_angle(&self, angle: f64) -> usize {
-        let needed = if angle <= 1.0 { 6.0 } else { 7.0 + 0.6 * angle };
-        SIZES.iter().position(|count| *count as f64 >= needed).unwrap_or(SIZES.len() - 1)
+        self.limits.iter().position(|limit| angle < *limit).unwrap_or(RULES.len() - 1)
+    }
+
+    /// The same for a tolerance of its own, within [`TIGHTEST`] and [`LOOSEST`].
+    pub fn for_angle_within(&self, angle: f64, tolerance: f64) -> usize {
+        let does = |index: &usize| angle < quadrature_limits::largest_turn(*index, tolerance);
+        (0..RULES.len()).find(does).unwrap_or(RULES.len() - 1)
     }
 
     /// The rule for a strand whose most turned element turns by `angle`, given the rule `current` that it uses: changes only when it
     /// must, or when a smaller one would do with a margin, so that a strand near a border does not flicker between two.
     pub fn next_for_angle(&self, current: usize, angle: f64) -> usize {
         let wanted = self.for_angle(1.1 * angle);
-        if wanted >= current { wanted } else { self.for_angle(1.3 * angle + 0.3).min(current) }
+        if wanted >= current { wanted } else { self.for_angle(1.3 * angle).min(current) }
+    }
+
+    /// What a rule errs by where an element turns by `angle` rad, relative: [`TIGHTEST`] stands for that or less, infinity for more than
+    /// [`LOOSEST`].
+    pub fn error(&self, index: usize, angle: f64) -> f64 {
+        quadrature_limits::error(index, angle)
     }
 
     /// A rule by index.
     pub fn rule(&self, index: usize) -> &Rule {
         &self.rules[index]
+    }
+
+    /// Bytes on the heap, of this value in a box.
+    pub fn heap_bytes(&self) -> usize {
+        let lists = |rule: &Rule| rule.nodes.capacity() + rule.weights.capacity() + rule.barycentric.capacity();
+        let numbers: usize = self.rules.iter().map(lists).sum();
+        size_of::<Self>() + self.rules.capacity() * size_of::<Rule>() + numbers * size_of::<f64>()
     }
 
     /// Number of rules.
@@ -118,7 +204,7 @@ mod tests {
 
     #[test]
     fn integrates_polynomials_exactly() {
-        for count in SIZES {
+        for (count, _) in RULES {
             let rule = Rule::gauss_legendre(count);
             assert_eq!(rule.len(), count);
             for degree in 0..2 * count {
@@ -141,16 +227,51 @@ mod tests {
     }
 
     #[test]
+    fn transfer_keeps_integrals_and_does_not_add_to_squares() {
+        for (from, to) in [(6, 3), (5, 4), (14, 3), (12, 10), (128, 96), (3, 5), (9, 9)] {
+            let (from, to) = (Rule::gauss_legendre(from), Rule::gauss_legendre(to));
+            let values: Vec<f64> = from.nodes.iter().map(|x| (2.5 * x).exp() + (7.0 * x).sin()).collect();
+            let mut coefficients = Vec::new();
+            let mut moved = Vec::new();
+            for node in 0..to.len() {
+                from.transfer(&to, node, &mut coefficients);
+                moved.push(coefficients.iter().zip(&values).map(|(c, v)| c * v).sum::<f64>());
+            }
+            let moment = |rule: &Rule, values: &[f64], degree: i32| -> f64 {
+                (0..rule.len()).map(|i| rule.weights[i] * values[i] * rule.nodes[i].powi(degree)).sum()
+            };
+            let square =
+                |rule: &Rule, values: &[f64]| -> f64 { (0..rule.len()).map(|i| rule.weights[i] * values[i].powi(2)).sum() };
+            let kept = from.len().min(to.len());
+            // Moments up to the degree that fewer coefficients can hold are those of the polynomial itself; rounding only.
+            for degree in 0..kept as i32 {
+                let (before, after) = (moment(&from, &values, degree), moment(&to, &moved, degree));
+                assert!((before - after).abs() < 1e-12 * square(&from, &values), "{} to {}: {degree}", from.len(), to.len());
+            }
+            let (before, after) = (square(&from, &values), square(&to, &moved));
+            if to.len() >= from.len() {
+                assert!((after / before - 1.0).abs() < 1e-12, "{} to {}", from.len(), to.len());
+            } else {
+                assert!(after < before * (1.0 + 1e-14), "{} to {}: {before} {after}", from.len(), to.len());
+            }
+        }
+    }
+
+    #[test]
     fn rules_grow_with_the_angle_and_do_not_flicker() {
-        let rules = Rules::default();
-        let mut last = 0;
-        for step in 0..400 {
-            let angle = f64::from(step) * 0.4;
-            let index = rules.for_angle(angle);
-            assert!(index >= last && rules.rule(index).len() as f64 >= if angle > 1.0 { 7.0 + 0.6 * angle } else { 6.0 });
-            last = index;
-            let chosen = rules.next_for_angle(0, angle);
-            assert_eq!(rules.next_for_angle(chosen, angle * 0.99), chosen);
+        for exponent in 4..=24 {
+            let rules = Rules::new(10.0_f64.powf(-0.5 * f64::from(exponent)).clamp(TIGHTEST, LOOSEST));
+            let largest = *rules.limits.last().unwrap();
+            let (mut last, mut angle) = (0, 1e-6);
+            while angle < 400.0 {
+                let index = rules.for_angle(angle);
+                assert!(index >= last && index == rules.for_angle_within(angle, rules.tolerance()));
+                assert!(rules.error(index, angle) <= rules.tolerance() * (1.0 + 1e-9) || angle > largest);
+                last = index;
+                let chosen = rules.next_for_angle(0, angle);
+                assert_eq!(rules.next_for_angle(chosen, angle * 0.99), chosen);
+                angle *= 1.01;
+            }
         }
     }
 }

@@ -1,5 +1,7 @@
 //! What a host says to make a strand.
 
+use std::fmt;
+
 use nalgebra::Vector3;
 
 use super::freedoms::Freedoms;
@@ -71,14 +73,14 @@ impl StrandDef {
         }
         check_positive(|| format!("{argument}.length"), self.length())?;
         self.material.check(argument)?;
-        check_rows(&format!("{argument}.natural"), &self.natural, count)?;
+        check_rows(format_args!("{argument}.natural"), &self.natural, count)?;
         if let Some(initial) = &self.initial {
-            check_rows(&format!("{argument}.initial"), initial, count)?;
-            check_frozen(&format!("{argument}.initial"), initial, &self.natural, self.freedoms)?;
+            check_rows(format_args!("{argument}.initial"), initial, count)?;
+            check_frozen(format_args!("{argument}.initial"), initial, &self.natural, self.freedoms)?;
         }
         if let Some(rates) = &self.initial_rates {
-            check_rows(&format!("{argument}.initial_rates"), rates, count)?;
-            check_frozen(&format!("{argument}.initial_rates"), rates, &vec![[0.0; 3]; count], self.freedoms)?;
+            check_rows(format_args!("{argument}.initial_rates"), rates, count)?;
+            check_frozen(format_args!("{argument}.initial_rates"), rates, &vec![[0.0; 3]; count], self.freedoms)?;
         }
         for axis in 0..3 {
             check_finite(|| format!("{argument}.root_velocity[{axis}]"), self.root_velocity[axis])?;
@@ -89,7 +91,7 @@ impl StrandDef {
 }
 
 /// Checks the count and the numbers of a list of curvature rows.
-pub(crate) fn check_rows(argument: &str, rows: &[[f64; 3]], count: usize) -> Result<()> {
+pub(crate) fn check_rows(argument: impl fmt::Display, rows: &[[f64; 3]], count: usize) -> Result<()> {
     if rows.len() != count {
         return Err(Error::invalid(format!("{argument} (count)"), rows.len(), format!("{count} rows, one an element")));
     }
@@ -102,7 +104,12 @@ pub(crate) fn check_rows(argument: &str, rows: &[[f64; 3]], count: usize) -> Res
 }
 
 /// Checks that frozen freedoms hold the value they are frozen at.
-pub(crate) fn check_frozen(argument: &str, rows: &[[f64; 3]], frozen_at: &[[f64; 3]], freedoms: Freedoms) -> Result<()> {
+pub(crate) fn check_frozen(
+    argument: impl fmt::Display,
+    rows: &[[f64; 3]],
+    frozen_at: &[[f64; 3]],
+    freedoms: Freedoms,
+) -> Result<()> {
     for (element, (row, frozen)) in rows.iter().zip(frozen_at).enumerate() {
         for axis in 0..3 {
             if !freedoms.contains(axis) && row[axis] != frozen[axis] {

@@ -101,6 +101,25 @@ impl<T: Lane> ElementState<T> {
     }
 }
 
+/// Calls `emit(point index, position)` for every quadrature point and keeps nothing else; positions as in [`PointState::position`].
+#[inline(always)]
+pub fn for_each_position<T: Lane>(
+    root: &Mat3<T>,
+    lengths: &[T],
+    curvatures: &[[T; 3]],
+    rule: &Rule,
+    mut emit: impl FnMut(usize, Vec3<T>),
+) {
+    let (mut frame, mut origin) = (*root, Vec3::zero());
+    for (index, (length, row)) in lengths.iter().zip(curvatures).enumerate() {
+        let element = element_state(Vec3(*row), *length, frame, origin);
+        for (node, place) in rule.nodes.iter().enumerate() {
+            emit(index * rule.len() + node, element.point(*length * T::splat(*place)).position);
+        }
+        (frame, origin) = (element.frame_right(), element.origin_right());
+    }
+}
+
 impl<T: Lane> Kinematics<T> {
     /// Brings all elements and points to the curvatures `curvatures` (a row an element).
     #[inline(always)]

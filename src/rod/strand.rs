@@ -1,37 +1,59 @@
 //! What does not change about a strand while it moves: its elements, its material, its natural shape, its freedoms.
 
+use std::ops::Deref;
+use std::sync::Arc;
+
 use super::freedoms::Freedoms;
 use super::material::Material;
+use super::section::Section;
 
-/// One strand's constants, as the kernels want them.
+/// One strand's constants, as the kernels want them. Those of its [`Section`] are read as if they were fields: `model.stiffness`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StrandModel {
     /// Element lengths ℓ from root to tip, m.
-    pub lengths: Vec<f64>,
+    pub lengths: Box<[f64]>,
     /// Natural curvatures κⁿ, a row an element.
-    pub natural: Vec<[f64; 3]>,
-    /// Section and material.
-    pub material: Material,
-    /// Which curvatures may change.
-    pub freedoms: Freedoms,
-    /// EI0, EI1, EI2, N·m².
-    pub stiffness: [f64; 3],
-    /// γ + μ EIᵢ, N·m²·s.
-    pub dissipation: [f64; 3],
-    /// ρS, kg/m.
-    pub linear_density: f64,
+    pub natural: Box<[[f64; 3]]>,
+    section: Arc<Section>,
+    equal_length: f64,
+}
+
+impl Deref for StrandModel {
+    type Target = Section;
+
+    #[inline(always)]
+    fn deref(&self) -> &Section {
+        &self.section
+    }
 }
 
 impl StrandModel {
     /// From its definition's parts.
     pub fn new(lengths: Vec<f64>, natural: Vec<[f64; 3]>, material: Material, freedoms: Freedoms) -> Self {
-        let (stiffness, dissipation, linear_density) = (material.stiffness(), material.dissipation(), material.linear_density());
-        Self { lengths, natural, material, freedoms, stiffness, dissipation, linear_density }
+        Self::of_section(lengths, natural, Arc::new(Section::new(material, freedoms)))
+    }
+
+    /// The same of a section that others share.
+    pub fn of_section(lengths: Vec<f64>, natural: Vec<[f64; 3]>, section: Arc<Section>) -> Self {
+        let equal = lengths.iter().all(|length| (length - lengths[0]).abs() <= 1e-14 * lengths[0]);
+        let equal_length = if equal { lengths.first().copied().unwrap_or_default() } else { 0.0 };
+        Self { lengths: lengths.into(), natural: natural.into(), section, equal_length }
+    }
+
+    /// The section, to be shared.
+    pub fn section(&self) -> &Arc<Section> {
+        &self.section
     }
 
     /// Number of elements.
     pub fn element_count(&self) -> usize {
         self.lengths.len()
+    }
+
+    /// The elements' length if all are as long as the first, to rounding; otherwise nothing.
+    #[inline(always)]
+    pub fn equal_length(&self) -> Option<f64> {
+        (self.equal_length > 0.0).then_some(self.equal_length)
     }
 
     /// L, m.

@@ -29,7 +29,7 @@ pub enum Shapes {
 
 /// The largest turn Ωℓ of elements, rad; a row of curvatures an element.
 pub fn largest_turn(lengths: &[f64], rows: &[[f64; 3]]) -> f64 {
-    let turns = lengths.iter().zip(rows).map(|(length, [k0, k1, k2])| k0.hypot(*k1).hypot(*k2) * length);
+    let turns = lengths.iter().zip(rows).map(|(length, [k0, k1, k2])| (k0 * k0 + k1 * k1 + k2 * k2).sqrt() * length);
     turns.fold(0.0, f64::max)
 }
 

@@ -2,14 +2,13 @@
 
 use super::Solver;
 use super::id::StrandId;
-use super::strand::Strand;
+use super::strand::{Fared, Strand};
 #[cfg(doc)]
 use crate::error::Error;
 use crate::error::{Result, check_not_negative};
 use crate::math::frame::Frame;
 use crate::rod::definition::{check_frozen, check_rows};
 use crate::rod::kinematics::Kinematics;
-use crate::step;
 use crate::step::equilibrium::{self, Equilibrium, EquilibriumOptions};
 
 impl Solver {
@@ -83,7 +82,7 @@ impl Solver {
     /// [`Error::InvalidId`].
     pub fn reset_strands(&mut self, ids: &[StrandId]) -> Result<()> {
         for index in self.indices(ids)? {
-            self.put(index, self.strands[index].model.natural.clone(), None);
+            self.put(index, self.strands[index].model.natural.to_vec(), None);
         }
         Ok(())
     }
@@ -109,7 +108,7 @@ impl Solver {
         for (index, curvatures, equilibrium) in settled {
             self.strands[index].stop_root();
             self.put(index, curvatures, None);
-            self.strands[index].outcome.converged = equilibrium.converged;
+            self.strands[index].fared.converged = equilibrium.converged;
             found.push(equilibrium);
         }
         Ok(found)
@@ -121,7 +120,7 @@ impl Solver {
         strand.state.rates = rates.unwrap_or_else(|| vec![[0.0; 3]; curvatures.len()]);
         strand.state.curvatures = curvatures;
         strand.state.velocities_from_rates(&strand.model, &self.rules);
-        strand.outcome = step::StrandOutcome { converged: true, ..Default::default() };
+        strand.fared = Fared::well();
         strand.update_energies(self.options.gravity, &self.rules, &mut Kinematics::default());
     }
 }

@@ -71,6 +71,7 @@ impl Solver {
             if let Some((model, state)) = made.changed {
                 let old = std::mem::replace(&mut strand.model, model);
                 strand.state = state;
+                strand.shrink();
                 if strand.authored.is_none() {
                     strand.authored = Some(Box::new(Authored { lengths: old.lengths, natural: old.natural }));
                 }
@@ -94,7 +95,7 @@ struct Made {
 
 fn on_elements(strand: &Strand, lengths: Vec<f64>, rules: &Rules) -> Made {
     let model = &strand.model;
-    if lengths == model.lengths {
+    if *lengths == *model.lengths {
         return Made { changed: None, report: Regrid { exact: true, ..Regrid::default() } };
     }
     let (from, natural) = match strand.authored.as_deref() {
@@ -102,7 +103,7 @@ fn on_elements(strand: &Strand, lengths: Vec<f64>, rules: &Rules) -> Made {
         None => (&model.lengths, &model.natural),
     };
     let natural = regrid::means(&regrid::borders(from), natural, &regrid::borders(&lengths));
-    let new = StrandModel::new(lengths, natural, model.material, model.freedoms);
+    let new = StrandModel::of_section(lengths, natural, model.section().clone());
     let (state, report) = regrid::take(model, &strand.state, &new, rules);
     Made { changed: Some((new, state)), report }
 }

@@ -1,5 +1,6 @@
 //! The scene: strands, their roots, the step, and everything a host reads back.
 
+mod bulk_sampling;
 pub mod definition;
 mod editing;
 pub mod id;
@@ -8,6 +9,7 @@ mod population;
 mod reading;
 pub mod report;
 mod sampling;
+mod sections;
 mod side_by_side;
 mod snapshot;
 mod stepping;
@@ -16,6 +18,7 @@ mod workers;
 
 use nalgebra::Vector3;
 
+pub use bulk_sampling::{SampleSink, Tile, Wanted};
 pub use sampling::Sample;
 pub use snapshot::SNAPSHOT_VERSION;
 pub use stepping::SHORTEST_STEP;
@@ -24,6 +27,7 @@ use crate::error::{Error, Result, check_finite};
 use crate::math::quadrature::Rules;
 use definition::SolverOptions;
 use id::{SlotMap, StrandId};
+use sections::Sections;
 use strand::Strand;
 use workers::Crew;
 
@@ -36,6 +40,7 @@ pub struct Solver {
     rules: Box<Rules>,
     slots: SlotMap,
     strands: Vec<Strand>,
+    sections: Sections,
     crew: Crew,
 }
 
@@ -53,11 +58,11 @@ impl Solver {
     pub fn new(options: SolverOptions) -> Result<Self> {
         options.check("options")?;
         let crew = Crew::new(&options.workers)?;
-        let rules = Box::<Rules>::default();
+        let rules = Box::new(Rules::new(options.step.quadrature_tolerance));
         // Identifiers of two living solvers differ by where the solvers are: no counter is shared between them.
         let address = std::ptr::from_ref::<Rules>(&rules) as u64;
         let mark = (address >> 4).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 48;
-        Ok(Self { options, rules, slots: SlotMap::new(mark as u16), strands: Vec::new(), crew })
+        Ok(Self { options, rules, slots: SlotMap::new(mark as u16), strands: Vec::new(), sections: Sections::default(), crew })
     }
 
     /// What the solver was made from, with later changes.
@@ -89,15 +94,17 @@ impl Solver {
         Ok(())
     }
 
-    /// Bytes that the solver holds, its strands included; scratch memory of the workers and their stacks are not.
+    /// Bytes that the solver holds, its strands included, as it asked the allocator for them. Not among them: what the allocator itself
+    /// adds (glibc: 8 to 24 bytes a piece, of which a strand has seven or eight), and what belongs to the threads: their stacks, and
+    /// the scratch memory of a step, which grows with the longest strand and not with their number.
     pub fn memory_usage(&self) -> u64 {
-        let strands: usize = self.strands.iter().map(Strand::heap_bytes).sum();
-        (size_of::<Self>()
-            + size_of::<Rules>()
+        let strands: f64 = self.strands.iter().map(Strand::heap_bytes).sum();
+        let lists = size_of::<Self>()
+            + self.rules.heap_bytes()
             + self.strands.capacity() * size_of::<Strand>()
-            + strands
             + self.slots.slots.capacity() * size_of::<id::Slot>()
-            + self.slots.free.capacity() * size_of::<u32>()) as u64
+            + self.slots.free.capacity() * size_of::<u32>();
+        (lists as f64 + strands + self.sections.heap_bytes()).round() as u64
     }
 
     fn index(&self, argument: &str, id: StrandId) -> Result<usize> {
@@ -109,7 +116,8 @@ impl Solver {
     }
 
     fn indices(&self, ids: &[StrandId]) -> Result<Vec<usize>> {
-        ids.iter().enumerate().map(|(k, id)| self.index(&format!("ids[{k}]"), *id)).collect()
+        let named = |(k, id): (usize, &StrandId)| self.slots.index(*id).ok_or_else(|| stale(k, *id));
+        ids.iter().enumerate().map(named).collect()
     }
 
     fn indices_with(&self, ids: &[StrandId], frames: usize) -> Result<Vec<usize>> {
@@ -118,6 +126,11 @@ impl Solver {
         }
         self.indices(ids)
     }
+}
+
+/// What is said of the `k`th of a call's identifiers when it names nothing. Only then: a name for each would cost more than the look-up.
+fn stale(k: usize, id: StrandId) -> Error {
+    Error::InvalidId { argument: format!("ids[{k}]"), bits: id.bits() }
 }
 
 fn check_vector(argument: &str, vector: Vector3<f64>) -> Result<()> {

@@ -1,11 +1,21 @@
 //! Which strands there are: adding, removing, listing.
 
+use std::sync::Arc;
+
 use super::Solver;
 use super::definition::StrandDef;
 use super::id::{self, StrandId};
 use super::strand::Strand;
 use crate::error::{Error, Result};
-use crate::rod::kinematics::Kinematics;
+use crate::rod::section::Section;
+
+/// A strand on its way into the solver.
+struct Made<'a> {
+    id: StrandId,
+    def: &'a StrandDef,
+    section: Arc<Section>,
+    strand: Option<Strand>,
+}
 
 impl Solver {
     /// Adds strands, all or none; their identifiers come in the order of the definitions.
@@ -14,26 +24,39 @@ impl Solver {
     /// [`Error::InvalidArgument`] naming `strands[i].field`; [`Error::OutOfMemory`] when all identifiers are in use.
     pub fn add_strands(&mut self, strands: &[StrandDef]) -> Result<Vec<StrandId>> {
         for (index, def) in strands.iter().enumerate() {
-            def.check(&format!("strands[{index}]"))?;
+            // Named only where it is wrong: a name for each would cost more than the checks.
+            def.check("strands").or_else(|_| def.check(&format!("strands[{index}]")))?;
         }
         if self.strands.len() + strands.len() > id::MAX_SLOTS {
             return Err(Error::OutOfMemory { bytes: strands.len().saturating_mul(size_of::<Strand>()) });
         }
-        self.strands.reserve(strands.len());
-        let mut ids = Vec::with_capacity(strands.len());
-        let mut kinematics = Kinematics::default();
+        let mut made: Vec<Made> = Vec::with_capacity(strands.len());
         for def in strands {
-            let Some(id) = self.slots.insert(self.strands.len()) else {
-                // Only retired slots can bring us here; what was added is taken back.
-                self.remove_strands(&ids)?;
+            let Some(id) = self.slots.insert(self.strands.len() + made.len()) else {
+                // Only retired slots can bring us here; what was given out is taken back.
+                made.iter().for_each(|made| self.slots.remove(made.id));
                 return Err(Error::OutOfMemory { bytes: size_of::<Strand>() });
             };
-            let mut strand = Strand::new(id, def, &self.rules);
-            strand.update_energies(self.options.gravity, &self.rules, &mut kinematics);
-            self.strands.push(strand);
-            ids.push(id);
+            made.push(Made { id, def, section: self.sections.of(&def.material, def.freedoms), strand: None });
         }
+        let (gravity, rules) = (self.options.gravity, &*self.rules);
+        self.crew.for_each_on_own(&mut made, |Made { id, def, section, strand }, workspace| {
+            let strand = strand.insert(Strand::new(*id, def, section.clone(), rules));
+            strand.update_energies(gravity, rules, &mut workspace.one.workspace.iterate.kinematics);
+        });
+        let ids = made.iter().map(|made| made.id).collect();
+        self.make_room(strands.len());
+        self.strands.extend(made.into_iter().filter_map(|made| made.strand));
         Ok(ids)
+    }
+
+    /// Room for as many more strands. Grows by an eighth at least, so that adding one by one is not slow; not by the double, as a list of
+    /// its own would: most of a solver's memory is here.
+    fn make_room(&mut self, more: usize) {
+        let (length, capacity) = (self.strands.len(), self.strands.capacity());
+        if length + more > capacity {
+            self.strands.reserve_exact((length + more).max(capacity + capacity / 8) - length);
+        }
     }
 
     /// Removes strands, all or none. The others keep their identifiers and their order.
@@ -51,13 +74,18 @@ impl Solver {
         for id in ids {
             self.slots.remove(*id);
         }
+        let Some(first) = indices.iter().min() else { return Ok(()) };
         let mut index = 0;
         self.strands.retain(|_| {
             index += 1;
             !gone[index - 1]
         });
-        for (index, strand) in self.strands.iter().enumerate() {
+        for (index, strand) in self.strands.iter().enumerate().skip(*first) {
             self.slots.moved(strand.id, index);
+        }
+        // Half empty is too much; an eighth is kept for strands to come.
+        if self.strands.len() <= self.strands.capacity() / 2 {
+            self.strands.shrink_to(self.strands.len() + self.strands.len() / 8);
         }
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use super::Solver;
 use super::id::StrandId;
-use super::report::{Energies, StrandStatus, Wrench};
+use super::report::{Energies, Quadrature, StrandStatus, Wrench};
 use super::sampling::{Sample, Sampler};
 use super::strand::Strand;
 use crate::error::{Error, Result};
@@ -89,7 +89,19 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidId`].
     pub fn iterations(&self, id: StrandId) -> Result<u32> {
-        Ok(self.strand("id", id)?.outcome.iterations)
+        Ok(self.strand("id", id)?.fared.iterations)
+    }
+
+    /// With how many points a strand's elements are integrated, and what that errs by in its present shape: at most
+    /// [`StepOptions::quadrature_tolerance`](crate::step::options::StepOptions::quadrature_tolerance), unless an element has turned further
+    /// than any rule is for, or since the last step began.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn quadrature(&self, id: StrandId) -> Result<Quadrature> {
+        let Strand { model, state, .. } = self.strand("id", id)?;
+        let error = self.rules.error(state.rule, model.largest_angle(&state.curvatures));
+        Ok(Quadrature { points: self.rules.rule(state.rule).len() as u32, error })
     }
 
     /// A strand's energies, J.

@@ -32,6 +32,16 @@ pub struct StepReport {
     pub seconds: f64,
 }
 
+/// How the elements of a strand are integrated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quadrature {
+    /// Quadrature points an element.
+    pub points: u32,
+    /// What inertia, drag and weight of the most turned element err by, relative: 1e-12 stands for that or less, infinity for more than
+    /// 1e-2.
+    pub error: f64,
+}
+
 /// What a strand does to its follicle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Wrench {

@@ -3,9 +3,9 @@
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
 use super::strand::Strand;
-use crate::math::quadrature::Rules;
-use crate::math::vector::{Mat3, Vec3};
-use crate::rod::kinematics::{ElementState, element_state};
+use crate::math::quadrature::{Rule, Rules};
+use crate::math::vector::Vec3;
+use crate::rod::kinematics::{ElementState, PointState, element_state};
 use crate::rod::segment;
 use crate::step::state::rotation_matrix;
 
@@ -22,20 +22,28 @@ pub struct Sample {
     pub velocity: Vector3<f64>,
 }
 
-/// Walks along a strand; asking for ascending arclengths costs one pass.
+/// Walks along a strand; asking for ascending arclengths costs one pass. Works out what is asked for and no more.
 pub(super) struct Sampler<'a> {
     strand: &'a Strand,
     rules: &'a Rules,
     index: usize,
     start: f64,
     element: ElementState<f64>,
-    coefficients: Vec<f64>,
+}
+
+/// A place of a strand that the sampler has gone to.
+pub(super) struct Place<'a> {
+    strand: &'a Strand,
+    rule: &'a Rule,
+    index: usize,
+    element: &'a ElementState<f64>,
+    point: PointState<f64>,
 }
 
 impl<'a> Sampler<'a> {
     pub fn new(strand: &'a Strand, rules: &'a Rules) -> Self {
         let element = Self::first(strand);
-        Self { strand, rules, index: 0, start: 0.0, element, coefficients: Vec::new() }
+        Self { strand, rules, index: 0, start: 0.0, element }
     }
 
     fn first(strand: &Strand) -> ElementState<f64> {
@@ -49,6 +57,12 @@ impl<'a> Sampler<'a> {
 
     /// The point at `arclength`, which lies in [0, L].
     pub fn at(&mut self, arclength: f64) -> Sample {
+        let place = self.go(arclength);
+        Sample { arclength, position: place.position(), rotation: place.rotation(), velocity: place.velocity() }
+    }
+
+    /// Goes to `arclength`, which lies in [0, L].
+    pub fn go(&mut self, arclength: f64) -> Place<'_> {
         if arclength < self.start {
             (self.index, self.start, self.element) = (0, 0.0, Self::first(self.strand));
         }
@@ -59,31 +73,32 @@ impl<'a> Sampler<'a> {
             let (frame, origin) = (self.element.frame_right(), self.element.origin_right());
             self.element = element_state(Vec3(state.curvatures[self.index]), model.lengths[self.index], frame, origin);
         }
-        let s = (arclength - self.start).min(self.element.length);
-        let point = self.element.point(s);
-        let theta = self.element.kappa.scale(s);
-        let frame = self.element.frame_left.mul(&segment::frame(theta, self.element.kappa_squared * s * s, &point.c));
-        Sample {
-            arclength,
-            position: state.root.origin + Vector3::from(point.position),
-            rotation: quaternion(frame),
-            velocity: self.velocity(s / self.element.length),
-        }
-    }
-
-    /// The velocity field is a polynomial on each element through the values at its nodes.
-    fn velocity(&mut self, x: f64) -> Vector3<f64> {
-        let rule = self.rules.rule(self.strand.state.rule);
-        rule.interpolation(x, &mut self.coefficients);
-        let first = self.index * rule.len();
-        let mut sum = Vec3::<f64>::zero();
-        for (k, coefficient) in self.coefficients.iter().enumerate() {
-            sum += self.strand.state.velocities[first + k].scale(*coefficient);
-        }
-        sum.into()
+        let point = self.element.point((arclength - self.start).min(self.element.length));
+        let rule = self.rules.rule(state.rule);
+        Place { strand: self.strand, rule, index: self.index, element: &self.element, point }
     }
 }
 
-fn quaternion(frame: Mat3<f64>) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(frame.into()))
+impl Place<'_> {
+    /// In the world, m.
+    pub fn position(&self) -> Vector3<f64> {
+        self.strand.state.root.origin + Vector3::from(self.point.position)
+    }
+
+    /// The material frame.
+    pub fn rotation(&self) -> UnitQuaternion<f64> {
+        let (element, s) = (self.element, self.point.s);
+        let frame = segment::frame(element.kappa.scale(s), element.kappa_squared * s * s, &self.point.c);
+        UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(element.frame_left.mul(&frame).into()))
+    }
+
+    /// The material point's velocity, m/s: the field is a polynomial on each element through the values at its nodes.
+    pub fn velocity(&self) -> Vector3<f64> {
+        let first = self.index * self.rule.len();
+        let mut sum = Vec3::<f64>::zero();
+        self.rule.for_each_coefficient(self.point.s / self.element.length, |k, coefficient| {
+            sum += self.strand.state.velocities[first + k].scale(coefficient);
+        });
+        sum.into()
+    }
 }

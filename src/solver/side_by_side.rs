@@ -3,7 +3,7 @@
 //! Within a kind strands are packed by how many iterations they took last time, so that a pack does not wait for one of its own. Who
 //! shares a pack changes nobody's result.
 
-use super::strand::{self, Strand};
+use super::strand::{self, Strand, Tally};
 use crate::math::frame::Frame;
 use crate::math::lane::MAX_LANES;
 use crate::math::lanes::InstructionSet;
@@ -14,18 +14,25 @@ use crate::step::scratch::Scratch;
 use crate::step::state::StrandState;
 use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
 
-/// The most strands of a task: so many are enough to fill packs where kinds are mixed.
-pub(super) const MAX_TASK: usize = 128;
+/// The most strands of a task: so many fill packs where kinds are mixed, and their states stay in a core's cache between substeps.
+pub(super) const MAX_TASK: usize = 256;
 
 /// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds.
-pub(super) fn take(strands: &mut [Strand], setting: &Setting, h: f64, set: InstructionSet, scratch: &mut Scratch) {
+pub(super) fn take(
+    strands: &mut [Strand],
+    setting: &Setting,
+    h: f64,
+    set: InstructionSet,
+    tally: &mut Tally,
+    scratch: &mut Scratch,
+) {
     let width = packs::width(setting.options.precision, set);
     for strand in strands.iter_mut() {
         strand.begin_root_way(h);
     }
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
         for strand in strands.iter_mut() {
-            take_one(strand, setting, h, scratch);
+            take_one(strand, setting, h, tally, scratch);
         }
         return;
     }
@@ -34,10 +41,10 @@ pub(super) fn take(strands: &mut [Strand], setting: &Setting, h: f64, set: Instr
     let mut count = 0;
     for (index, strand) in strands.iter_mut().enumerate() {
         if strand.state.subdivision.min(levels) > 0 {
-            take_one(strand, setting, h, scratch);
+            take_one(strand, setting, h, tally, scratch);
         } else {
             let kind = Kind::of(&strand.model, &strand.state, setting.options.integrator, h);
-            order[count] = (kind, strand.outcome.iterations, index as u32);
+            order[count] = (kind, strand.fared.iterations, index as u32);
             count += 1;
         }
     }
@@ -45,7 +52,7 @@ pub(super) fn take(strands: &mut [Strand], setting: &Setting, h: f64, set: Instr
     order.sort_unstable();
     for kind in order.chunk_by(|a, b| a.0 == b.0) {
         for pack in kind.chunks(width) {
-            take_pack(strands, pack, setting, h, set, scratch);
+            take_pack(strands, pack, setting, h, set, tally, scratch);
         }
     }
 }
@@ -56,10 +63,11 @@ fn take_pack(
     setting: &Setting,
     h: f64,
     set: InstructionSet,
+    tally: &mut Tally,
     scratch: &mut Scratch,
 ) {
     if let [(_, _, index)] = pack {
-        return take_one(&mut strands[*index as usize], setting, h, scratch);
+        return take_one(&mut strands[*index as usize], setting, h, tally, scratch);
     }
     let mut indices = [0; MAX_LANES];
     for (lane, (_, _, index)) in pack.iter().enumerate() {
@@ -70,13 +78,13 @@ fn take_pack(
     for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
         let strand = &mut strands[*index];
         let outcome = with_one(strand, |one| step::finish(setting, one, h, outcome, scratch));
-        ended(strand, outcome, setting, h, scratch);
+        ended(strand, outcome, setting, h, tally, scratch);
     }
 }
 
-fn take_one(strand: &mut Strand, setting: &Setting, h: f64, scratch: &mut Scratch) {
+fn take_one(strand: &mut Strand, setting: &Setting, h: f64, tally: &mut Tally, scratch: &mut Scratch) {
     let outcome = with_one(strand, |one| step::take(setting, one, h, scratch));
-    ended(strand, outcome, setting, h, scratch);
+    ended(strand, outcome, setting, h, tally, scratch);
 }
 
 fn with_one(strand: &mut Strand, work: impl FnOnce(&mut One) -> StrandOutcome) -> StrandOutcome {
@@ -86,10 +94,10 @@ fn with_one(strand: &mut Strand, work: impl FnOnce(&mut One) -> StrandOutcome) -
     work(&mut One { model, state, root_at: &root_at })
 }
 
-fn ended(strand: &mut Strand, outcome: StrandOutcome, setting: &Setting, h: f64, scratch: &mut Scratch) {
-    strand.outcome = outcome;
+fn ended(strand: &mut Strand, outcome: StrandOutcome, setting: &Setting, h: f64, tally: &mut Tally, scratch: &mut Scratch) {
+    strand.fared = (&outcome).into();
     strand.advance_root(h);
-    strand.tally.add(&strand.outcome);
+    tally.add(&outcome);
     if outcome.quarantined || setting.options.integrator == Integrator::Reference {
         let kinematics = &mut scratch.one.workspace.iterate.kinematics;
         strand.update_energies(setting.surroundings.gravity.into(), setting.rules, kinematics);

@@ -8,7 +8,8 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use super::Solver;
 use super::id::{Slot, SlotMap, StrandId};
 use super::report::Energies;
-use super::strand::{Authored, Strand, Tally};
+use super::sections::Sections;
+use super::strand::{Authored, Fared, Strand};
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 use crate::math::lane::Precision;
@@ -18,9 +19,8 @@ use crate::math::vector::Vec3;
 use crate::rod::freedoms::Freedoms;
 use crate::rod::material::Material;
 use crate::rod::strand::StrandModel;
-use crate::step::StrandOutcome;
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
-use crate::step::state::{Past, StrandState};
+use crate::step::state::{Earlier, Past, StrandState};
 
 /// Changes whenever an image of an older version could not be read.
 pub const SNAPSHOT_VERSION: u32 = 3;
@@ -34,6 +34,7 @@ pub(super) struct Image {
     pub step: StepOptions,
     pub slots: SlotMap,
     pub strands: Vec<Strand>,
+    pub sections: Sections,
 }
 
 /// FNV-1a, 64 bits.
@@ -117,6 +118,7 @@ impl Writer {
             Precision::F64 => 1,
             Precision::F32 => 2,
         });
+        self.f64(step.quadrature_tolerance);
     }
 
     /// The identifiers.
@@ -178,7 +180,7 @@ impl Writer {
             self.frame(&state.past.root);
         }
         self.u32(u32::from(strand.root_move.is_some()));
-        if let Some((root_move, elapsed)) = &strand.root_move {
+        if let Some((root_move, elapsed)) = strand.root_move.as_deref() {
             self.frame(&root_move.from);
             self.frame(&root_move.to);
             self.vector(root_move.velocity);
@@ -186,14 +188,9 @@ impl Writer {
             self.f64(root_move.duration);
             self.f64(*elapsed);
         }
-        let outcome = &strand.outcome;
-        self.u32(outcome.iterations);
-        self.u32(u32::from(outcome.converged));
-        self.u32(u32::from(outcome.quarantined));
-        self.u32(outcome.substeps);
-        self.f64(outcome.residual);
-        self.f64(outcome.condition);
-        self.f64(outcome.error);
+        self.u32(strand.fared.iterations);
+        self.u32(u32::from(strand.fared.converged));
+        self.u32(u32::from(strand.fared.quarantined));
         self.f64(strand.energies.kinetic);
         self.f64(strand.energies.elastic);
         self.f64(strand.energies.gravity);
@@ -262,7 +259,8 @@ impl Reader<'_> {
         if !curvatures.iter().chain(&velocities).flatten().all(|x| x.is_finite()) {
             return Err(Error::Snapshot { reason: "a strand's past holds a number that is not finite".into() });
         }
-        Ok(Past { curvatures, velocities: velocities.into_iter().map(Vec3).collect(), root: self.frame()?, step })
+        let velocities = velocities.into_iter().map(Vec3).collect();
+        Ok(Past::new(step, Earlier { curvatures, velocities, root: self.frame()? }))
     }
 
     /// The natural shape as it was given of a strand of that length.
@@ -279,10 +277,10 @@ impl Reader<'_> {
         if !good {
             return Err(Error::Snapshot { reason: "a strand's given natural shape is none of its length".into() });
         }
-        Ok(Some(Box::new(Authored { lengths, natural })))
+        Ok(Some(Box::new(Authored { lengths: lengths.into(), natural: natural.into() })))
     }
 
-    fn strand(&mut self, id: StrandId, rules: &Rules) -> Result<Strand> {
+    fn strand(&mut self, id: StrandId, rules: &Rules, sections: &mut Sections) -> Result<Strand> {
         let user_data = self.u64()?;
         let count = self.count(8 * 10)?;
         if count == 0 {
@@ -336,23 +334,16 @@ impl Reader<'_> {
                 angular_velocity: self.vector()?,
                 duration: self.f64()?,
             };
-            Some((root_move, self.f64()?))
+            Some(Box::new((root_move, self.f64()?)))
         } else {
             None
         };
-        let outcome = StrandOutcome {
-            iterations: self.u32()?,
-            converged: self.flag()?,
-            quarantined: self.flag()?,
-            substeps: self.u32()?,
-            residual: self.f64()?,
-            condition: self.f64()?,
-            error: self.f64()?,
-            energies: Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? },
-        };
-        let energies = outcome.energies;
-        let model = StrandModel::new(lengths, natural, material, freedoms);
-        Ok(Strand { id, user_data, model, authored: None, state, root_move, outcome, tally: Tally::default(), energies })
+        let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
+        let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
+        let model = StrandModel::of_section(lengths, natural, sections.of(&material, freedoms));
+        let mut strand = Strand { model, state, id, user_data, authored: None, root_move, energies, fared };
+        strand.shrink();
+        Ok(strand)
     }
 }
 
@@ -382,6 +373,7 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         max_subdivisions: reader.u32()?,
         error_tolerance: reader.f64()?,
         precision: precision_from(reader.u32()?)?,
+        quadrature_tolerance: reader.f64()?,
     };
     step.check("its options").map_err(|error| Error::Snapshot { reason: error.to_string() })?;
     let mark = reader.u32()? as u16;
@@ -401,19 +393,20 @@ pub(super) fn read(image: &[u8], rules: &Rules) -> Result<Image> {
     }
     let strand_count = reader.count(8)?;
     let mut strands = Vec::with_capacity(strand_count);
+    let mut sections = Sections::default();
     for index in 0..strand_count {
         let id = StrandId::from_bits(reader.u64()?);
         if slots.index(id) != Some(index) {
             return Err(Error::Snapshot { reason: format!("strand {index} and its identifier disagree") });
         }
-        let mut strand = reader.strand(id, rules)?;
+        let mut strand = reader.strand(id, rules, &mut sections)?;
         strand.authored = reader.authored(strand.model.length())?;
         strands.push(strand);
     }
     if !reader.left.is_empty() {
         return Err(Error::Snapshot { reason: format!("{} bytes are left over", reader.left.len()) });
     }
-    Ok(Image { gravity, wind, step, slots, strands })
+    Ok(Image { gravity, wind, step, slots, strands, sections })
 }
 
 /// Writes a solver's parts.
@@ -451,9 +444,10 @@ impl Solver {
         self.options.gravity = image.gravity;
         self.options.wind = image.wind;
         self.options.step = image.step;
+        self.rules.set_tolerance(image.step.quadrature_tolerance);
         let later = std::mem::replace(&mut self.slots, image.slots);
         self.slots.remember(&later);
-        self.strands = image.strands;
+        (self.strands, self.sections) = (image.strands, image.sections);
         Ok(())
     }
 

@@ -1,5 +1,6 @@
 //! Time: all strands through a step, and what came of it.
 
+use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use super::Solver;
@@ -35,36 +36,38 @@ impl Solver {
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.options.instruction_set.unwrap_or_else(InstructionSet::detected);
         let width = packs::width(self.options.step.precision, set);
+        let total = Mutex::new(Tally::default());
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
-            for strand in strands.iter_mut() {
-                strand.tally = Tally::default();
-            }
+            let mut tally = Tally::default();
             for _ in 0..substeps {
-                side_by_side::take(strands, &setting, h, set, scratch);
+                side_by_side::take(strands, &setting, h, set, &mut tally, scratch);
             }
+            total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
-        Ok(self.report(substeps, started))
+        let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
+        Ok(self.report(&total, substeps, started))
     }
 
-    fn report(&self, substeps: u32, started: Instant) -> StepReport {
-        let mut report = StepReport { substeps, ..StepReport::default() };
-        let mut iterations = 0;
+    fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {
+        let mut report = StepReport {
+            substeps,
+            quarantined: tally.quarantined,
+            unconverged: tally.unconverged,
+            max_iterations: tally.most_iterations,
+            max_residual: tally.residual,
+            max_condition: tally.condition,
+            subdivided: tally.subdivided,
+            max_error: tally.error,
+            ..StepReport::default()
+        };
+        // In the strands' order, so that the sums are the same to the bit for any number of threads.
         for strand in &self.strands {
-            let tally = &strand.tally;
-            iterations += tally.iterations;
-            report.max_iterations = report.max_iterations.max(tally.most_iterations);
-            report.unconverged += tally.unconverged;
-            report.quarantined += tally.quarantined;
-            report.max_residual = report.max_residual.max(tally.residual);
-            report.max_condition = report.max_condition.max(tally.condition);
-            report.subdivided += tally.subdivided;
-            report.max_error = report.max_error.max(tally.error);
             report.energies.kinetic += strand.energies.kinetic;
             report.energies.elastic += strand.energies.elastic;
             report.energies.gravity += strand.energies.gravity;
         }
         if !self.strands.is_empty() {
-            report.mean_iterations = iterations as f64 / (self.strands.len() as f64 * f64::from(substeps));
+            report.mean_iterations = tally.iterations as f64 / (self.strands.len() as f64 * f64::from(substeps));
         }
         report.seconds = started.elapsed().as_secs_f64();
         report

@@ -1,44 +1,69 @@
 //! One strand inside a solver: constants, state, the root's motion, and how the last step went.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::definition::StrandDef;
 use super::id::StrandId;
 use super::report::{Energies, StrandStatus};
+use super::sections;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::rotation::PoseMove;
 use crate::rod::kinematics::Kinematics;
+use crate::rod::section::Section;
 use crate::rod::strand::StrandModel;
 use crate::step::StrandOutcome;
 use crate::step::state::{StrandState, rotation_matrix};
 
 /// A strand and all that the solver keeps about it.
 #[derive(Debug, Clone)]
+#[repr(C)] // In this order: the first lines of memory are all of it that sampling reads.
 pub(super) struct Strand {
+    pub model: StrandModel,
+    pub state: StrandState,
     pub id: StrandId,
     pub user_data: u64,
-    pub model: StrandModel,
     /// The natural shape as it was given, where `model` has other elements.
     pub authored: Option<Box<Authored>>,
-    pub state: StrandState,
-    /// Where the root is going, and how many seconds of the way are done.
-    pub root_move: Option<(PoseMove, f64)>,
-    /// The last substep.
-    pub outcome: StrandOutcome,
-    /// All substeps of the last call.
-    pub tally: Tally,
+    /// Where the root is going, and how many seconds of the way are done. Apart: most of a strand's other numbers are needed by every
+    /// step, this one only while the root moves.
+    pub root_move: Option<Box<(PoseMove, f64)>>,
     pub energies: Energies,
+    /// The last substep.
+    pub fared: Fared,
+}
+
+/// What is kept of how a substep went; the rest goes into the call's [`Tally`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Fared {
+    pub iterations: u32,
+    pub converged: bool,
+    pub quarantined: bool,
+}
+
+impl From<&StrandOutcome> for Fared {
+    fn from(outcome: &StrandOutcome) -> Self {
+        Self { iterations: outcome.iterations, converged: outcome.converged, quarantined: outcome.quarantined }
+    }
+}
+
+impl Fared {
+    /// Nothing was done, and well.
+    pub fn well() -> Self {
+        Self { iterations: 0, converged: true, quarantined: false }
+    }
 }
 
 /// A natural shape on the elements that it was given for.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Authored {
-    pub lengths: Vec<f64>,
-    pub natural: Vec<[f64; 3]>,
+    pub lengths: Box<[f64]>,
+    pub natural: Box<[[f64; 3]]>,
 }
 
-/// What a strand's substeps of one call came to.
+/// What the strands' substeps of one call came to. Sums of whole numbers and largest values: the same in whatever order strands come.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Tally {
     pub iterations: u64,
@@ -63,11 +88,23 @@ impl Tally {
         self.subdivided += u32::from(outcome.substeps > 1);
         self.error = self.error.max(outcome.error);
     }
+
+    /// Counts other strands' substeps.
+    pub fn merge(&mut self, other: &Self) {
+        self.iterations += other.iterations;
+        self.most_iterations = self.most_iterations.max(other.most_iterations);
+        self.quarantined += other.quarantined;
+        self.unconverged += other.unconverged;
+        self.residual = self.residual.max(other.residual);
+        self.condition = self.condition.max(other.condition);
+        self.subdivided += other.subdivided;
+        self.error = self.error.max(other.error);
+    }
 }
 
 /// The root's pose `elapsed` seconds on: on its way, or where it rests.
-pub(super) fn root_after(root_move: &Option<(PoseMove, f64)>, rest: &Frame, elapsed: f64) -> Frame {
-    match root_move {
+pub(super) fn root_after(root_move: &Option<Box<(PoseMove, f64)>>, rest: &Frame, elapsed: f64) -> Frame {
+    match root_move.as_deref() {
         Some((root_move, done)) => {
             let time = done + elapsed;
             // A step meant to end with the move may miss its end by rounding.
@@ -79,8 +116,8 @@ pub(super) fn root_after(root_move: &Option<(PoseMove, f64)>, rest: &Frame, elap
 
 impl Strand {
     /// A strand from a checked definition.
-    pub fn new(id: StrandId, def: &StrandDef, rules: &Rules) -> Self {
-        let model = StrandModel::new(def.element_lengths.clone(), def.natural.clone(), def.material, def.freedoms);
+    pub fn new(id: StrandId, def: &StrandDef, section: Arc<Section>, rules: &Rules) -> Self {
+        let model = StrandModel::of_section(def.element_lengths.clone(), def.natural.clone(), section);
         let count = model.element_count();
         let curvatures = def.initial.clone().unwrap_or_else(|| def.natural.clone());
         let rates = def.initial_rates.clone().unwrap_or_else(|| vec![[0.0; 3]; count]);
@@ -92,16 +129,15 @@ impl Strand {
             authored: None,
             state,
             root_move: None,
-            outcome: StrandOutcome { converged: true, ..StrandOutcome::default() },
-            tally: Tally::default(),
             energies: Energies::default(),
+            fared: Fared::well(),
         }
     }
 
     pub fn status(&self) -> StrandStatus {
-        if self.outcome.quarantined {
+        if self.fared.quarantined {
             StrandStatus::Quarantined
-        } else if !self.outcome.converged {
+        } else if !self.fared.converged {
             StrandStatus::Unconverged
         } else {
             StrandStatus::Ok
@@ -118,7 +154,11 @@ impl Strand {
             angular_velocity: to_local * self.instant_angular_velocity(),
             duration,
         };
-        self.root_move = Some((root_move, 0.0));
+        // A root that is moved every frame keeps its place for the way.
+        match &mut self.root_move {
+            Some(place) => **place = (root_move, 0.0),
+            None => self.root_move = Some(Box::new((root_move, 0.0))),
+        }
     }
 
     /// Leaves the root where it is, at rest.
@@ -130,7 +170,7 @@ impl Strand {
 
     /// The root's velocity where the last move left it: that of the move's end if it was finished.
     fn instant_velocity(&self) -> Vector3<f64> {
-        match &self.root_move {
+        match self.root_move.as_deref() {
             Some((root_move, elapsed)) if root_move.duration > 0.0 && *elapsed >= root_move.duration => {
                 root_move.final_velocity()
             }
@@ -139,7 +179,7 @@ impl Strand {
     }
 
     fn instant_angular_velocity(&self) -> Vector3<f64> {
-        match &self.root_move {
+        match self.root_move.as_deref() {
             Some((root_move, elapsed)) if root_move.duration > 0.0 && *elapsed >= root_move.duration => {
                 self.state.root.rotation * root_move.final_angular_velocity()
             }
@@ -149,7 +189,7 @@ impl Strand {
 
     /// A way to be gone at once takes the coming substep of `h` seconds.
     pub fn begin_root_way(&mut self, h: f64) {
-        if let Some((root_move, _)) = &mut self.root_move
+        if let Some((root_move, _)) = self.root_move.as_deref_mut()
             && root_move.duration == 0.0
         {
             root_move.duration = h;
@@ -158,7 +198,7 @@ impl Strand {
 
     /// Counts `h` seconds of the root's way; a move that ended a step ago is forgotten, and the root rests.
     pub fn advance_root(&mut self, h: f64) {
-        if let Some((root_move, elapsed)) = &mut self.root_move {
+        if let Some((root_move, elapsed)) = self.root_move.as_deref_mut() {
             if *elapsed >= root_move.duration {
                 self.root_move = None;
             } else {
@@ -189,20 +229,18 @@ impl Strand {
         energies
     }
 
-    /// Bytes on the heap.
-    pub fn heap_bytes(&self) -> usize {
-        let row = size_of::<[f64; 3]>();
-        let authored = self.authored.as_ref().map_or(0, |authored| {
-            size_of::<Authored>() + authored.lengths.capacity() * size_of::<f64>() + authored.natural.capacity() * row
-        });
-        authored
-            + (self.model.lengths.capacity()) * size_of::<f64>()
-            + row
-                * (self.model.natural.capacity()
-                    + self.state.curvatures.capacity()
-                    + self.state.rates.capacity()
-                    + self.state.velocities.capacity()
-                    + self.state.past.curvatures.capacity()
-                    + self.state.past.velocities.capacity())
+    /// Gives back the room that lists have beyond their length.
+    pub fn shrink(&mut self) {
+        self.state.shrink();
+    }
+
+    /// Bytes on the heap, those of the section by share.
+    pub fn heap_bytes(&self) -> f64 {
+        let lists = |lengths: &[f64], natural: &[[f64; 3]]| size_of_val(lengths) + size_of_val(natural);
+        let authored =
+            self.authored.as_ref().map_or(0, |authored| size_of::<Authored>() + lists(&authored.lengths, &authored.natural));
+        let root_move = self.root_move.as_ref().map_or(0, |_| size_of::<(PoseMove, f64)>());
+        let own = authored + root_move + lists(&self.model.lengths, &self.model.natural) + self.state.heap_bytes();
+        own as f64 + sections::share(self.model.section())
     }
 }

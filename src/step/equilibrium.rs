@@ -242,7 +242,8 @@ fn draw_on(model: &StrandModel, rule_weights: &[f64], gravity: Vector3<f64>, k: 
     let points = kinematics.points.len();
     system.resize(model.element_count(), points);
     point_target.resize(points, Vec3::zero());
-    curvature_target.clone_from(&model.natural);
+    curvature_target.clear();
+    curvature_target.extend_from_slice(&model.natural);
     let fall = Vec3::from(gravity * (k * k));
     for (element, length) in model.lengths.iter().enumerate() {
         for (node, weight) in rule_weights.iter().enumerate() {

@@ -25,30 +25,21 @@ pub trait Members {
     fn root_at(&self, lane: usize, seconds: f64) -> Frame;
 }
 
-/// What strands must have in common to take a step side by side.
+/// What strands must have in common to take a step side by side, as one number: how many elements, which quadrature rule, which free
+/// curvatures, which terms (drag, internal friction along each axis), and whether the step leans on the one before.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
-pub struct Kind {
-    /// Number of elements.
-    pub elements: usize,
-    /// Quadrature rule.
-    pub rule: usize,
-    /// Free curvatures.
-    pub freedoms: u32,
-    /// Which terms there are: drag, internal friction along each axis.
-    pub terms: u32,
-    /// Whether the step leans on the one before.
-    pub past: bool,
-}
+pub struct Kind(u64);
 
 impl Kind {
     /// The kind of a strand in a step of `h` seconds.
     pub fn of(model: &StrandModel, state: &StrandState, integrator: Integrator, h: f64) -> Self {
-        let mut terms = u32::from(model.material.air_drag > 0.0);
-        for axis in 0..3 {
-            terms |= u32::from(model.dissipation[axis] > 0.0) << (axis + 1);
-        }
         let past = integrator == Integrator::SecondOrder && stages::leans_on_past(state, h);
-        Self { elements: model.element_count(), rule: state.rule, freedoms: model.freedoms.bits(), terms, past }
+        let mut terms = u64::from(model.material.air_drag > 0.0) | u64::from(past) << 1;
+        for axis in 0..3 {
+            terms |= u64::from(model.dissipation[axis] > 0.0) << (axis + 2);
+        }
+        let (elements, rule) = (model.element_count() as u64, state.rule as u64);
+        Self(elements << 32 | rule << 16 | u64::from(model.freedoms.bits()) << 8 | terms)
     }
 }
 

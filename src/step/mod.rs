@@ -51,7 +51,7 @@ pub struct Setting<'a> {
     pub surroundings: &'a Surroundings,
     /// How the step is taken.
     pub options: &'a StepOptions,
-    /// The quadrature rules.
+    /// The quadrature rules, made for the options' `quadrature_tolerance`.
     pub rules: &'a Rules,
 }
 

@@ -111,8 +111,25 @@ struct Control {
 
 /// The lanes of a set, ascending.
 #[inline(always)]
-fn lanes(set: u32) -> impl Iterator<Item = usize> {
-    (0..MAX_LANES).filter(move |lane| set >> lane & 1 == 1)
+fn lanes(set: u32) -> Lanes {
+    Lanes(set)
+}
+
+/// See [`lanes`].
+struct Lanes(u32);
+
+impl Iterator for Lanes {
+    type Item = usize;
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        if self.0 == 0 {
+            return None;
+        }
+        // An index that the compiler sees to be below the length of the arrays.
+        let lane = self.0.trailing_zeros() as usize % MAX_LANES;
+        self.0 &= self.0 - 1;
+        Some(lane)
+    }
 }
 
 /// Minimises the potential of one strand with the solver that the options name; see [`minimise`].
@@ -224,7 +241,9 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         if running == 0 {
             break;
         }
-        foresee(it, &control.gone);
+        if options.exact_hessian {
+            foresee(it, &control.gone);
+        }
         if S::DAMPED && to_check != 0 {
             let still = stationary(problem, it, solver, options);
             for lane in lanes(to_check) {

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::math::lane::Precision;
+use crate::math::quadrature;
 
 /// The time integrator of a solver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -80,6 +81,11 @@ pub struct StepOptions {
     /// The precision of the step's arithmetic. [`Precision::F32`] is for [`LinearSolver::LinearTime`] and not for
     /// [`Integrator::Reference`]; what it is good for is in `docs/lanes.md`. States are kept in f64 either way.
     pub precision: Precision,
+    /// What the integrals along an element (inertia, drag, weight) may err by, relative; 1e-12 to 1e-2. It decides how many quadrature
+    /// points the elements of a strand get, by the most turned of them, and with that time and memory: `docs/mathematics.md` has the
+    /// table. No rule has more than 128 points: beyond a turn of about 200 rad the tolerance is missed, and
+    /// [`Solver::quadrature`](crate::solver::Solver::quadrature) tells by how much. [`Integrator::Reference`] uses finer rules of its own.
+    pub quadrature_tolerance: f64,
 }
 
 impl Default for StepOptions {
@@ -94,6 +100,7 @@ impl Default for StepOptions {
             max_subdivisions: 3,
             error_tolerance: 0.0,
             precision: Precision::F64,
+            quadrature_tolerance: quadrature::DEFAULT_TOLERANCE,
         }
     }
 }
@@ -140,6 +147,7 @@ impl StepOptions {
                 hint: "dense linear solvers and the reference integrator compute in f64".into(),
             });
         }
+        quadrature::check_tolerance(&format!("{argument}.quadrature_tolerance"), self.quadrature_tolerance)?;
         Ok(())
     }
 }

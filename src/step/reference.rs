@@ -17,7 +17,7 @@ use super::single::Single;
 use super::state::{RuleScratch, StrandState};
 use super::{Setting, StrandOutcome, Surroundings, keep, newton};
 use crate::math::frame::Frame;
-use crate::math::quadrature::Rules;
+use crate::math::quadrature::{self, Rules};
 use crate::math::vector::Vec3;
 use crate::rod::strand::StrandModel;
 use crate::rod::velocity::{self, RootMotion};
@@ -39,6 +39,8 @@ const GROW: f64 = 4.0;
 const LONGEST_TIME: f64 = 1.0;
 /// Times over which it is, the strand's own and shorter ones: 4¹² spans the modes of any hair.
 const TIMES_TRIED: u32 = 12;
+/// An attempt's elements may turn by so much more than at its start, and by so many radians.
+const FINE_MARGIN: f64 = 1.3;
 /// A root's velocity that differs by this much of the speeds at hand has jumped.
 const JUMP: f64 = 1e-8;
 
@@ -273,10 +275,10 @@ impl Run<'_> {
         (1.0 / squared_frequency.sqrt()).min(LONGEST_TIME)
     }
 
-    /// A rule two sizes finer than a step of the other integrators uses: the inertia's error stays below any tolerance.
+    /// A rule whose error stays below any tolerance, whatever the options say of quadrature.
     fn fine_rule(&self, curvatures: &Rows) -> usize {
         let angle = self.model.largest_angle(curvatures);
-        (self.rules.for_angle(1.1 * angle) + 2).min(self.rules.count() - 1)
+        self.rules.for_angle_within(FINE_MARGIN * angle + FINE_MARGIN - 1.0, quadrature::TIGHTEST)
     }
 
     /// Where the root's velocity jumps, the strand is struck through its clamp: rates change so that no generalised momentum does.

@@ -6,7 +6,7 @@
 //! on the linear-time solve). The points' velocities, a field of its own, are the nearest polynomials on the new elements:
 //! momentum stays, kinetic energy does not grow. Rates are those whose velocities are nearest to them by mass.
 
-use super::state::{Past, StrandState, rotation_matrix};
+use super::state::{Earlier, Past, StrandState, rotation_matrix};
 use crate::chain::elimination::Elimination;
 use crate::chain::system::{ChainSystem, LinearSolve};
 use crate::math::frame::Frame;
@@ -179,19 +179,19 @@ pub fn take(model: &StrandModel, state: &StrandState, new: &StrandModel, rules: 
         out.curvatures = means(&old.borders, &state.curvatures, &new_borders);
         out.velocities = resampled(&mut old, &new_borders, rules, out.rule, &state.velocities);
         if state.past.step > 0.0 {
-            out.past = Past {
+            let earlier = Earlier {
                 curvatures: means(&old.borders, &state.past.curvatures, &new_borders),
                 velocities: resampled(&mut old, &new_borders, rules, out.rule, &state.past.velocities),
                 root: state.past.root,
-                step: state.past.step,
             };
+            out.past = Past::new(state.past.step, earlier);
         }
         let report = distances(&old, new, &out, &new_borders, rules);
         return (out, Regrid { exact: true, ..report });
     }
     fit(&old, new, &new_borders, &state.root, &mut curvatures, rules);
     out.curvatures = curvatures;
-    out.rule = rules.next_for_angle(0, new.largest_angle(&out.curvatures));
+    out.rule = rules.next_for_angle(state.rule, new.largest_angle(&out.curvatures));
     out.velocities = resampled(&mut old, &new_borders, rules, out.rule, &state.velocities);
     project(&mut old, new, &new_borders, &mut out, rules);
     let report = distances(&old, new, &out, &new_borders, rules);

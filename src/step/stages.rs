@@ -16,7 +16,7 @@ use crate::math::lane::{Kernel, Lane, MAX_LANES};
 use crate::math::quadrature::Rule;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::freedoms::Freedoms;
-use crate::rod::kinematics::Kinematics;
+use crate::rod::kinematics;
 
 /// Takes strands through a step of `h` seconds; the workspace then holds its end. See [`super::whole::take`].
 #[inline(always)]
@@ -212,7 +212,6 @@ fn base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
         curvatures: &loaded.curvatures,
         offset: Vec3::zero(),
         rule,
-        kinematics: &mut iterate.kinematics,
         positions: base,
     });
     iterate.curvatures.clone_from(&loaded.curvatures);
@@ -221,14 +220,13 @@ fn base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
 /// Places the strands where the step before found them.
 #[inline(always)]
 fn past_base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, iterate, past_base, .. } = workspace;
+    let Workspace { loaded, past_base, .. } = workspace;
     T::call(Positions {
         rotation: &loaded.past_rotation,
         lengths: &loaded.lengths,
         curvatures: &loaded.past_curvatures,
         offset: loaded.past_offset,
         rule,
-        kinematics: &mut iterate.kinematics,
         positions: past_base,
     });
 }
@@ -240,7 +238,6 @@ struct Positions<'a, T> {
     curvatures: &'a [[T; 3]],
     offset: Vec3<T>,
     rule: &'a Rule,
-    kinematics: &'a mut Kinematics<T>,
     positions: &'a mut Vec<Vec3<T>>,
 }
 
@@ -248,11 +245,11 @@ impl<T: Lane> Kernel for Positions<'_, T> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        self.kinematics.update(self.rotation, self.lengths, self.curvatures, self.rule);
-        self.positions.resize(self.kinematics.points.len(), Vec3::zero());
-        for (position, point) in self.positions.iter_mut().zip(&self.kinematics.points) {
-            *position = point.position + self.offset;
-        }
+        self.positions.resize(self.lengths.len() * self.rule.len(), Vec3::zero());
+        let (positions, offset) = (self.positions, self.offset);
+        kinematics::for_each_position(self.rotation, self.lengths, self.curvatures, self.rule, |p, position| {
+            positions[p] = position + offset;
+        });
     }
 }
 

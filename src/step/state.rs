@@ -1,5 +1,8 @@
 //! What a step changes about a strand.
 
+use std::ops::{Deref, DerefMut};
+use std::sync::LazyLock;
+
 use nalgebra::Vector3;
 
 use crate::math::frame::Frame;
@@ -11,18 +14,19 @@ use crate::rod::velocity::{self, RootMotion};
 
 /// The state of one strand at one time.
 #[derive(Debug, PartialEq)]
+#[repr(C)] // In this order: what sampling reads comes first.
 pub struct StrandState {
+    /// Pose of the root.
+    pub root: Frame,
     /// κ, a row an element.
     pub curvatures: Vec<[f64; 3]>,
-    /// κ̇, a row an element.
-    pub rates: Vec<[f64; 3]>,
     /// Velocity of the material points at the quadrature nodes, world axes, m/s. A field of its own and not J q̇: over a step with a
     /// large rotation the chord that a point moved along is shorter than its arc, and taking the arc's velocity would add energy.
     pub velocities: Vec<Vec3<f64>>,
     /// Which quadrature rule the nodes are of.
     pub rule: usize,
-    /// Pose of the root.
-    pub root: Frame,
+    /// κ̇, a row an element.
+    pub rates: Vec<[f64; 3]>,
     /// Velocity of the root's origin, m/s.
     pub root_velocity: Vector3<f64>,
     /// Angular velocity of the root, world axes, rad/s.
@@ -37,37 +41,82 @@ pub struct StrandState {
     pub subdivision: u32,
 }
 
-/// What the two-step method remembers of the step before: the strand at its start.
-#[derive(Debug, PartialEq)]
+/// What the two-step method remembers of the step before: the strand at its start. A strand that never had one takes no memory for it.
+#[derive(Debug, Default)]
 pub struct Past {
+    /// Seconds from then to now; 0: there is no past.
+    pub step: f64,
+    earlier: Option<Box<Earlier>>,
+}
+
+/// A strand at the start of the step before.
+#[derive(Debug, PartialEq, Default)]
+pub struct Earlier {
     /// κ then.
     pub curvatures: Vec<[f64; 3]>,
     /// Velocities of the points then, at the nodes of the present rule.
     pub velocities: Vec<Vec3<f64>>,
     /// Pose of the root then.
     pub root: Frame,
-    /// Seconds from then to now; 0: there is no past.
-    pub step: f64,
+}
+
+/// What a strand without a past is read as.
+static NOTHING: LazyLock<Earlier> = LazyLock::new(Earlier::default);
+
+impl Deref for Past {
+    type Target = Earlier;
+
+    #[inline(always)]
+    fn deref(&self) -> &Earlier {
+        self.earlier.as_deref().unwrap_or_else(|| &NOTHING)
+    }
+}
+
+impl DerefMut for Past {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut Earlier {
+        self.earlier.get_or_insert_default()
+    }
+}
+
+impl Past {
+    /// The strand `step` seconds ago.
+    pub fn new(step: f64, earlier: Earlier) -> Self {
+        Self { step, earlier: Some(Box::new(earlier)) }
+    }
+
+    /// Bytes on the heap.
+    pub fn heap_bytes(&self) -> usize {
+        self.earlier.as_ref().map_or(0, |earlier| {
+            size_of::<Earlier>() + size_of::<[f64; 3]>() * (earlier.curvatures.capacity() + earlier.velocities.capacity())
+        })
+    }
+}
+
+impl PartialEq for Past {
+    fn eq(&self, other: &Self) -> bool {
+        self.step == other.step && (self.step == 0.0 || **self == **other)
+    }
 }
 
 // Written out, because a derived clone_from allocates anew: the state is copied before every step.
 impl Clone for Past {
     fn clone(&self) -> Self {
-        let Self { curvatures, velocities, root, step } = self;
-        Self { curvatures: curvatures.clone(), velocities: velocities.clone(), root: *root, step: *step }
+        let mut clone = Self::default();
+        clone.clone_from(self);
+        clone
     }
 
     fn clone_from(&mut self, source: &Self) {
-        let Self { curvatures, velocities, root, step } = source;
-        self.curvatures.clone_from(curvatures);
-        self.velocities.clone_from(velocities);
-        (self.root, self.step) = (*root, *step);
-    }
-}
-
-impl Default for Past {
-    fn default() -> Self {
-        Self { curvatures: Vec::new(), velocities: Vec::new(), root: Frame::default(), step: 0.0 }
+        self.step = source.step;
+        // Without a past what lies there is not looked at.
+        if source.step > 0.0 {
+            let Earlier { curvatures, velocities, root } = &**source;
+            let earlier = &mut **self;
+            earlier.curvatures.clone_from(curvatures);
+            earlier.velocities.clone_from(velocities);
+            earlier.root = *root;
+        }
     }
 }
 
@@ -144,10 +193,10 @@ impl StrandState {
     /// Sets the points' velocities to those of the root's motion and the curvatures' rates.
     pub fn velocities_from_rates(&mut self, model: &StrandModel, rules: &Rules) {
         self.rule = rules.next_for_angle(0, model.largest_angle(&self.curvatures));
-        let mut kinematics = Kinematics::default();
-        kinematics.update(&rotation_matrix(&self.root), &model.lengths, &self.curvatures, rules.rule(self.rule));
+        let points = model.element_count() * rules.rule(self.rule).len();
         self.velocities.clear();
-        self.velocities.resize(kinematics.points.len(), Vec3::zero());
+        self.velocities.reserve_exact(points);
+        self.velocities.resize(points, Vec3::zero());
         let root = RootMotion {
             velocity: self.root_velocity.into(),
             angular_velocity: self.root_angular_velocity.into(),
@@ -155,11 +204,21 @@ impl StrandState {
         };
         self.past.step = 0.0;
         self.subdivision = 0;
+        let rests = self.root_velocity == Vector3::zeros()
+            && self.root_angular_velocity == Vector3::zeros()
+            && self.rates.iter().all(|row| *row == [0.0; 3]);
+        if rests {
+            return;
+        }
+        let mut kinematics = Kinematics::default();
+        kinematics.update(&rotation_matrix(&self.root), &model.lengths, &self.curvatures, rules.rule(self.rule));
         let velocities = &mut self.velocities;
         velocity::for_each_point(&kinematics, &self.rates, &root, |p, v, _| velocities[p] = v);
     }
 
-    /// Goes to the quadrature rule that the present shape needs, taking the velocities along by interpolation.
+    /// Goes to the quadrature rule that the present shape needs, taking the velocities along: to more points by interpolation, to
+    /// fewer as the polynomial that is nearest in the mean square. Kinetic energy stays or, by what fewer points cannot hold, falls;
+    /// momentum stays.
     pub fn adapt_rule(&mut self, model: &StrandModel, rules: &Rules, scratch: &mut RuleScratch) {
         let wanted = rules.next_for_angle(self.rule, model.largest_angle(&self.curvatures));
         if wanted == self.rule {
@@ -170,8 +229,8 @@ impl StrandState {
         for velocities in [Some(&mut self.velocities), past].into_iter().flatten() {
             scratch.velocities.clear();
             scratch.velocities.resize(model.element_count() * to.len(), Vec3::zero());
-            for (node, x) in to.nodes.iter().enumerate() {
-                from.interpolation(*x, &mut scratch.coefficients);
+            for node in 0..to.len() {
+                from.transfer(to, node, &mut scratch.coefficients);
                 for element in 0..model.element_count() {
                     let mut sum = Vec3::zero();
                     for (k, coefficient) in scratch.coefficients.iter().enumerate() {
@@ -180,7 +239,9 @@ impl StrandState {
                     scratch.velocities[element * to.len() + node] = sum;
                 }
             }
-            std::mem::swap(velocities, &mut scratch.velocities);
+            // Copied, not swapped: a strand shall not keep the room that the scratch memory has.
+            velocities.reserve_exact(scratch.velocities.len().saturating_sub(velocities.len()));
+            velocities.clone_from(&scratch.velocities);
         }
         self.rule = wanted;
     }
@@ -188,16 +249,36 @@ impl StrandState {
     /// Puts the root elsewhere at once: the shape and the velocities in the root's axes stay as they are.
     pub fn teleport(&mut self, root: Frame) {
         let turn = root.rotation * self.root.rotation.inverse();
-        for velocity in self.velocities.iter_mut().chain(&mut self.past.velocities) {
-            *velocity = Vec3::from(turn * Vector3::from(*velocity));
+        let turned = |velocity: &mut Vec3<f64>| *velocity = Vec3::from(turn * Vector3::from(*velocity));
+        self.velocities.iter_mut().for_each(turned);
+        if self.past.step > 0.0 {
+            let past = &mut *self.past;
+            past.velocities.iter_mut().for_each(turned);
+            past.root =
+                Frame { origin: root.origin + turn * (past.root.origin - self.root.origin), rotation: turn * past.root.rotation };
         }
-        self.past.root = Frame {
-            origin: root.origin + turn * (self.past.root.origin - self.root.origin),
-            rotation: turn * self.past.root.rotation,
-        };
         self.root_velocity = turn * self.root_velocity;
         self.root_angular_velocity = turn * self.root_angular_velocity;
         self.root = root;
+    }
+
+    /// Gives back the room that lists have beyond their length.
+    pub fn shrink(&mut self) {
+        self.curvatures.shrink_to_fit();
+        self.rates.shrink_to_fit();
+        self.velocities.shrink_to_fit();
+        if self.past.step == 0.0 {
+            self.past = Past::default();
+        } else {
+            self.past.curvatures.shrink_to_fit();
+            self.past.velocities.shrink_to_fit();
+        }
+    }
+
+    /// Bytes on the heap.
+    pub fn heap_bytes(&self) -> usize {
+        let rows = self.curvatures.capacity() + self.rates.capacity() + self.velocities.capacity();
+        rows * size_of::<[f64; 3]>() + self.past.heap_bytes()
     }
 
     /// Whether every number is finite.

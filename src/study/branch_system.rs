@@ -42,6 +42,8 @@ const LONGEST_CORRECTION: f64 = 1.0;
 const STILL: f64 = 1e-14;
 /// A singular value below this share of the largest is zero.
 const SINGULAR: f64 = 1e-12;
+/// What the integrals along an element may err by: critical loads are located to 1e-8.
+const QUADRATURE: f64 = 1e-10;
 /// The difference quotient of the load, of the range.
 const DIFFERENCE: f64 = 1e-4;
 
@@ -68,7 +70,7 @@ impl<'a> System<'a> {
         let scale = model.lengths.iter().map(|element| (length * element).sqrt()).collect();
         let unit = model.stiffness.iter().fold(0.0_f64, |a, b| a.max(*b)) / length;
         let (kinematics, chain) = (Kinematics::default(), ChainSystem::default());
-        Ok(Self { model, load, range, tolerance, rules: Rules::default(), rule: 0, kinematics, chain, scale, unit })
+        Ok(Self { model, load, range, tolerance, rules: Rules::new(QUADRATURE), rule: 0, kinematics, chain, scale, unit })
     }
 
     /// Number of free curvatures.

@@ -50,12 +50,13 @@ impl Preset {
 
     /// What it is made of.
     pub fn recipe(self) -> Recipe {
-        let (rate, tolerance, max_iterations, fewest_elements, elements_per_turn) = match self {
-            Preset::Preview => (30.0, 1e-2, 8, 4, 3.0),
-            Preset::Balanced => (120.0, 1e-3, 50, 8, 4.0),
-            Preset::Accurate => (480.0, 1e-4, 50, 20, 8.0),
+        let (rate, tolerance, max_iterations, fewest_elements, elements_per_turn, quadrature_tolerance) = match self {
+            Preset::Preview => (30.0, 1e-2, 8, 4, 3.0, 1e-2),
+            Preset::Balanced => (120.0, 1e-3, 50, 8, 4.0, 1e-4),
+            Preset::Accurate => (480.0, 1e-4, 50, 20, 8.0, 1e-6),
         };
-        let step = StepOptions { integrator: Integrator::SecondOrder, tolerance, max_iterations, ..StepOptions::default() };
+        let integrator = Integrator::SecondOrder;
+        let step = StepOptions { integrator, tolerance, max_iterations, quadrature_tolerance, ..StepOptions::default() };
         Recipe { step, longest_step: 1.0 / rate, fewest_elements, elements_per_turn }
     }
 

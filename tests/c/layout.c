@@ -8,7 +8,7 @@
 #define SIZE(type, size) ASSERT(sizeof(type) == (size))
 #define AT(type, field, offset) ASSERT(offsetof(type, field) == (offset))
 
-SIZE(shx_solver_def, 160);
+SIZE(shx_solver_def, 168);
 AT(shx_solver_def, struct_size, 0);
 AT(shx_solver_def, worker_count, 4);
 AT(shx_solver_def, gravity, 8);
@@ -29,6 +29,7 @@ AT(shx_solver_def, instruction_set, 124);
 AT(shx_solver_def, error_tolerance, 128);
 AT(shx_solver_def, reserved, 136);
 AT(shx_solver_def, reference_tolerance, 152);
+AT(shx_solver_def, quadrature_tolerance, 160);
 
 SIZE(shx_frame, 56);
 AT(shx_frame, origin, 0);
@@ -95,7 +96,7 @@ AT(shx_sample_def, struct_size, 0);
 AT(shx_sample_def, points_per_strand, 4);
 AT(shx_sample_def, origin, 8);
 
-SIZE(shx_settings, 56);
+SIZE(shx_settings, 64);
 AT(shx_settings, struct_size, 0);
 AT(shx_settings, integrator, 4);
 AT(shx_settings, max_iterations, 8);
@@ -106,6 +107,7 @@ AT(shx_settings, tolerance, 24);
 AT(shx_settings, error_tolerance, 32);
 AT(shx_settings, error, 40);
 AT(shx_settings, cost, 48);
+AT(shx_settings, quadrature_tolerance, 56);
 
 SIZE(shx_settle_def, 24);
 AT(shx_settle_def, struct_size, 0);

@@ -106,6 +106,11 @@ static void suggestions(void) {
   EXPECT(shx_solver_add_strands(solver, strands, sizeof strands[0], 5, ids) == SHX_OK);
   EXPECT(warnings == 1); /* one line, whatever the number of strands */
   EXPECT(shx_solver_strand_turns(solver, ids, 5, turns) == SHX_OK);
+  uint32_t points[5];
+  double errors[5];
+  EXPECT(shx_solver_strand_quadrature(solver, ids, 5, points, errors) == SHX_OK);
+  for (int i = 0; i < 5; i++)
+    EXPECT(points[i] == (i == 3 ? 5u : 4u) && errors[i] <= 1e-4); /* 3.2 rad and less than 2.1 */
   EXPECT(fabs(turns[0] - 1) < 1e-12 && fabs(turns[3] - 0.1 * sqrt(1000)) < 1e-12);
   shx_solver_destroy(solver);
 }

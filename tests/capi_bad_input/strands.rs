@@ -185,6 +185,15 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_strand_iterations", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: u64::MAX }]; shx_solver_strand_iterations(s.solver, ids.as_ptr(), 2, s.out()) });
     case!(cases, "shx_solver_strand_iterations", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_strand_iterations(s.solver, s.ids.as_ptr(), usize::MAX, s.out()));
     case!(cases, "shx_solver_strand_iterations", "out_iterations", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_iterations(s.solver, s.ids.as_ptr(), 2, null_mut()));
+    case!(cases, "shx_solver_strand_quadrature", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_quadrature(null(), s.ids.as_ptr(), 2, s.out(), s.out()));
+    case!(cases, "shx_solver_strand_quadrature", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_quadrature(s.solver, null(), 2, s.out(), s.out()));
+    case!(cases, "shx_solver_strand_quadrature", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_strand_quadrature(s.solver, ids.as_ptr(), 2, s.out(), s.out()) });
+    case!(cases, "shx_solver_strand_quadrature", "ids", "stale", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.stale[0]]; shx_solver_strand_quadrature(s.solver, ids.as_ptr(), 2, s.out(), s.out()) });
+    case!(cases, "shx_solver_strand_quadrature", "ids", "foreign", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.foreign[0]]; shx_solver_strand_quadrature(s.solver, ids.as_ptr(), 2, s.out(), s.out()) });
+    case!(cases, "shx_solver_strand_quadrature", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: u64::MAX }]; shx_solver_strand_quadrature(s.solver, ids.as_ptr(), 2, s.out(), s.out()) });
+    case!(cases, "shx_solver_strand_quadrature", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_strand_quadrature(s.solver, s.ids.as_ptr(), usize::MAX, s.out(), s.out()));
+    case!(cases, "shx_solver_strand_quadrature", "out_points", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_quadrature(s.solver, s.ids.as_ptr(), 2, null_mut(), s.out()));
+    case!(cases, "shx_solver_strand_quadrature", "out_errors", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_quadrature(s.solver, s.ids.as_ptr(), 2, s.out(), null_mut()));
     case!(cases, "shx_solver_strand_energies", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_energies(null(), s.ids.as_ptr(), 2, s.out(), s.out2(), null_mut()));
     case!(cases, "shx_solver_strand_energies", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_energies(s.solver, null(), 2, s.out(), s.out2(), null_mut()));
     case!(cases, "shx_solver_strand_energies", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_strand_energies(s.solver, ids.as_ptr(), 2, s.out(), s.out2(), null_mut()) });

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use serde::Serialize;
 use superhelix::error::Error;
-use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
+use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity_with};
 use superhelix::rod::material::Material;
 use superhelix::solver::definition::StrandDef;
 
@@ -31,6 +31,8 @@ pub struct StrandRecipe {
     pub natural: NaturalShape,
     /// Gravity, m/s².
     pub gravity: Vector3<f64>,
+    /// That of the solver, so that the balance is exact there.
+    pub quadrature_tolerance: f64,
 }
 
 /// A strand of the groom that is not simulated.
@@ -100,7 +102,9 @@ fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Res
         ..StrandDef::straight(1.0, 1)
     };
     if recipe.natural == NaturalShape::SagFree {
-        definition.natural = natural_under_gravity(&definition, &fit.curvatures, recipe.gravity).map_err(words)?;
+        definition.natural =
+            natural_under_gravity_with(&definition, &fit.curvatures, recipe.gravity, recipe.quadrature_tolerance)
+                .map_err(words)?;
         definition.initial = Some(fit.curvatures);
     }
     Ok(GroomStrand { index, definition, fit_error: (fit.rms_error, fit.max_error) })

@@ -136,6 +136,7 @@ fn read(document: &Value) -> Result<Scene, Complaint> {
         "reference_tolerance",
         "max_subdivisions",
         "error_tolerance",
+        "quadrature_tolerance",
         "solver",
         "strands",
         "colliders",
@@ -195,6 +196,7 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
     step.reference_tolerance = scene.or("reference_tolerance", step.reference_tolerance, Node::positive)?;
     step.max_subdivisions = scene.or("max_subdivisions", step.max_subdivisions, |node| Ok(node.whole(0..=10)? as u32))?;
     step.error_tolerance = scene.or("error_tolerance", step.error_tolerance, Node::not_negative)?;
+    step.quadrature_tolerance = scene.or("quadrature_tolerance", step.quadrature_tolerance, Node::positive)?;
     if let Some(newton) = scene.get("newton") {
         let newton = newton.object(&["max_iterations", "tolerance"])?;
         step.max_iterations = newton.or("max_iterations", step.max_iterations, |node| Ok(node.whole(1..=10_000)? as u32))?;

@@ -68,6 +68,7 @@ struct Answer {
     elements: u32,
     tolerance: f64,
     max_iterations: u32,
+    quadrature_tolerance: f64,
     measured_error: Option<f64>,
     measured_microseconds_per_strand_and_second: Option<f64>,
 }
@@ -100,6 +101,7 @@ fn answer(settings: &Settings) -> Answer {
         elements: settings.elements,
         tolerance: settings.step.tolerance,
         max_iterations: settings.step.max_iterations,
+        quadrature_tolerance: settings.step.quadrature_tolerance,
         measured_error: settings.error,
         measured_microseconds_per_strand_and_second: settings.cost,
     }
@@ -108,8 +110,8 @@ fn answer(settings: &Settings) -> Answer {
 fn in_words(settings: &Settings, length: f64) -> String {
     let answer = answer(settings);
     let mut text = format!(
-        "--integrator {} --substeps {} --elements {} --tolerance {} --max-iterations {}\n",
-        answer.integrator, answer.substeps, answer.elements, answer.tolerance, answer.max_iterations
+        "--integrator {} --substeps {} --elements {} --tolerance {} --max-iterations {} --quadrature-tolerance {}\n",
+        answer.integrator, answer.substeps, answer.elements, answer.tolerance, answer.max_iterations, answer.quadrature_tolerance
     );
     text += &match (settings.error, settings.cost) {
         (Some(error), Some(cost)) => format!(

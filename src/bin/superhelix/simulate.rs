@@ -121,6 +121,9 @@ pub struct SimulateArguments {
     /// Integrator reference: the error allowed in positions, in lengths of the strand, a second; 1e-12 to 1e-2. Default: 1e-8.
     #[arg(long, value_name = "LENGTHS", value_parser = positive)]
     reference_tolerance: Option<f64>,
+    /// What integrals along an element may err by, relative; 1e-12 to 1e-2. Default: 1e-4, or the preset's.
+    #[arg(long, value_name = "SHARE", value_parser = positive)]
+    quadrature_tolerance: Option<f64>,
     /// Threads.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
     threads: u32,
@@ -214,6 +217,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         material: arguments.material.material()?,
         natural: arguments.natural,
         gravity: arguments.up.gravity(),
+        quadrature_tolerance: fineness.step.quadrature_tolerance,
     };
     let mut solver = Solver::new(SolverOptions {
         gravity: recipe.gravity,
@@ -398,6 +402,7 @@ impl Fineness {
         step.max_subdivisions = arguments.max_subdivisions.unwrap_or(step.max_subdivisions);
         step.error_tolerance = arguments.error_tolerance.unwrap_or(step.error_tolerance);
         step.reference_tolerance = arguments.reference_tolerance.unwrap_or(step.reference_tolerance);
+        step.quadrature_tolerance = arguments.quadrature_tolerance.unwrap_or(step.quadrature_tolerance);
         step.max_iterations = arguments.max_iterations.unwrap_or(step.max_iterations);
         Ok(Self { step, substeps: arguments.substeps.unwrap_or(substeps), elements: arguments.elements.unwrap_or(elements) })
     }

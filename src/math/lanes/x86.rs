@@ -132,6 +132,7 @@ macro_rules! packed {
             #[inline(always)]
             fn call<K: Kernel>(kernel: K) -> K::Output {
                 #[target_feature(enable = $features)]
+                #[inline(never)]
                 fn with<K: Kernel>(kernel: K) -> K::Output {
                     kernel.run()
                 }

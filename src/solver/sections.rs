@@ -1,0 +1,48 @@
+//! Sections that strands share: a strand made like one of the last few gets theirs.
+
+use std::sync::Arc;
+
+use crate::rod::freedoms::Freedoms;
+use crate::rod::material::Material;
+use crate::rod::section::Section;
+
+/// Kinds of strands that are remembered: hosts add strands of few kinds, kind after kind or mixed; of many kinds (every radius another)
+/// each strand has its own.
+const KINDS: usize = 16;
+
+/// The sections given out last.
+#[derive(Debug, Default)]
+pub(super) struct Sections {
+    recent: Vec<Arc<Section>>,
+    next: usize,
+}
+
+impl Sections {
+    /// The section of that material and freedoms.
+    pub fn of(&mut self, material: &Material, freedoms: Freedoms) -> Arc<Section> {
+        let known = self.recent.iter().find(|section| section.material == *material && section.freedoms == freedoms);
+        if let Some(section) = known {
+            return section.clone();
+        }
+        let section = Arc::new(Section::new(*material, freedoms));
+        if self.recent.len() < KINDS {
+            self.recent.push(section.clone());
+        } else {
+            self.recent[self.next] = section.clone();
+            self.next = (self.next + 1) % KINDS;
+        }
+        section
+    }
+
+    /// Bytes on the heap: the list, and this holder's share of each section.
+    pub fn heap_bytes(&self) -> f64 {
+        let list = self.recent.capacity() * size_of::<Arc<Section>>();
+        self.recent.iter().map(share).sum::<f64>() + list as f64
+    }
+}
+
+/// A holder's share of a section's bytes: over all holders they sum to them.
+pub(super) fn share(section: &Arc<Section>) -> f64 {
+    // An Arc's two counts stand before the value.
+    (2 * size_of::<usize>() + size_of::<Section>()) as f64 / Arc::strong_count(section) as f64
+}
