@@ -1,6 +1,7 @@
 //! `superhelix bench`: what the engine costs on this machine, on one card.
 
 use std::hint::black_box;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::Args;
@@ -10,9 +11,9 @@ use superhelix::math::frame::Frame;
 use superhelix::math::lane::Precision;
 use superhelix::math::lanes::InstructionSet;
 use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
 use superhelix::solver::id::StrandId;
+use superhelix::solver::{SampleSink, Solver, Tile, Wanted};
 
 use crate::failure::Failure;
 
@@ -211,13 +212,13 @@ impl Head {
     fn measure_sampling(&self, time: Duration) -> Result<SamplingRow, Failure> {
         let started = Instant::now();
         let mut samples = Vec::new();
-        let mut points = vec![[0.0_f32; 3]; STRANDS * SAMPLES];
+        let wanted =
+            Wanted { points_per_strand: SAMPLES, origin: Vector3::zeros(), positions: true, rotations: false, velocities: false };
+        let sink = Positions((0..STRANDS * SAMPLES).map(|_| Default::default()).collect());
         while samples.len() < AT_LEAST || started.elapsed() < time {
             let clock = Instant::now();
-            self.solver.sample_strands(&self.ids, SAMPLES, |strand, point, sample| {
-                points[strand * SAMPLES + point] = [sample.position.x as f32, sample.position.y as f32, sample.position.z as f32];
-            })?;
-            black_box(&points);
+            self.solver.sample_tiles::<f32>(&self.ids, &wanted, &sink)?;
+            black_box(&sink);
             samples.push(clock.elapsed().as_secs_f64());
         }
         let seconds = median(&mut samples) / STRANDS as f64;
@@ -226,6 +227,22 @@ impl Head {
             microseconds_per_strand: 1e6 * seconds,
             million_points_per_second: 1e-6 * SAMPLES as f64 / seconds,
         })
+    }
+}
+
+/// The positions of all points, as the bits of f32: memory that any thread may write.
+struct Positions(Vec<[AtomicU32; 3]>);
+
+impl SampleSink<f32> for Positions {
+    fn take(&self, tile: &Tile<f32>) {
+        for (lane, strand) in tile.strands.iter().enumerate() {
+            for (point, position) in tile.positions.iter().enumerate() {
+                let to = &self.0[*strand as usize * SAMPLES + tile.first + point];
+                for axis in 0..3 {
+                    to[axis].store(position[axis][lane].to_bits(), Ordering::Relaxed);
+                }
+            }
+        }
     }
 }
 
