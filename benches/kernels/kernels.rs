@@ -72,7 +72,8 @@ fn kernels<T: Lane>(c: &mut Criterion, name: &str) {
         b.iter(|| scratch.update(black_box(&root), black_box(&lengths), black_box(&rows), rule));
     });
     let (mut elimination, mut change) = (Elimination::default(), Vec::new());
-    for (kind, axes) in [("three freedoms", &[0, 1, 2] as &[usize]), ("two freedoms", &[1, 2]), ("one freedom", &[1])] {
+    let kinds: [(&str, &[usize]); 3] = [("three freedoms", &[0, 1, 2]), ("two freedoms", &[1, 2]), ("one freedom", &[1])];
+    for (kind, axes) in kinds {
         for exact in [true, false] {
             system.exact = exact;
             let hessian = if exact { "exact" } else { "Gauss-Newton" };
