@@ -99,6 +99,7 @@ fn machine_table(peak: &Peak, rounds: usize) -> Table {
     table.row(vec!["multiplications and additions a second, f32, one core, 10^9".into(), digits(1e-9 * peak.f32_operations)]);
     table.row(vec!["copying, one core, 10^9 bytes read and written a second".into(), digits(1e-9 * peak.copy)]);
     table.row(vec!["copying, two cores, 10^9 bytes read and written a second".into(), digits(1e-9 * peak.copy_on_two)]);
+    table.row(vec!["share of one core that was ours meanwhile".into(), format!("{:.2}", peak.ours)]);
     table
 }
 
