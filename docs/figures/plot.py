@@ -75,13 +75,16 @@ def convergence():
 
 def sampling():
     data = rows("sampling.csv")
-    lines = ["| what is written | a copy | one thread | two threads | ratio, one | ratio, two | processor time |", "|---" * 7 + "|"]
+    lines = ["| what is written | a copy | processor time | ratio | a point, ns | clock, one thread | clock, two |", "|---" * 7 + "|"]
     for row in data:
         if row["kind"] == "sampling":
             copy, one, two, spent = (float(row[key]) for key in "abcd")
-            lines.append(f"| {row['what']} | {copy:.2f} | {one:.1f} | {two:.1f} | {one / copy:.1f} | {two / copy:.1f} | {spent:.1f} |")
+            points = 16e-6 * int(row["count"])
+            lines.append(f"| {row['what']} | {copy:.2f} | {spent:.1f} | {spent / copy:.1f} | {spent / points:.1f} | {one:.1f} | {two:.1f} |")
         if row["kind"] == "one by one":
-            lines.append(f"| (strand by strand, `Solver::sample_strands`, all three in f64) | | {float(row['a']):.1f} | | | | {float(row['d']):.1f} |")
+            spent, points = float(row["d"]), 16e-6 * int(row["count"])
+            lines.append(f"| (strand by strand, `Solver::sample_strands`: all three in f64) | | {spent:.0f} | | {spent / points:.1f} | "
+                         f"{float(row['a']):.0f} | |")
     put(lines, "performance.md", "sampling")
     told = {(row["what"], row["count"]): float(row["b"]) for row in data if row["kind"] == "memory"}
     counts = sorted({int(count) for _, count in told})
