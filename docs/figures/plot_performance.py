@@ -47,7 +47,8 @@ def cost():
         left.loglog(counts, steps, "o-" if precision == "f64" else "s--", color=COLOURS[sets.index(name)], markersize=3, linewidth=1,
                     label=f"{name}, {precision}")
     left.set_title("by instructions and precision", fontsize=9)
-    left.legend(fontsize=7, ncols=2)
+    left.set_ylim(top=6 * left.get_ylim()[1])
+    left.legend(fontsize=7, ncols=2, loc="upper right")
     best = series[sets[-1], "f64"]
     right.loglog([p[0] for p in best], [p[1] for p in best], "o-", color=COLOURS[0], markersize=3, label=f"linear time, {sets[-1]}")
     scalar = series[sets[0], "f64"]
