@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test demo soak bench figures tradeoff peers clean
+.PHONY: help lib test demo soak bench instructions figures tradeoff peers clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -35,9 +35,13 @@ soak: ## strands from the whole space for a million strand-seconds (docs/extreme
 	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features \
 	  --test kernel_mathematics --test math_pose_spline --test files_fuzz --test hard_cases -- --nocapture
 
-bench: ## what a step costs an element, linear-time and dense: docs/figures/cost.csv
-	@scripts/setup.sh build
-	cargo bench --locked --bench cost -- --csv docs/figures/cost.csv
+bench: ## what the engine costs: every table of docs/performance.md, the costs that were asked for first (under 10 minutes)
+	@scripts/setup.sh build figures
+	scripts/bench.sh
+
+instructions: ## instructions an element costs, by callgrind: docs/figures/instructions.csv (INSTRUCTIONS_CHECK=1 compares with it)
+	@scripts/setup.sh test
+	scripts/instructions.sh
 
 figures: ## every figure and table of docs/, from their programs
 	@scripts/setup.sh build figures

@@ -7,7 +7,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
-  cargo bench --locked --bench cost -- --csv docs/figures/cost.csv
+  BENCH_DRAW=no scripts/bench.sh
+  scripts/instructions.sh
   cargo bench --locked --profile demo --bench sampling -- --csv docs/figures/sampling.csv
   cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
   cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
@@ -26,5 +27,6 @@ fi
 
 scripts/python_env.sh
 build/venv/bin/python docs/figures/plot.py
+build/venv/bin/python docs/figures/plot_performance.py
 build/venv/bin/python docs/figures/plot_validation.py
 build/venv/bin/python docs/figures/plot_single_precision.py

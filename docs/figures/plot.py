@@ -73,36 +73,6 @@ def convergence():
     put(lines, "convergence.md", "convergence")
 
 
-def cost():
-    data = defaultdict(list)
-    for row in rows("cost.csv"):
-        data[row["solver"]].append([float(row[key]) for key in ("elements", "us_per_element_step", "us_per_element_iteration")])
-    figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.5))
-    linear, dense = np.array(data["linear_time"]).T, np.array(data["dense_cholesky"]).T
-    left.semilogx(linear[0], linear[1], "o-", color=COLOURS[0], label="a step")
-    left.semilogx(linear[0], linear[2], "s--", color=COLOURS[2], label="a Newton iteration")
-    low = linear[1].min()
-    left.axhspan(low, 1.25 * low, color=COLOURS[0], alpha=0.1, label="25 % above the cheapest")
-    left.set_ylim(0, 1.6 * linear[1].max())
-    left.set_title("linear-time solve", fontsize=9)
-    left.set_ylabel("µs an element")
-    left.legend(fontsize=8, loc="lower right")
-    right.loglog(linear[0], linear[1], "o-", color=COLOURS[0], label="linear time")
-    right.loglog(dense[0], dense[1], "s-", color=COLOURS[1], label="dense Cholesky")
-    right.set_title("beside the dense one", fontsize=9)
-    right.set_ylabel("µs an element and step")
-    right.legend(fontsize=8)
-    for axes in (left, right):
-        axes.set_xlabel("elements a strand, N")
-    save(figure, "cost.png")
-    lines = ["| solver | N | iterations a step | µs an element and step | µs an element and iteration |", "|---|---|---|---|---|"]
-    for row in rows("cost.csv"):
-        lines.append(f"| {row['solver'].replace('_', ' ')} | {row['elements']} | {float(row['iterations']):.2f} | "
-                     f"{float(row['us_per_element_step']):.3g} | {float(row['us_per_element_iteration']):.3g} |")
-    lines += ["", f"Linear time: the dearest element-step of all N costs {linear[1].max() / linear[1].min():.2f} times the cheapest."]
-    put(lines, "performance.md", "cost")
-
-
 def sampling():
     data = rows("sampling.csv")
     lines = ["| what is written | a copy | processor time | ratio | a point, ns | clock, one thread | clock, two |", "|---" * 7 + "|"]
@@ -225,7 +195,6 @@ def friction():
 
 if __name__ == "__main__":
     convergence()
-    cost()
     sampling()
     limits()
     newton()

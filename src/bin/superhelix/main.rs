@@ -1,6 +1,7 @@
 //! The command line: scenes, grooms with head motion, and pictures of what came out.
 
 mod atomic_file;
+mod bench;
 mod failure;
 mod fit_friction;
 mod groom_statistics;
@@ -44,6 +45,7 @@ enum Command {
     Picture(picture::PictureArguments),
     Settings(settings::SettingsArguments),
     FitFriction(Box<fit_friction::FitFrictionArguments>),
+    Bench(bench::BenchArguments),
 }
 
 /// Prints a command's answer. A reader that has gone away is no failure of ours.
@@ -73,6 +75,7 @@ fn main() -> ExitCode {
         Command::Picture(arguments) => picture::run(arguments),
         Command::Settings(arguments) => settings::run(arguments),
         Command::FitFriction(arguments) => fit_friction::run(arguments),
+        Command::Bench(arguments) => bench::run(arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
