@@ -108,9 +108,8 @@ impl<T: Lane> Stumpff<T> {
         let x = z.sqrt();
         // Half the angle: 1 − cos x = 2 sin²(x/2) keeps its digits near whole turns.
         let (sine, cosine) = sine_cosine(T::splat(0.5) * x);
-        let reciprocal = T::one() / x;
-        let inverse = reciprocal * reciprocal;
-        let c1 = T::splat(2.0) * sine * cosine * reciprocal;
+        let c1 = T::splat(2.0) * sine * cosine / x;
+        let inverse = T::one() / z;
         let c2 = T::splat(2.0) * sine * sine * inverse;
         let c3 = (T::one() - c1) * inverse;
         let c4 = (T::splat(0.5) - c2) * inverse;
