@@ -42,7 +42,7 @@ impl Table {
         let single = run(&def, way, Precision::F32, false);
         let (apart32, _) = apart(&double, &single);
         let (sensitive, _) = apart(&double, &run(&nudged, way, Precision::F64, false));
-        self.line(study, hair, elements, way, [apart32, sensitive], &double, &single);
+        self.line(study, hair, elements, way, [apart32, sensitive], [&double, &single]);
     }
 
     /// A strand at rest: how far it goes, in f32 and in f64.
@@ -54,7 +54,7 @@ impl Table {
             let still = run::Course { frames: vec![course.frames[0]; course.frames.len()], ..Default::default() };
             apart(&still, course).0
         });
-        self.line("rest", hair, elements, &way, [gone32, gone64], &double, &single);
+        self.line("rest", hair, elements, &way, [gone32, gone64], [&double, &single]);
     }
 
     /// A strand that nothing damps, let go: by how much of the fall its energy is off at the end, in f32 and in f64.
@@ -65,7 +65,7 @@ impl Table {
         let weight = def.material.linear_density() * 9.81 * hair.length * hair.length;
         let [off64, off32] =
             [&double, &single].map(|course| (course.energies[course.energies.len() - 1] - course.energies[0]) / weight);
-        self.line("energy", hair, elements, &way, [off32 * hair.length, off64 * hair.length], &double, &single);
+        self.line("energy", hair, elements, &way, [off32 * hair.length, off64 * hair.length], [&double, &single]);
     }
 
     fn line(
@@ -75,8 +75,7 @@ impl Table {
         elements: usize,
         way: &Way,
         values: [f64; 2],
-        double: &run::Course,
-        single: &run::Course,
+        [double, single]: [&run::Course; 2],
     ) {
         let [a, b] = values.map(|value| value / hair.length);
         let [unconverged, subdivided, quarantined] = single.failures;

@@ -114,12 +114,14 @@ fn congruent<T: Lane>(turn: &Mat3<T>, m: &Upper<T>) -> Upper<T> {
     out
 }
 
-/// Adds aᵀb, of which the caller knows that it is symmetric.
+/// The columns of the free curvatures, times a factor.
 #[inline(always)]
-fn add_symmetric_product<T: Lane>(to: &mut Upper<T>, a: &Mat3<T>, b: &Mat3<T>) {
-    for (slot, (i, j)) in PAIRS.into_iter().enumerate() {
-        to[slot] += a.0[0][i] * b.0[0][j] + a.0[1][i] * b.0[1][j] + a.0[2][i] * b.0[2][j];
+fn columns<T: Lane, const D: usize>(m: &Mat3<T>, axes: [usize; D], factor: T) -> [Vec3<T>; D] {
+    let mut out = [Vec3::zero(); D];
+    for i in 0..D {
+        out[i] = m.column(axes[i]).scale(factor);
     }
+    out
 }
 
 /// Rows and columns of an upper triangle.
@@ -309,26 +311,36 @@ fn eliminate<T: Lane, const D: usize>(
     let (kappa, length, end) = (element.kappa, element.length, element.end);
     let theta = kappa.scale(length);
     let z = element.kappa_squared * (length * length);
-    let psi = segment::mean_frame(theta, z, &element.c).scale(length);
-    let jacobian = segment::chord_gradient(theta, z, &element.c).scale(length * length);
+    let psi = columns(&segment::mean_frame(theta, z, &element.c), axes, length);
+    let jacobian = columns(&segment::chord_gradient(theta, z, &element.c), axes, length * length);
 
-    // What is downstream, through δκ: Y = P (Ψ; J), and its couplings.
-    let y_psi = full(&right.a).mul(&psi).add(&right.b.mul(&jacobian));
-    let y_rho = right.b.transposed_mul(&psi).add(&full(&right.c).mul(&jacobian));
-    let mut kk = [T::zero(); 6];
-    add_symmetric_product(&mut kk, &psi, &y_psi);
-    add_symmetric_product(&mut kk, &jacobian, &y_rho);
-    let mut psi_k = y_psi.add(&y_rho.crossed_from_left(end));
-    let mut rho_k = y_rho;
-    let mut reduced = psi.apply_transposed(right.moment) + jacobian.apply_transposed(right.force);
-    let mut force = psi.apply_transposed(right.whole_moment) + jacobian.apply_transposed(right.whole_force);
+    // What is downstream, through δκ: Y = P (Ψ; J), and its couplings, column by column of the free curvatures.
+    let (whole_a, whole_c) = (full(&right.a), full(&right.c));
     let mut left = right.moved(end);
-
+    let mut kk = [[T::zero(); D]; D];
+    let mut psi_k = [Vec3::zero(); D];
+    let mut rho_k = [Vec3::zero(); D];
+    let mut reduced = [T::zero(); D];
+    let mut force = [T::zero(); D];
+    for i in 0..D {
+        let y_psi = whole_a.apply(psi[i]) + right.b.apply(jacobian[i]);
+        let y_rho = right.b.apply_transposed(psi[i]) + whole_c.apply(jacobian[i]);
+        for k in 0..=i {
+            kk[i][k] = psi[k].dot(y_psi) + jacobian[k].dot(y_rho);
+        }
+        psi_k[i] = y_psi + end.cross(y_rho);
+        rho_k[i] = y_rho;
+        reduced[i] = psi[i].dot(right.moment) + jacobian[i].dot(right.force);
+        force[i] = psi[i].dot(right.whole_moment) + jacobian[i].dot(right.whole_force);
+    }
     let mut form = CurvatureForm::zero();
     if system.exact {
         let (f, m) = (right.tension_force, right.tension_moment);
         left.add_tension(f, end);
-        psi_k = psi_k.add(&jacobian.crossed_from_left(f)).add(&psi.crossed_from_left(m.scale(T::splat(0.5))));
+        let half_moment = m.scale(T::splat(0.5));
+        for i in 0..D {
+            psi_k[i] += f.cross(jacobian[i]) + half_moment.cross(psi[i]);
+        }
         form.subtract_force(f, kappa, length, element.kappa_squared, &element.c);
         form.subtract_moment(m, kappa, length, element.kappa_squared, &element.c);
     }
@@ -338,14 +350,14 @@ fn eliminate<T: Lane, const D: usize>(
     let first = index * per_element;
     let mut stiffness_sum = T::zero();
     let mut first_moment = Vec3::zero();
-    let mut point_rho_k = Mat3::zero();
     let mut own = [T::zero(); 6];
     for p in first..first + per_element {
         let point = &kinematics.points[p];
         let stiffness = system.point_stiffness[p];
         let x = point.local;
         let s = point.s;
-        let j = segment::chord_gradient(kappa.scale(s), element.kappa_squared * (s * s), &point.c).scale(s * s);
+        let j = segment::chord_gradient(kappa.scale(s), element.kappa_squared * (s * s), &point.c);
+        let j = columns(&j, axes, s * s);
         let f = element.frame_left.apply_transposed(system.point_force[p]);
         stiffness_sum += stiffness;
         let kx = x.scale(stiffness);
@@ -357,29 +369,33 @@ fn eliminate<T: Lane, const D: usize>(
         own[3] += k_xx - kx.0[1] * x.0[1];
         own[4] -= kx.0[1] * x.0[2];
         own[5] += k_xx - kx.0[2] * x.0[2];
-        let kj = j.scale(stiffness);
-        point_rho_k = point_rho_k.add(&kj);
-        add_symmetric_product(&mut kk, &j, &kj);
-        let mut coupling = kj.crossed_from_left(x);
+        // What a rotation of the left end meets: the spring's pull, k x × J, and the tension's, f × J.
+        let mut meets = kx;
         if system.exact {
             let f = element.frame_left.apply_transposed(system.tension(p));
             left.add_tension(f, x);
-            coupling = coupling.add(&j.crossed_from_left(f));
+            meets += f;
             form.subtract_force(f, kappa, s, element.kappa_squared, &point.c);
             left.tension_moment += x.cross(f);
             left.tension_force += f;
         }
-        psi_k = psi_k.add(&coupling);
-        let jf = j.apply_transposed(f);
-        reduced += jf;
-        force += jf;
+        for i in 0..D {
+            let kj = j[i].scale(stiffness);
+            rho_k[i] += kj;
+            for k in 0..=i {
+                kk[i][k] += j[k].dot(kj);
+            }
+            psi_k[i] += meets.cross(j[i]);
+            let jf = j[i].dot(f);
+            reduced[i] += jf;
+            force[i] += jf;
+        }
         let xf = x.cross(f);
         left.moment += xf;
         left.force += f;
         left.whole_moment += xf;
         left.whole_force += f;
     }
-    rho_k = rho_k.add(&point_rho_k);
     for slot in 0..6 {
         left.a[slot] += own[slot];
     }
@@ -387,45 +403,36 @@ fn eliminate<T: Lane, const D: usize>(
     left.c[0] += stiffness_sum;
     left.c[3] += stiffness_sum;
     left.c[5] += stiffness_sum;
-    if system.exact {
-        let form = form.matrix(kappa).0;
-        for (slot, (i, j)) in PAIRS.into_iter().enumerate() {
-            kk[slot] += form[i][j];
-        }
-    }
 
     // The pivot of the free curvatures.
     let own_stiffness = &system.curvature_stiffness[index];
     let own_force = &system.curvature_force[index];
-    let kk = full(&kk).0;
-    let mut pivot = [[T::zero(); D]; D];
-    for i in 0..D {
-        for j in 0..D {
-            pivot[i][j] = kk[axes[i]][axes[j]];
+    let mut pivot = kk;
+    if system.exact {
+        let form = form.matrix(kappa).0;
+        for i in 0..D {
+            for k in 0..=i {
+                pivot[i][k] += form[axes[i]][axes[k]];
+            }
         }
-        pivot[i][i] += own_stiffness[axes[i]];
     }
     let mut smallest = own_stiffness[axes[0]];
-    for axis in axes {
-        smallest = T::select(own_stiffness[axis].less(smallest), own_stiffness[axis], smallest);
+    for i in 0..D {
+        let stiffness = own_stiffness[axes[i]];
+        pivot[i][i] += stiffness;
+        for k in 0..i {
+            pivot[k][i] = pivot[i][k];
+        }
+        smallest = T::select(stiffness.less(smallest), stiffness, smallest);
     }
     let (factor, repair) = factorise(&pivot, smallest);
 
-    let mut done = Eliminated {
-        factor,
-        coupling: [[T::zero(); 6]; D],
-        reduced: [T::zero(); D],
-        force: [T::zero(); D],
-        psi: [Vec3::zero(); D],
-        jacobian: [Vec3::zero(); D],
-    };
+    let mut done = Eliminated { factor, coupling: [[T::zero(); 6]; D], reduced: [T::zero(); D], force, psi, jacobian };
     for i in 0..D {
-        let axis = axes[i];
-        done.force[i] = force.0[axis] + own_force[axis];
-        (done.psi[i], done.jacobian[i]) = (psi.column(axis), jacobian.column(axis));
-        let ([a, b, c], [d, e, f]) = (psi_k.column(axis).0, rho_k.column(axis).0);
+        done.force[i] += own_force[axes[i]];
+        let ([a, b, c], [d, e, f]) = (psi_k[i].0, rho_k[i].0);
         let mut row = [a, b, c, d, e, f];
-        let mut value = reduced.0[axis] + own_force[axis];
+        let mut value = reduced[i] + own_force[axes[i]];
         for k in 0..i {
             for column in 0..6 {
                 row[column] -= factor[i][k] * done.coupling[k][column];

@@ -22,7 +22,7 @@ use crate::math::vector::{Mat3, Vec3};
 use crate::rod::freedoms::Freedoms;
 use crate::rod::kinematics::{self, Kinematics};
 
-/// Takes strands through a step of `h` seconds; the workspace then holds its end. See [`super::whole::take`].
+/// Takes strands through a step of `h` seconds; the workspace then holds its end. See [`super::whole::Take`].
 #[inline(always)]
 pub fn take<T: Lane, S: LinearSolve<T>>(
     tableau: &Tableau,
