@@ -116,7 +116,8 @@ impl Rule {
 /// The rules of one solver, and what they may err by. A strand uses one of them for all its elements.
 #[derive(Debug, Clone)]
 pub struct Rules {
-    rules: Vec<Rule>,
+    /// Computed once in a process: half a millisecond that not every solver need take.
+    rules: &'static [Rule],
     tolerance: f64,
     /// The largest turn, rad, that each rule is for.
     limits: Vec<f64>,
@@ -134,7 +135,8 @@ impl Rules {
     /// # Panics
     /// For a tolerance that is not within [`TIGHTEST`] and [`LOOSEST`].
     pub fn new(tolerance: f64) -> Self {
-        let rules = RULES.iter().map(|(count, _)| Rule::gauss_legendre(*count)).collect();
+        static ALL: std::sync::OnceLock<Vec<Rule>> = std::sync::OnceLock::new();
+        let rules = ALL.get_or_init(|| RULES.iter().map(|(count, _)| Rule::gauss_legendre(*count)).collect());
         let mut out = Self { rules, tolerance, limits: Vec::new() };
         out.set_tolerance(tolerance);
         out
@@ -185,11 +187,9 @@ impl Rules {
         &self.rules[index]
     }
 
-    /// Bytes on the heap, of this value in a box.
+    /// Bytes on the heap, of this value in a box; the rules themselves, 20 kB, are the process's.
     pub fn heap_bytes(&self) -> usize {
-        let lists = |rule: &Rule| rule.nodes.capacity() + rule.weights.capacity() + rule.barycentric.capacity();
-        let numbers: usize = self.rules.iter().map(lists).sum();
-        size_of::<Self>() + self.rules.capacity() * size_of::<Rule>() + numbers * size_of::<f64>()
+        size_of::<Self>() + self.limits.capacity() * size_of::<f64>()
     }
 
     /// Number of rules.

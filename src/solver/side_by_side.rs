@@ -7,6 +7,7 @@ use super::strand::{self, Strand, Tally};
 use crate::math::frame::Frame;
 use crate::math::lane::MAX_LANES;
 use crate::math::lanes::InstructionSet;
+use crate::math::prefetch::prefetch;
 use crate::rod::strand::StrandModel;
 use crate::step::members::{Kind, Members, One};
 use crate::step::options::Integrator;
@@ -50,10 +51,29 @@ pub(super) fn take(
     }
     let order = &mut order[..count];
     order.sort_unstable();
+    let mut next = 0;
     for kind in order.chunk_by(|a, b| a.0 == b.0) {
         for pack in kind.chunks(width) {
+            next += pack.len();
+            for (_, _, index) in order[next..].iter().take(width) {
+                foresee(&strands[*index as usize]);
+            }
             take_pack(strands, pack, setting, h, set, tally, scratch);
         }
+    }
+}
+
+/// Asks for the memory of a strand that comes next.
+#[inline(always)]
+fn foresee(strand: &Strand) {
+    let StrandState { curvatures, rates, velocities, past, .. } = &strand.state;
+    prefetch(&**curvatures);
+    prefetch(&**rates);
+    prefetch(&**velocities);
+    prefetch(&*strand.model.natural);
+    if past.step > 0.0 {
+        prefetch(&*past.curvatures);
+        prefetch(&*past.velocities);
     }
 }
 

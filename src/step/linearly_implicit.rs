@@ -4,8 +4,7 @@
 
 use super::members::{Members, Reads};
 use super::newton;
-use super::root_velocity::root_velocity;
-use super::stages;
+use super::{stages, whole};
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome};
 use crate::chain::system::LinearSolve;
@@ -28,6 +27,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
     let (axes, free) = (freedoms.axes(), freedoms.count());
     workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: false, past: false });
     let (end_rotation, _) = stages::move_roots(h, members, workspace);
+    whole::measure_roots(members, h, workspace);
     let (start, end) = root_motions(members, h, workspace);
     let Workspace { loaded, iterate, stages, .. } = workspace;
     let step = loaded.step;
@@ -120,7 +120,7 @@ fn root_motions<T: Lane>(members: &dyn Members, h: f64, workspace: &Workspace<T>
     for lane in 0..T::LANES {
         let member = if lane < workspace.loaded.count { lane } else { 0 };
         let (state, units) = (members.state(member), &workspace.loaded.units[lane]);
-        let (velocity, angular) = root_velocity(&state.root, &workspace.roots[member], h);
+        let (velocity, angular) = workspace.root_velocities[member];
         let acceleration = (velocity - state.root_velocity) / h;
         let angular_acceleration = (angular - state.root_angular_velocity) / h;
         let put = |to: &mut Vec3<T>, from: nalgebra::Vector3<f64>, factor: f64| {

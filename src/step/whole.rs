@@ -41,6 +41,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for Take<'_, T, S> {
         if setting.options.integrator != Integrator::LinearlyImplicit {
             let (force, torque) = super::newton::wrench(&workspace.iterate.kinematics, &workspace.iterate.system.point_force);
             (workspace.wrench_force, workspace.wrench_torque) = (force, torque);
+            measure_roots(members, h, workspace);
         }
         energies(members, setting, workspace, &mut outcomes);
         let finiteness = finiteness(workspace);
@@ -113,6 +114,14 @@ fn energies<T: Lane>(
     }
 }
 
+/// The roots' mean velocities over the step, at the end of which they are.
+#[inline(always)]
+pub fn measure_roots<T: Lane>(members: &dyn Members, h: f64, workspace: &mut Workspace<T>) {
+    for lane in 0..workspace.loaded.count {
+        workspace.root_velocities[lane] = root_velocity(&members.state(lane).root, &workspace.roots[lane], h);
+    }
+}
+
 /// Makes the step's end the state of one of the strands.
 pub fn save<T: Lane>(members: &mut dyn Members, lane: usize, setting: &Setting, h: f64, workspace: &mut Workspace<T>) {
     T::call(Save { members, lane, setting, h, workspace });
@@ -171,7 +180,7 @@ impl<T: Lane> Kernel for Save<'_, T> {
         state.wrench_force = members::lane_of(&workspace.wrench_force, lane, units.force());
         state.wrench_torque = members::lane_of(&workspace.wrench_torque, lane, units.energy());
         let root = workspace.roots[lane];
-        (state.root_velocity, state.root_angular_velocity) = root_velocity(&state.root, &root, h);
+        (state.root_velocity, state.root_angular_velocity) = workspace.root_velocities[lane];
         state.root = root;
     }
 }

@@ -1,5 +1,7 @@
 //! The scratch memory of a step, one a worker, kept between strands and steps so that nothing is allocated once it has grown.
 
+use nalgebra::Vector3;
+
 use super::members::Loaded;
 use super::newton::Iterate;
 use super::tableau::MAX_STAGES;
@@ -69,6 +71,8 @@ pub struct Workspace<T> {
     pub last_stage: usize,
     /// Where the roots are at the end of the last stage.
     pub roots: [Frame; MAX_LANES],
+    /// The roots' mean velocities over the step, m/s and rad/s, world axes.
+    pub root_velocities: [(Vector3<f64>, Vector3<f64>); MAX_LANES],
     /// Force on the follicles.
     pub wrench_force: Vec3<T>,
     /// Torque on the follicles about their origins.
@@ -86,6 +90,7 @@ impl<T: Lane> Default for Workspace<T> {
             stages: std::array::from_fn(|_| Stage::default()),
             last_stage: 0,
             roots: [Frame::default(); MAX_LANES],
+            root_velocities: [(Vector3::zeros(), Vector3::zeros()); MAX_LANES],
             wrench_force: Vec3::zero(),
             wrench_torque: Vec3::zero(),
         }
