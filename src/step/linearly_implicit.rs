@@ -4,9 +4,9 @@
 
 use super::members::{Members, Reads};
 use super::newton;
-use super::{stages, whole};
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome};
+use super::{stages, whole};
 use crate::chain::system::LinearSolve;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::vector::Vec3;
