@@ -9,7 +9,8 @@
 use faer::{Mat, Side};
 use nalgebra::Vector3;
 
-use super::newton::{self, Iterate, Problem};
+use super::iterate::{Iterate, Problem};
+use super::newton;
 use super::options::StepOptions;
 use super::scratch::Bench;
 use super::state::rotation_matrix;

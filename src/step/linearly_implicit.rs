@@ -2,8 +2,8 @@
 //! Kelvin–Voigt friction implicit; gravity, drag, internal friction γ and velocity products explicit; one linear solve:
 //! (M + h²K + hμK) Δ = h [A − K(q + h q̇ − qⁿ) − (μK + γ) q̇], q̇ ← q̇ + Δ, q ← q + h q̇.
 
+use super::iterate::wrench;
 use super::members::{Members, Reads};
-use super::newton;
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome};
 use super::{stages, whole};
@@ -81,7 +81,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
         let weight = T::splat(rule.weights[p % per_element]) * loaded.lengths[p / per_element];
         inertia[p] = (inertia[p] - change.scale(density * weight)).scale(rate);
     });
-    (workspace.wrench_force, workspace.wrench_torque) = newton::wrench(&iterate.kinematics, inertia);
+    (workspace.wrench_force, workspace.wrench_torque) = wrench(&iterate.kinematics, inertia);
 
     let stage = &mut stages[0];
     stage.resize(loaded.lengths.len(), points);

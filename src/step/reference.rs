@@ -15,7 +15,7 @@ use super::root_path::RootPath;
 use super::scratch::Bench;
 use super::single::Single;
 use super::state::{RuleScratch, StrandState};
-use super::{Setting, StrandOutcome, Surroundings, keep, newton};
+use super::{Setting, StrandOutcome, Surroundings, iterate, keep};
 use crate::math::frame::Frame;
 use crate::math::quadrature::{self, Rules};
 use crate::math::vector::Vec3;
@@ -92,7 +92,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
     if let Some(path) = pieces.last() {
         let dynamics = Dynamics { model, rule: rules.rule(state.rule), surroundings, path };
         let (kinematics, forces) = dynamics.point_forces(path.end, &motion.curvatures, &motion.rates, &motion.accelerations);
-        (state.wrench_force, state.wrench_torque) = newton::wrench(&kinematics, &forces);
+        (state.wrench_force, state.wrench_torque) = iterate::wrench(&kinematics, &forces);
     }
     run.outcome
 }

@@ -7,8 +7,9 @@
 //! r, r̃, q and q̃ are told from the step's start, as differences: what the step changes keeps its digits however short the step is. In
 //! f32 curvatures are pairs, a rounded part, which says where the points are, and the rest, which moves them by J·rest to first order.
 
+use super::iterate::{Iterate, Problem, choose_start};
 use super::members::{self, Loaded, Members, Reads};
-use super::newton::{self, Iterate, Problem};
+use super::newton;
 use super::state::StrandState;
 use super::tableau::{self, Tableau};
 use super::workspace::{Stage, Workspace};
@@ -205,7 +206,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
         let problem = Problem { root: rotation, lengths: &loaded.lengths, axes: &axes[..free], rule, tension_at_start: false };
         assemble_terms(times.k, offset, &rule.weights, loaded, stage, iterate);
         lead(times.way, freedoms, loaded, before.last(), iterate);
-        let start = newton::choose_start(&problem, iterate);
+        let start = choose_start(&problem, iterate);
         let mut outcomes = [StrandOutcome::default(); MAX_LANES];
         newton::minimise(&problem, setting.options, iterate, solver, start, active, &mut outcomes);
         for (total, outcome) in total.iter_mut().zip(&outcomes).take(loaded.count) {

@@ -39,7 +39,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for Take<'_, T, S> {
             }
         }
         if setting.options.integrator != Integrator::LinearlyImplicit {
-            let (force, torque) = super::newton::wrench(&workspace.iterate.kinematics, &workspace.iterate.system.point_force);
+            let (force, torque) = super::iterate::wrench(&workspace.iterate.kinematics, &workspace.iterate.system.point_force);
             (workspace.wrench_force, workspace.wrench_torque) = (force, torque);
             measure_roots(members, h, workspace);
         }

@@ -2,8 +2,8 @@
 
 use nalgebra::Vector3;
 
+use super::iterate::Iterate;
 use super::members::Loaded;
-use super::newton::Iterate;
 use super::tableau::MAX_STAGES;
 use crate::math::frame::Frame;
 use crate::math::lane::{Lane, MAX_LANES};
