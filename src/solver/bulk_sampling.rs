@@ -13,6 +13,7 @@ use crate::error::{Error, Result};
 use crate::math::lane::Kernel;
 #[cfg(target_arch = "x86_64")]
 use crate::math::lane::Lane;
+#[cfg(target_arch = "x86_64")]
 use crate::math::lanes::InstructionSet;
 #[cfg(target_arch = "x86_64")]
 use crate::math::lanes::{F64x4, F64x8};
@@ -101,7 +102,7 @@ impl Solver {
         }
         let each = (POINTS_A_PART / wanted.points_per_strand / WIDTH).max(1) * WIDTH;
         let mut parts: Vec<&[Asked]> = strands.chunks(each).collect();
-        let set = self.options.instruction_set.unwrap_or_else(InstructionSet::detected);
+        let set = self.instruction_set();
         self.crew.for_each_on_own(&mut parts, |part, _| {
             let part = Part { strands: part, wanted, rules: &self.rules, sink, number: PhantomData::<T> };
             match set {
@@ -274,12 +275,13 @@ fn side_by_side<T: Real>(
     sink: &impl SampleSink<T>,
 ) {
     // Lanes without a strand repeat the first.
-    let strand = |lane: usize| pack[if lane < pack.len() { lane } else { 0 }].strand;
+    let asked = |lane: usize| pack.get(lane).unwrap_or(&pack[0]);
+    let strand = |lane: usize| asked(lane).strand;
     let (mut calls, mut rotation) = ([0; WIDTH], [[0.0; WIDTH]; 4]);
     let (mut length, mut base) = ([0.0; WIDTH], [[0.0; WIDTH]; 3]);
     for lane in 0..WIDTH {
         let Strand { model, state, .. } = strand(lane);
-        calls[lane] = pack[if lane < pack.len() { lane } else { 0 }].place;
+        calls[lane] = asked(lane).place;
         length[lane] = model.equal_length().unwrap_or_default();
         let q = state.root.rotation.quaternion();
         [rotation[0][lane], rotation[1][lane], rotation[2][lane], rotation[3][lane]] = [q.i, q.j, q.k, q.w];

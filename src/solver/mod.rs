@@ -24,6 +24,7 @@ pub use snapshot::SNAPSHOT_VERSION;
 pub use stepping::SHORTEST_STEP;
 
 use crate::error::{Error, Result, check_finite};
+use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
 use definition::SolverOptions;
 use id::{SlotMap, StrandId};
@@ -68,6 +69,11 @@ impl Solver {
     /// What the solver was made from, with later changes.
     pub fn options(&self) -> &SolverOptions {
         &self.options
+    }
+
+    /// The vector instructions that it uses.
+    fn instruction_set(&self) -> InstructionSet {
+        self.options.instruction_set.unwrap_or_else(InstructionSet::detected)
     }
 
     /// Changes gravity, m/s², from the next step on.

@@ -94,7 +94,7 @@ fn take_pack(
         indices[lane] = *index as usize;
     }
     let mut picked = Picked { strands, indices: &indices[..pack.len()] };
-    let outcomes = step::take_pack(setting, &mut picked, h, set, scratch);
+    let outcomes = packs::take(&mut picked, setting, h, set, scratch);
     for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
         let strand = &mut strands[*index];
         let outcome = with_one(strand, |one| step::finish(setting, one, h, outcome, scratch));

@@ -8,7 +8,6 @@ use super::report::StepReport;
 use super::side_by_side;
 use super::strand::Tally;
 use crate::error::{Error, Result, check_positive};
-use crate::math::lanes::InstructionSet;
 use crate::step::{Setting, Surroundings, packs};
 
 /// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
@@ -34,7 +33,7 @@ impl Solver {
         }
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
-        let set = self.options.instruction_set.unwrap_or_else(InstructionSet::detected);
+        let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
         let total = Mutex::new(Tally::default());
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {

@@ -214,19 +214,13 @@ impl Strand {
     pub fn update_energies(&mut self, gravity: Vector3<f64>, rules: &Rules, kinematics: &mut Kinematics<f64>) {
         let rule = rules.rule(self.state.rule);
         kinematics.update(&rotation_matrix(&self.state.root), &self.model.lengths, &self.state.curvatures, rule);
-        self.energies = self.energies_from(gravity, rules, kinematics);
-    }
-
-    /// The energies, given up-to-date kinematics.
-    pub fn energies_from(&self, gravity: Vector3<f64>, rules: &Rules, kinematics: &Kinematics<f64>) -> Energies {
-        let rule = rules.rule(self.state.rule);
         let mut energies = Energies { elastic: self.model.elastic_energy(&self.state.curvatures), ..Energies::default() };
         for (p, point) in kinematics.points.iter().enumerate() {
             let mass = self.model.linear_density * rule.weights[p % rule.len()] * self.model.lengths[p / rule.len()];
             energies.kinetic += 0.5 * mass * self.state.velocities[p].norm_squared();
             energies.gravity -= mass * gravity.dot(&(self.state.root.origin + Vector3::from(point.position)));
         }
-        energies
+        self.energies = energies;
     }
 
     /// Gives back the room that lists have beyond their length.

@@ -2,11 +2,12 @@
 //! Kelvin–Voigt friction implicit; gravity, drag, internal friction γ and velocity products explicit; one linear solve:
 //! (M + h²K + hμK) Δ = h [A − K(q + h q̇ − qⁿ) − (μK + γ) q̇], q̇ ← q̇ + Δ, q ← q + h q̇.
 
+use nalgebra::Vector3;
+
 use super::iterate::wrench;
-use super::members::{Members, Reads};
+use super::members::{self, Members, Reads};
 use super::workspace::Workspace;
-use super::{Setting, StrandOutcome};
-use super::{stages, whole};
+use super::{Setting, StrandOutcome, stages, whole};
 use crate::chain::system::LinearSolve;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 use crate::math::vector::Vec3;
@@ -118,16 +119,12 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
 fn root_motions<T: Lane>(members: &dyn Members, h: f64, workspace: &Workspace<T>) -> (RootMotion<T>, RootMotion<T>) {
     let (mut start, mut end) = (RootMotion::still(), RootMotion::still());
     for lane in 0..T::LANES {
-        let member = if lane < workspace.loaded.count { lane } else { 0 };
+        let member = workspace.loaded.member(lane);
         let (state, units) = (members.state(member), &workspace.loaded.units[lane]);
         let (velocity, angular) = workspace.root_velocities[member];
         let acceleration = (velocity - state.root_velocity) / h;
         let angular_acceleration = (angular - state.root_angular_velocity) / h;
-        let put = |to: &mut Vec3<T>, from: nalgebra::Vector3<f64>, factor: f64| {
-            for axis in 0..3 {
-                to.0[axis].set_lane(lane, from[axis] * factor);
-            }
-        };
+        let put = |to: &mut Vec3<T>, from: Vector3<f64>, factor: f64| members::put(&mut to.0, lane, &from.into(), factor);
         let time = units.time;
         put(&mut start.velocity, state.root_velocity, 1.0 / units.speed());
         put(&mut start.angular_velocity, state.root_angular_velocity, time);

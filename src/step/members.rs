@@ -217,8 +217,9 @@ pub fn lane_of<T: Lane>(vector: &Vec3<T>, lane: usize, unit: f64) -> Vec3<f64> {
     Vec3([vector.0[0].lane(lane) * unit, vector.0[1].lane(lane) * unit, vector.0[2].lane(lane) * unit])
 }
 
+/// One lane of three numbers, times a factor.
 #[inline(always)]
-fn put<T: Lane>(to: &mut [T; 3], lane: usize, from: &[f64; 3], factor: f64) {
+pub fn put<T: Lane>(to: &mut [T; 3], lane: usize, from: &[f64; 3], factor: f64) {
     for axis in 0..3 {
         to[axis].set_lane(lane, from[axis] * factor);
     }
@@ -274,6 +275,12 @@ pub struct Reads {
 }
 
 impl<T: Lane> Loaded<T> {
+    /// The strand whose numbers a lane has.
+    #[inline(always)]
+    pub fn member(&self, lane: usize) -> usize {
+        if lane < self.count { lane } else { 0 }
+    }
+
     /// The curvature's unit of a lane is 1/length.
     #[inline(always)]
     pub fn load(&mut self, members: &dyn Members, surroundings: &Surroundings, h: f64, reads: Reads) {
@@ -299,7 +306,7 @@ impl<T: Lane> Loaded<T> {
         }
         (self.has_drag, self.has_dissipation) = (false, [false; 3]);
         for lane in 0..T::LANES {
-            let member = if lane < self.count { lane } else { 0 };
+            let member = self.member(lane);
             self.load_lane(lane, members.model(member), members.state(member), surroundings, h, reads);
         }
     }

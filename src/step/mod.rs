@@ -25,8 +25,7 @@ pub mod whole;
 pub mod workspace;
 
 use crate::energy::Energies;
-use crate::math::lane::{Lane, MAX_LANES, Precision};
-use crate::math::lanes::InstructionSet;
+use crate::math::lane::{Lane, Precision};
 use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
 use members::{Members, One};
@@ -123,18 +122,6 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> 
     finish(setting, one, h, &whole, scratch)
 }
 
-/// Takes strands of one kind, none of which goes in parts from the start and at most as many as [`packs::width`] tells, through a step of
-/// `h` seconds side by side; otherwise as [`take`], to the bit. Those that the step does not serve are for [`finish`].
-pub fn take_pack(
-    setting: &Setting,
-    members: &mut dyn Members,
-    h: f64,
-    set: InstructionSet,
-    scratch: &mut Scratch,
-) -> [StrandOutcome; MAX_LANES] {
-    packs::take(members, setting, h, set, scratch)
-}
-
 /// Ends the step of a strand that took it in one piece: in parts where that did not serve.
 pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, scratch: &mut Scratch) -> StrandOutcome {
     if subdivision::levels(setting.options) == 0 || subdivision::serves(setting.options, whole) {
@@ -164,9 +151,8 @@ fn take_whole<T: Single>(
     rule: &mut RuleScratch,
 ) -> StrandOutcome {
     let outcome = T::attempt(one, setting, h, bench);
-    let may_subdivide = subdivision::levels(setting.options) > 0;
-    if subdivision::serves(setting.options, &outcome) || !(may_subdivide || outcome.quarantined) {
-        keep(one, 0, setting, h, &mut bench.workspace, rule);
+    if subdivision::is_kept(setting.options, &outcome) {
+        keep(one, 0, setting, h, &bench.workspace, rule);
     }
     outcome
 }
@@ -177,7 +163,7 @@ fn keep<T: Lane>(
     lane: usize,
     setting: &Setting,
     h: f64,
-    workspace: &mut Workspace<T>,
+    workspace: &Workspace<T>,
     rule: &mut RuleScratch,
 ) {
     whole::save(members, lane, setting, h, workspace);

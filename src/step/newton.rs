@@ -106,8 +106,8 @@ pub fn dense_solver(solver: LinearSolver) -> Option<Dense> {
 }
 
 /// Minimises the potentials that `point_target`, `curvature_target` and the stiffnesses of the system describe, those of the lanes in
-/// `active`, from `curvatures` (placed, `start` the potentials and their rounding), which end at the minima; `kinematics` and the system's forces end there too. No lane's result
-/// depends on the others.
+/// `active`, from `curvatures` (placed, `start` the potentials and their rounding), which end at the minima; `kinematics` and the system's
+/// forces end there too. No lane's result depends on the others.
 #[inline(always)]
 pub fn minimise<T: Lane, S: LinearSolve<T>>(
     problem: &Problem<T>,

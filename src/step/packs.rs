@@ -22,8 +22,9 @@ pub fn width(precision: Precision, set: InstructionSet) -> usize {
     }
 }
 
-/// Takes a pack of strands, at least two and at most [`width`], through a step in one piece. The end is made the state of those
-/// that it serves, and of those that may not be subdivided; the others are as they were.
+/// Takes strands of one [`Kind`](super::members::Kind), at least two and at most [`width`], none of which goes in parts from the start,
+/// through a step of `h` seconds in one piece, side by side; each as [`super::take`] would, to the bit. The end is made the state of those
+/// that it serves, and of those that may not be subdivided; the others are as they were, for [`super::finish`].
 pub fn take(
     members: &mut dyn Members,
     setting: &Setting,
@@ -73,10 +74,8 @@ fn in_lanes<T: Lane>(
 ) -> [StrandOutcome; MAX_LANES] {
     let Bench { workspace, elimination } = &mut **bench.get_or_insert_default();
     let outcomes = T::call(Take { members, setting, h, workspace, solver: elimination });
-    let may_subdivide = subdivision::levels(setting.options) > 0;
     for lane in 0..members.count() {
-        let outcome = &outcomes[lane];
-        if subdivision::serves(setting.options, outcome) || !(may_subdivide || outcome.quarantined) {
+        if subdivision::is_kept(setting.options, &outcomes[lane]) {
             keep(members, lane, setting, h, workspace, rule);
         }
     }

@@ -101,7 +101,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
 fn implicit_euler(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, rule: &mut RuleScratch) -> StrandOutcome {
     let outcome = f64::attempt(one, setting, h, bench);
     if !outcome.quarantined {
-        keep(one, 0, setting, h, &mut bench.workspace, rule);
+        keep(one, 0, setting, h, &bench.workspace, rule);
     }
     outcome
 }

@@ -35,36 +35,16 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
     outcomes: &mut [StrandOutcome; MAX_LANES],
 ) {
     let rule = setting.rules.rule(members.state(0).rule);
-    let freedoms = members.model(0).freedoms;
     workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: false });
     base(rule, workspace);
-
-    let mut total = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
-    let mut active = (1_u32 << workspace.loaded.count) - 1;
+    *outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
     for index in 0..tableau.stages {
         displace(index, tableau, workspace);
         let way = tableau.times[index] - if index == 0 { 0.0 } else { tableau.times[index - 1] };
         let step = workspace.loaded.step;
-        let (rotation, offset) = move_roots(tableau.times[index] * h, members, workspace);
         let times = StageTimes { index, k: T::splat(tableau.gamma) * step, way: T::splat(way) * step };
-        T::call(SolveStage {
-            times,
-            setting,
-            rule,
-            freedoms,
-            rotation: &rotation,
-            offset,
-            workspace,
-            solver,
-            active,
-            total: &mut total,
-        });
-        for (lane, outcome) in total.iter().enumerate() {
-            active &= !(u32::from(outcome.quarantined) << lane);
-        }
+        solve_stage(times, tableau.times[index] * h, members, setting, workspace, solver, outcomes);
     }
-    workspace.last_stage = tableau.stages - 1;
-    *outcomes = total;
     if setting.options.error_tolerance > 0.0 {
         let error = local_error::of_stages(tableau, workspace);
         tell_error(error, members, workspace, outcomes);
@@ -84,7 +64,6 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(
     outcomes: &mut [StrandOutcome; MAX_LANES],
 ) {
     let rule = setting.rules.rule(members.state(0).rule);
-    let freedoms = members.model(0).freedoms;
     workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: true });
     past_base(rule, workspace);
     base(rule, workspace);
@@ -122,22 +101,8 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(
     }
 
     let times = StageTimes { index: 0, k: loaded.step * (one + ratio) * divisor, way: loaded.step };
-    let active = (1_u32 << loaded.count) - 1;
-    let (rotation, offset) = move_roots(h, members, workspace);
     *outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
-    T::call(SolveStage {
-        times,
-        setting,
-        rule,
-        freedoms,
-        rotation: &rotation,
-        offset,
-        workspace,
-        solver,
-        active,
-        total: outcomes,
-    });
-    workspace.last_stage = 0;
+    let offset = solve_stage(times, h, members, setting, workspace, solver, outcomes);
     if setting.options.error_tolerance > 0.0 {
         let error = local_error::of_backward_differences(ratio, offset, workspace);
         tell_error(error, members, workspace, outcomes);
@@ -178,6 +143,41 @@ struct StageTimes<T> {
     k: T,
     /// From the last stage's end, or the step's start, to this one's end.
     way: T,
+}
+
+/// Solves the stage that ends `seconds` after the step's start, for the strands that no stage before has lost; it is then the last. Gives
+/// how far the roots' origins went.
+#[inline(always)]
+fn solve_stage<T: Lane, S: LinearSolve<T>>(
+    times: StageTimes<T>,
+    seconds: f64,
+    members: &dyn Members,
+    setting: &Setting,
+    workspace: &mut Workspace<T>,
+    solver: &mut S,
+    outcomes: &mut [StrandOutcome; MAX_LANES],
+) -> Vec3<T> {
+    let (rotation, offset) = move_roots(seconds, members, workspace);
+    let rule = setting.rules.rule(members.state(0).rule);
+    let freedoms = members.model(0).freedoms;
+    let mut active = 0;
+    for lane in 0..workspace.loaded.count {
+        active |= u32::from(!outcomes[lane].quarantined) << lane;
+    }
+    workspace.last_stage = times.index;
+    T::call(SolveStage {
+        times,
+        setting,
+        rule,
+        freedoms,
+        rotation: &rotation,
+        offset,
+        workspace,
+        solver,
+        active,
+        total: outcomes,
+    });
+    offset
 }
 
 /// Assembles, starts and minimises one stage.
@@ -294,7 +294,7 @@ impl<T: Lane> Kernel for Positions<'_, T> {
 pub fn move_roots<T: Lane>(seconds: f64, members: &dyn Members, workspace: &mut Workspace<T>) -> (Mat3<T>, Vec3<T>) {
     let (mut rotation, mut offset) = (Mat3::zero(), Vec3::zero());
     for lane in 0..T::LANES {
-        let member = if lane < workspace.loaded.count { lane } else { 0 };
+        let member = workspace.loaded.member(lane);
         if lane == member {
             workspace.roots[lane] = members.root_at(lane, seconds);
         }

@@ -57,7 +57,7 @@ pub fn in_parts<T: Single>(
             total.converged = false;
             break;
         }
-        keep(&mut one_part, 0, setting, length, &mut bench.workspace, rule);
+        keep(&mut one_part, 0, setting, length, &bench.workspace, rule);
         done += part;
         let grows = served && (options.error_tolerance == 0.0 || outcome.error < GROWS_BELOW * options.error_tolerance);
         if grows && done % (2 * part) == 0 && 2 * part <= ticks - done {
@@ -66,6 +66,12 @@ pub fn in_parts<T: Single>(
         one.state.subdivision = levels - part.ilog2() - u32::from(grows && done == ticks && part < ticks);
     }
     total
+}
+
+/// Whether the end of a step in one piece becomes the state: where it serves, and, whatever else it is but not finite, where it may not be
+/// subdivided.
+pub fn is_kept(options: &StepOptions, outcome: &StrandOutcome) -> bool {
+    serves(options, outcome) || (levels(options) == 0 && !outcome.quarantined)
 }
 
 /// Whether a step needs no subdivision.

@@ -123,7 +123,7 @@ pub fn measure_roots<T: Lane>(members: &dyn Members, h: f64, workspace: &mut Wor
 }
 
 /// Makes the step's end the state of one of the strands.
-pub fn save<T: Lane>(members: &mut dyn Members, lane: usize, setting: &Setting, h: f64, workspace: &mut Workspace<T>) {
+pub fn save<T: Lane>(members: &mut dyn Members, lane: usize, setting: &Setting, h: f64, workspace: &Workspace<T>) {
     T::call(Save { members, lane, setting, h, workspace });
 }
 

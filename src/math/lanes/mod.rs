@@ -4,6 +4,10 @@
 //! A value of a type here must only come to be on a machine that has its instructions: so the types do not leave the crate, and whoever
 //! uses one goes by [`InstructionSet::detected`].
 
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[macro_use]
+mod register;
+
 #[cfg(target_arch = "aarch64")]
 mod neon;
 #[cfg(target_arch = "x86_64")]

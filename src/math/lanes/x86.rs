@@ -1,11 +1,7 @@
-//! Packed numbers by SSE2, AVX2 and AVX-512.
-//!
-//! Safety of all blocks here: an intrinsic needs its instructions and nothing else, and values of these types are only made where
-//! they were detected (`lanes::mod`); pointers are to the value itself, which is as large and aligned as the array that it is read as.
+//! Packed numbers by SSE2, AVX2 and AVX-512. Why the blocks here are safe is told in `register`.
 #![allow(unsafe_code)]
 
 use std::arch::x86_64::*;
-use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use crate::math::lane::{Kernel, Lane, Precision};
 
@@ -20,19 +16,6 @@ pub(super) fn has_avx512() -> bool {
         && std::arch::is_x86_feature_detected!("avx512vl")
 }
 
-macro_rules! operator {
-    ($name:ident, $trait:ident, $function:ident, $intrinsic:ident) => {
-        impl $trait for $name {
-            type Output = Self;
-            #[inline(always)]
-            fn $function(self, other: Self) -> Self {
-                // SAFETY: see the file's head.
-                unsafe { Self($intrinsic(self.0, other.0)) }
-            }
-        }
-    };
-}
-
 /// A packed type: its name, register, scalar, lanes, precision, features, instructions, and what is particular to its masks.
 macro_rules! packed {
     (
@@ -42,103 +25,55 @@ macro_rules! packed {
         mask: $mask:ty, less: |$a:ident, $b:ident| $less:expr, select: |$m:ident, $yes:ident, $no:ident| $select:expr,
         bits: |$n:ident| $bits:expr, both: |$p:ident, $q:ident| $both:expr, splat_mask: |$v:ident| $splat_mask:expr
     ) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy)]
-        #[repr(transparent)]
-        pub(crate) struct $name($register);
+        register!(
+            $(#[$doc])* $name($register), $scalar, $lanes, $precision,
+            $add, $sub, $mul, $div, $sqrt, $set1,
+            negate: |$x| $negate,
+            {
+                type Mask = $mask;
 
-        operator!($name, Add, add, $add);
-        operator!($name, Sub, sub, $sub);
-        operator!($name, Mul, mul, $mul);
-        operator!($name, Div, div, $div);
-
-        impl Neg for $name {
-            type Output = Self;
-            #[inline(always)]
-            fn neg(self) -> Self {
-                let $x = self.0;
-                // SAFETY: see the file's head.
-                unsafe { Self($negate) }
-            }
-        }
-        impl AddAssign for $name {
-            #[inline(always)]
-            fn add_assign(&mut self, other: Self) {
-                *self = *self + other;
-            }
-        }
-        impl SubAssign for $name {
-            #[inline(always)]
-            fn sub_assign(&mut self, other: Self) {
-                *self = *self - other;
-            }
-        }
-
-        // SAFETY of every block: see the file's head.
-        impl Lane for $name {
-            type Mask = $mask;
-            const LANES: usize = $lanes;
-            const PRECISION: Precision = Precision::$precision;
-
-            #[inline(always)]
-            fn splat(value: f64) -> Self {
-                unsafe { Self($set1(value as $scalar)) }
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                unsafe { Self($sqrt(self.0)) }
-            }
-            #[inline(always)]
-            fn less(self, other: Self) -> Self::Mask {
-                let ($a, $b) = (self.0, other.0);
-                unsafe { $less }
-            }
-            #[inline(always)]
-            fn select($m: Self::Mask, yes: Self, no: Self) -> Self {
-                let ($yes, $no) = (yes.0, no.0);
-                unsafe { Self($select) }
-            }
-            #[inline(always)]
-            fn bits($n: Self::Mask) -> u32 {
-                #[allow(unused_unsafe)]
-                unsafe {
-                    $bits
+                #[inline(always)]
+                fn less(self, other: Self) -> Self::Mask {
+                    let ($a, $b) = (self.0, other.0);
+                    unsafe { $less }
+                }
+                #[inline(always)]
+                fn select($m: Self::Mask, yes: Self, no: Self) -> Self {
+                    let ($yes, $no) = (yes.0, no.0);
+                    unsafe { Self($select) }
+                }
+                #[inline(always)]
+                fn bits($n: Self::Mask) -> u32 {
+                    #[allow(unused_unsafe)]
+                    unsafe {
+                        $bits
+                    }
+                }
+                #[inline(always)]
+                fn both($p: Self::Mask, $q: Self::Mask) -> Self::Mask {
+                    #[allow(unused_unsafe)]
+                    unsafe {
+                        $both
+                    }
+                }
+                #[inline(always)]
+                fn splat_mask($v: bool) -> Self::Mask {
+                    #[allow(unused_unsafe)]
+                    unsafe {
+                        $splat_mask
+                    }
+                }
+                #[inline(always)]
+                fn call<K: Kernel>(kernel: K) -> K::Output {
+                    #[target_feature(enable = $features)]
+                    #[inline(never)]
+                    fn with<K: Kernel>(kernel: K) -> K::Output {
+                        kernel.run()
+                    }
+                    unsafe { with(kernel) }
                 }
             }
-            #[inline(always)]
-            fn both($p: Self::Mask, $q: Self::Mask) -> Self::Mask {
-                #[allow(unused_unsafe)]
-                unsafe {
-                    $both
-                }
-            }
-            #[inline(always)]
-            fn splat_mask($v: bool) -> Self::Mask {
-                #[allow(unused_unsafe)]
-                unsafe {
-                    $splat_mask
-                }
-            }
-            #[inline(always)]
-            fn lane(&self, index: usize) -> f64 {
-                let lanes = unsafe { &*std::ptr::from_ref(self).cast::<[$scalar; $lanes]>() };
-                f64::from(lanes[index])
-            }
-            #[inline(always)]
-            fn set_lane(&mut self, index: usize, value: f64) {
-                let lanes = unsafe { &mut *std::ptr::from_mut(self).cast::<[$scalar; $lanes]>() };
-                lanes[index] = value as $scalar;
-            }
-            #[inline(always)]
-            fn call<K: Kernel>(kernel: K) -> K::Output {
-                #[target_feature(enable = $features)]
-                #[inline(never)]
-                fn with<K: Kernel>(kernel: K) -> K::Output {
-                    kernel.run()
-                }
-                unsafe { with(kernel) }
-            }
-        }
+        );
     };
 }
 
