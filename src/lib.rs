@@ -2,6 +2,7 @@
 
 pub mod capi;
 pub mod chain;
+pub mod contact;
 pub mod energy;
 pub mod error;
 pub mod files;

@@ -1,0 +1,3 @@
+//! Contact and constraints: bodies and hair against hair. Where strands are touched, and the forces that answer.
+
+pub mod touch;
