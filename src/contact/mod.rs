@@ -3,6 +3,9 @@
 pub mod bonds;
 pub mod contact_space;
 pub mod gauss_seidel;
+pub mod held_strand;
+pub mod island;
+pub mod joint;
 pub mod law;
 pub mod options;
 mod rank;

@@ -1,8 +1,10 @@
 //! The scene: strands, their roots, the step, and everything a host reads back.
 
 mod bulk_sampling;
+pub mod constraints;
 pub mod definition;
 mod editing;
+mod holding;
 pub mod id;
 mod level_of_detail;
 mod population;
@@ -27,7 +29,9 @@ use crate::error::{Error, Result, check_finite};
 use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
 use definition::SolverOptions;
-use id::{SlotMap, StrandId};
+use constraints::Constraint;
+use holding::Holding;
+use id::{ConstraintId, SlotMap, StrandId};
 use sections::Sections;
 use strand::Strand;
 use workers::Crew;
@@ -43,6 +47,9 @@ pub struct Solver {
     strands: Vec<Strand>,
     sections: Sections,
     crew: Crew,
+    constraint_slots: SlotMap<ConstraintId>,
+    constraints: Vec<Constraint>,
+    holding: Box<Holding>,
 }
 
 impl std::fmt::Debug for Solver {
@@ -63,7 +70,17 @@ impl Solver {
         // Identifiers of two living solvers differ by where the solvers are: no counter is shared between them.
         let address = std::ptr::from_ref::<Rules>(&rules) as u64;
         let mark = (address >> 4).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 48;
-        Ok(Self { options, rules, slots: SlotMap::new(mark as u16), strands: Vec::new(), sections: Sections::default(), crew })
+        Ok(Self {
+            options,
+            rules,
+            slots: SlotMap::new(mark as u16),
+            strands: Vec::new(),
+            sections: Sections::default(),
+            crew,
+            constraint_slots: SlotMap::new(mark as u16),
+            constraints: Vec::new(),
+            holding: Box::default(),
+        })
     }
 
     /// What the solver was made from, with later changes.

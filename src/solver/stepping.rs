@@ -4,6 +4,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use super::Solver;
+use super::holding::{ContactTally, Holding, Scene};
 use super::report::StepReport;
 use super::side_by_side;
 use super::strand::Tally;
@@ -36,6 +37,11 @@ impl Solver {
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
         let total = Mutex::new(Tally::default());
+        if self.holds_strands() {
+            let contact = self.step_holding(h, substeps, &total)?;
+            let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
+            return Ok(StepReport { contact, ..self.report(&total, substeps, started) });
+        }
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             for _ in 0..substeps {
@@ -45,6 +51,40 @@ impl Solver {
         });
         let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
         Ok(self.report(&total, substeps, started))
+    }
+
+    /// Whether something may hold strands.
+    fn holds_strands(&self) -> bool {
+        !self.constraints.is_empty()
+    }
+
+    /// The substeps of a scene in which something may hold strands: all strands go through each before any begins the next.
+    fn step_holding(&mut self, h: f64, substeps: u32, total: &Mutex<Tally>) -> Result<ContactTally> {
+        let set = self.instruction_set();
+        let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
+        let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
+        let width = packs::width(self.options.step.precision, set);
+        let mut contact = ContactTally::default();
+        for _ in 0..substeps {
+            let mut scene = Scene {
+                strands: &mut self.strands,
+                slots: &self.slots,
+                constraints: &mut self.constraints,
+                options: &self.options.contact,
+                setting: &setting,
+                crew: &self.crew,
+            };
+            Holding::mark(&mut scene);
+            self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+                let mut tally = Tally::default();
+                side_by_side::take(strands, &setting, h, set, &mut tally, scratch);
+                total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
+            });
+            let mut tally = Tally::default();
+            self.holding.take(&mut scene, h, &mut tally, &mut contact);
+            total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
+        }
+        Ok(contact)
     }
 
     fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {

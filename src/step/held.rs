@@ -141,7 +141,7 @@ impl Held {
 
     /// First half of an iteration: forces will act at `stations` (from root to tip); `guess` are those that the iteration before came
     /// to, which bend the matrix.
-    pub fn linearise(&mut self, setting: &Setting, stations: &[Station], guess: &[Vec3<f64>]) {
+    pub fn linearise(&mut self, stations: &[Station], guess: &[Vec3<f64>]) {
         let Self { bench: Bench { workspace, elimination }, loads, .. } = self;
         let iterate = &mut workspace.iterate;
         self.stations.clear();

@@ -1,0 +1,97 @@
+//! A strand in the course of a step in which touches or constraints hold it: its stations, and what the joints of its island make of
+//! them.
+
+use nalgebra::Vector3;
+
+use super::island::Island;
+use super::joint::EndState;
+use super::options::StrandContact;
+use super::touch::{StrandCurve, StrandPath};
+use crate::chain::load::Station;
+use crate::math::vector::Vec3;
+use crate::step::Setting;
+use crate::step::held::Held;
+
+/// One end of a joint on a strand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attachment {
+    /// Index of the joint in the strand's island.
+    pub joint: u32,
+    /// Whether it is the joint's second end, on which −force acts.
+    pub second: bool,
+    /// Where.
+    pub station: Station,
+}
+
+/// A held strand.
+#[derive(Debug, Default)]
+pub struct HeldStrand {
+    /// Its index in the solver.
+    pub index: u32,
+    /// Its step.
+    pub held: Held,
+    /// What it is to contact.
+    pub contact: StrandContact,
+    /// Its island.
+    pub island: u32,
+    /// From root to tip; their places in this list are the points of the island's contact space.
+    pub attachments: Vec<Attachment>,
+    /// Whether its iteration has ended.
+    pub done: bool,
+    /// How far an element may be from where the iteration ends, rad.
+    pub residual: f64,
+    stations: Vec<Station>,
+    forces: Vec<Vec3<f64>>,
+}
+
+impl HeldStrand {
+    /// Its curve as the step found it and at the present iterate.
+    pub fn path(&self) -> StrandPath<'_> {
+        let curve = |(origin, elements)| StrandCurve { origin, elements };
+        StrandPath { index: self.index, start: curve(self.held.start()), now: curve(self.held.now()) }
+    }
+
+    /// Where a station is.
+    pub fn end_state(&self, station: &Station) -> EndState {
+        EndState {
+            start: Held::place(self.held.start(), station),
+            now: Held::place(self.held.now(), station),
+            tangent: self.path().now.tangent(station.element, station.s),
+        }
+    }
+
+    /// Brings the attachments into order: from root to tip, those of a place by joint.
+    pub fn sort(&mut self) {
+        self.attachments.sort_by(|a, b| {
+            let key = |x: &Attachment| (x.station.element, x.station.s);
+            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then((a.joint, a.second).cmp(&(b.joint, b.second)))
+        });
+    }
+
+    fn pull(&mut self, island: &Island) {
+        self.forces.clear();
+        self.forces.extend(self.attachments.iter().map(|attachment| {
+            let force = island.joints[attachment.joint as usize].force;
+            Vec3::from(if attachment.second { -force } else { force })
+        }));
+    }
+
+    /// First half of a Newton iteration; the joints' forces are the last iteration's.
+    pub fn linearise(&mut self, island: &Island) {
+        self.stations.clear();
+        self.stations.extend(self.attachments.iter().map(|attachment| attachment.station));
+        self.pull(island);
+        self.held.linearise(&self.stations, &self.forces);
+    }
+
+    /// Second half, with the joints' new forces.
+    pub fn advance(&mut self, setting: &Setting, island: &Island) {
+        self.pull(island);
+        self.residual = self.held.advance(setting, &self.forces);
+    }
+
+    /// How far an attached point would go in this iteration without forces.
+    pub fn free(&self, point: u32) -> Vector3<f64> {
+        self.held.free[point as usize].into()
+    }
+}
