@@ -214,7 +214,7 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
         }
     }
     println!("{touching} pairs of strands touch, at {minima} places");
-    assert!(touching >= 100 && minima >= 150);
+    assert!(touching >= 100 && minima >= 120);
 }
 
 #[test]
@@ -281,10 +281,10 @@ fn what_was_found_stays_complete_while_strands_move() {
         // All turn with a head, quickly, and each wanders a little.
         let head = Rotation3::from_axis_angle(&Vector3::z_axis(), 0.1);
         for strand in &mut strands {
-            strand.origin = head * strand.origin + random.vector() * 2e-5;
-            strand.root = Rotation3::new(random.vector() * 5e-4) * head * strand.root;
+            strand.origin = head * strand.origin + random.vector() * 1e-4;
+            strand.root = Rotation3::new(random.vector() * 2e-3) * head * strand.root;
             for row in &mut strand.curvatures {
-                *row = row.map(|k| k + 0.02 * random.centred());
+                *row = row.map(|k| k + 0.1 * random.centred());
             }
         }
         let (searched, touches) = touches_between(&mut kept, &before, &strands);
@@ -303,7 +303,7 @@ fn what_was_found_stays_complete_while_strands_move() {
         total += touches.len();
     }
     println!("{total} touches in {steps} steps, {searches} searches");
-    assert!(total > 20 * steps && searches < steps / 3);
+    assert!(total > 20 * steps && (4..steps / 2).contains(&searches));
 }
 
 /// Two straight strands, the second passing through the first from above by `down` (m).
@@ -324,25 +324,27 @@ fn strands_that_passed_through_each_other_keep_their_side() {
         let (_, touches) = touches_between(&mut pairs, &then, &now);
         assert!(!touches.is_empty(), "angle {angle}");
         for touch in &touches {
-            // Pieces beside the crossing began 20 mm from it, at most 1.4 mm to the side.
-            let tilt = if angle == 0.05 { 0.07 } else { 0.0 };
+            // Pieces beside the crossing began 13 mm from it: 0.65 mm to the side, of 5 mm.
+            let tilt = if angle == 0.05 { 0.131 } else { 0.0 };
             assert!(touch.normal.z < -1.0 + 0.51 * tilt * tilt + 1e-9, "angle {angle}: {touch:?}");
-            assert!((touch.gap + 30e-3).abs() < 1e-6 + 0.02 * tilt * 0.07, "angle {angle}: {touch:?}");
+            assert!((touch.gap + 30e-3).abs() < 1e-6 + 0.02 * tilt * tilt, "angle {angle}: {touch:?}");
         }
         assert!(touches.iter().any(|touch| touch.normal.z < -1.0 + 1e-12 && (touch.gap + 30e-3).abs() < 1e-9), "angle {angle}");
-        // A small step through: the second strand lies 1.5 mm above the first one's centreline and then 0.5 mm below it.
+        // A small step through: the second strand lies 1.5 mm above the first one's centreline and then 0.5 mm below it. Far from the
+        // crossing strands at a small angle are beside each other, and have no side to keep.
         let (then, now) = crossing(1.5e-3, 2.0e-3, angle);
         let (_, touches) = touches_between(&mut pairs, &then, &now);
-        assert!(!touches.is_empty());
-        for touch in &touches {
-            assert!(touch.normal.z < -0.99 && (touch.gap + 2.5e-3).abs() < 1e-6, "angle {angle}: {touch:?}");
+        let at_crossing = |touch: &&Touch| angle == 0.0 || (now[0].along(&touch.place) - 0.047).abs() < 3e-3;
+        assert!(touches.iter().filter(at_crossing).count() >= 1);
+        for touch in touches.iter().filter(at_crossing) {
+            assert!(touch.normal.z < -0.999_999 && (touch.gap + 2.5e-3).abs() < 1e-6, "angle {angle}: {touch:?}");
         }
         // Deep inside from the start: out by the shortest way.
         let (then, now) = crossing(0.2e-3, 0.4e-3, angle);
         let (_, touches) = touches_between(&mut pairs, &then, &now);
-        assert!(!touches.is_empty());
-        for touch in &touches {
-            assert!(touch.normal.z > 0.99 && (touch.gap + 1.8e-3).abs() < 1e-6, "angle {angle}: {touch:?}");
+        assert!(touches.iter().filter(at_crossing).count() >= 1);
+        for touch in touches.iter().filter(at_crossing) {
+            assert!(touch.normal.z > 0.999_999 && (touch.gap + 1.8e-3).abs() < 1e-6, "angle {angle}: {touch:?}");
         }
     }
 }
