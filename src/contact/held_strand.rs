@@ -60,8 +60,13 @@ impl HeldStrand {
         }
     }
 
-    /// Brings the attachments into order: from root to tip, those of a place by joint.
-    pub fn sort(&mut self) {
+    /// Takes the stations that the joints have now, and brings the attachments into order: from root to tip, those of a place by joint.
+    fn sort(&mut self, island: &Island) {
+        for attachment in &mut self.attachments {
+            let joint = &island.joints[attachment.joint as usize];
+            let end = if attachment.second { joint.second.unwrap_or(joint.first) } else { joint.first };
+            attachment.station = end.station;
+        }
         self.attachments.sort_by(|a, b| {
             let key = |x: &Attachment| (x.station.element, x.station.s);
             key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then((a.joint, a.second).cmp(&(b.joint, b.second)))
@@ -78,6 +83,7 @@ impl HeldStrand {
 
     /// First half of a Newton iteration; the joints' forces are the last iteration's.
     pub fn linearise(&mut self, island: &Island) {
+        self.sort(island);
         self.stations.clear();
         self.stations.extend(self.attachments.iter().map(|attachment| attachment.station));
         self.pull(island);

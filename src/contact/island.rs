@@ -5,9 +5,11 @@ use nalgebra::Vector3;
 use super::contact_space::{ContactSpace, End, SpaceTouch};
 use super::gauss_seidel::{GaussSeidel, Report, Settings};
 use super::held_strand::HeldStrand;
-use super::joint::Joint;
+use super::joint::{Joint, JointKind};
 use super::law::Law;
+use super::nearest::nearest;
 use super::options::{ContactModel, ContactOptions};
+use crate::chain::load::Station;
 use crate::error::Result;
 
 /// How nearly a bond must hold at the end of a step, m.
@@ -58,6 +60,18 @@ impl Island {
             for (point, attachment) in strands[*held as usize].attachments.iter().enumerate() {
                 self.ends[attachment.joint as usize][usize::from(attachment.second)] =
                     End { strand: local as u32, point: point as u32 };
+            }
+        }
+    }
+
+    /// Before an iteration: rings go where the strands run through them.
+    pub fn refresh(&mut self, strands: &[HeldStrand]) {
+        for joint in &mut self.joints {
+            if let JointKind::Ring { target, .. } = joint.kind {
+                let Station { element, s, .. } = joint.first.station;
+                let curve = strands[joint.first.held as usize].path().now;
+                let (element, s) = nearest(&curve, element, s, target);
+                joint.first.station = Station::on(element, s);
             }
         }
     }

@@ -8,6 +8,7 @@ use crate::chain::load::Station;
 use crate::contact::joint::{Joint, JointEnd, JointKind};
 use crate::contact::law::bond::BondAxes;
 use crate::contact::options::Friction;
+use crate::contact::touch::StrandCurve;
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
 use crate::math::way::Way;
@@ -96,8 +97,9 @@ pub(super) struct Constraint {
     pub state: ConstraintState,
     /// Forces of its parts in the last substep, to begin the next with.
     pub forces: [Vector3<f64>; 3],
-    /// How many parts the report has so far.
+    /// How many parts the report has so far, and where the strand is held.
     pub parts: usize,
+    pub held_at: Vector3<f64>,
 }
 
 impl Constraint {
@@ -118,9 +120,35 @@ impl Constraint {
         self.parts = 0;
     }
 
-    /// Takes down what one of its joints came to, in their order.
-    pub fn add_report(&mut self, joint: &Joint) {
+    /// What it asks is decided by others.
+    pub fn depends(&mut self) {
+        if self.state.status == ConstraintStatus::Holds {
+            self.state.status = ConstraintStatus::Dependent;
+        }
+    }
+
+    /// Takes down what one of its joints came to, in their order; `curve` is the first strand's at the substep's end.
+    pub fn add_report(&mut self, joint: &Joint, curve: &StrandCurve) {
+        let Station { element, s, .. } = joint.first.station;
         self.state.force += joint.force;
+        if self.parts == 0 {
+            self.held_at = curve.position(element, s);
+        } else if let JointKind::Pin { target, .. } = joint.kind {
+            self.state.torque += (target - self.held_at).cross(&joint.force);
+        }
+        if let JointKind::Ring { target, .. } = joint.kind {
+            self.state.arclength = curve.elements[..element].iter().map(|element| element.length).sum::<f64>() + s;
+            let tip = element + 1 == curve.elements.len() && s >= curve.elements[element].length;
+            if tip && (target - self.held_at).dot(&curve.tangent(element, s)) >= 0.0 {
+                self.state = ConstraintState {
+                    arclength: self.state.arclength,
+                    status: ConstraintStatus::Released,
+                    ..ConstraintState::default()
+                };
+                self.forces = [Vector3::zeros(); 3];
+                return;
+            }
+        }
         self.state.error = self.state.error.max(joint.gap);
         if joint.gap > HOLDS && self.def.compliance == 0.0 {
             self.state.status = ConstraintStatus::Violated;
@@ -220,7 +248,15 @@ impl Solver {
                 return Err(Error::OutOfMemory { bytes: size_of::<Constraint>() });
             };
             let state = ConstraintState { arclength: def.arclength, ..ConstraintState::default() };
-            self.constraints.push(Constraint { id, def: *def, way: Way::at(def.target), state, forces: [Vector3::zeros(); 3], parts: 0 });
+            self.constraints.push(Constraint {
+                id,
+                def: *def,
+                way: Way::at(def.target),
+                state,
+                forces: [Vector3::zeros(); 3],
+                parts: 0,
+                held_at: Vector3::zeros(),
+            });
             ids.push(id);
         }
         Ok(ids)

@@ -14,8 +14,8 @@ use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
 use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
-use crate::step::members::One;
 use crate::step::Setting;
+use crate::step::members::One;
 
 /// What the solver keeps for held strands between substeps.
 #[derive(Debug, Default)]
@@ -177,10 +177,14 @@ impl Holding {
             if islands.iter().all(|island| island.done) {
                 break;
             }
+            scene.crew.for_each(islands, |island, _| {
+                if !island.done {
+                    island.refresh(strands);
+                }
+            });
             scene.crew.for_each(strands, |held, _| {
                 let island = &islands[held.island as usize];
                 if !island.done {
-                    held.sort();
                     held.linearise(island);
                 }
             });
@@ -234,12 +238,20 @@ impl Holding {
                 match joint.constraint() {
                     Some(index) => {
                         contact.constraint_error = contact.constraint_error.max(joint.gap);
-                        scene.constraints[index as usize].add_report(joint);
+                        let strand = &self.strands[joint.first.held as usize];
+                        scene.constraints[index as usize].add_report(joint, &strand.path().now);
                     }
                     None => {
                         contact.touches += u32::from(joint.force != Vector3::zeros());
                         contact.penetration = contact.penetration.max(-joint.gap);
                     }
+                }
+            }
+        }
+        for island in islands {
+            for dependent in &island.report.dependent {
+                if let Some(index) = island.joints[dependent.touch].constraint() {
+                    scene.constraints[index as usize].depends();
                 }
             }
         }

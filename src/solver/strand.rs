@@ -17,8 +17,8 @@ use crate::rod::section::Section;
 use crate::rod::strand::StrandModel;
 use crate::step::options::Integrator;
 use crate::step::scratch::Scratch;
-use crate::step::{Setting, StrandOutcome};
 use crate::step::state::{StrandState, rotation_matrix};
+use crate::step::{Setting, StrandOutcome};
 
 /// A strand and all that the solver keeps about it.
 #[derive(Debug, Clone)]
