@@ -3,10 +3,13 @@
 
 use nalgebra::Vector3;
 
+use super::body::BodyAt;
 use super::island::Island;
 use super::joint::EndState;
 use super::options::StrandContact;
-use super::touch::{StrandCurve, StrandPath};
+use super::pieces::Wisp;
+use super::strand_body::{self, PathBounds, Span};
+use super::touch::{StrandCurve, StrandPath, Touch};
 use crate::chain::load::Station;
 use crate::math::vector::Vec3;
 use crate::step::Setting;
@@ -40,8 +43,14 @@ pub struct HeldStrand {
     pub done: bool,
     /// How far an element may be from where the iteration ends, rad.
     pub residual: f64,
+    /// Whether it takes part in contact at all.
+    pub touches: bool,
+    /// Touches with bodies that were found last.
+    pub found: Vec<Touch>,
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
+    bounds: PathBounds,
+    scratch: strand_body::Scratch,
 }
 
 impl HeldStrand {
@@ -49,6 +58,38 @@ impl HeldStrand {
     pub fn path(&self) -> StrandPath<'_> {
         let curve = |(origin, elements)| StrandCurve { origin, elements };
         StrandPath { index: self.index, start: curve(self.held.start()), now: curve(self.held.now()) }
+    }
+
+    /// Finds the touches with bodies that are nearer than `within` (m) at the present iterate.
+    pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64) {
+        if !self.touches {
+            return;
+        }
+        let (mut bounds, mut scratch, mut found) =
+            (std::mem::take(&mut self.bounds), std::mem::take(&mut self.scratch), std::mem::take(&mut self.found));
+        let path = self.path();
+        bounds.update(&path);
+        let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
+        for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
+            strand_body::touches(&path, &bounds, Span { exempt }, radius, body, within, &mut scratch, &mut found);
+        }
+        (self.bounds, self.scratch, self.found) = (bounds, scratch, found);
+    }
+
+    /// What it is to other strands.
+    pub fn wisp(&self) -> Wisp {
+        let StrandContact { wisp_radius: radius, exempt_length: exempt, groups: group, mask, .. } = self.contact;
+        Wisp { radius, exempt, group, mask, meets_itself: false }
+    }
+
+    /// Arclength of a station from the root, m.
+    pub fn along(&self, station: &Station) -> f64 {
+        self.held.start().1[..station.element].iter().map(|element| element.length).sum::<f64>() + station.s
+    }
+
+    /// Its length, m.
+    pub fn length(&self) -> f64 {
+        self.held.start().1.iter().map(|element| element.length).sum()
     }
 
     /// Where a station is.

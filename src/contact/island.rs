@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::body::BodyAt;
 use super::contact_space::{ContactSpace, End, SpaceTouch};
 use super::gauss_seidel::{GaussSeidel, Report, Settings};
 use super::held_strand::HeldStrand;
@@ -18,6 +19,11 @@ const BOND_TOLERANCE: f64 = 1e-10;
 const ROUGH: f64 = 1e-3;
 /// Where surfaces may sink into each other a strand is done when no element may be further than this from the end, rad.
 const SOFT_TOLERANCE: f64 = 1e-4;
+
+/// How far from a body's surface a touch is looked at again, m.
+const LOOK: f64 = 0.01;
+/// A surface is the same while its normal turns by no more than this cosine.
+const SAME_SURFACE: f64 = 0.7;
 
 /// Strands that hang together.
 #[derive(Debug, Default)]
@@ -64,14 +70,33 @@ impl Island {
         }
     }
 
-    /// Before an iteration: rings go where the strands run through them.
-    pub fn refresh(&mut self, strands: &[HeldStrand]) {
+    /// Whether its iteration ended elsewhere than it should.
+    pub fn failed(&self) -> bool {
+        self.done && !self.converged
+    }
+
+    /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
+    pub fn refresh(&mut self, strands: &[HeldStrand], bodies: &[BodyAt]) {
         for joint in &mut self.joints {
-            if let JointKind::Ring { target, .. } = joint.kind {
-                let Station { element, s, .. } = joint.first.station;
-                let curve = strands[joint.first.held as usize].path().now;
-                let (element, s) = nearest(&curve, element, s, target);
-                joint.first.station = Station::on(element, s);
+            let strand = &strands[joint.first.held as usize];
+            match &mut joint.kind {
+                JointKind::Ring { target, .. } => {
+                    let Station { element, s, .. } = joint.first.station;
+                    let (element, s) = nearest(&strand.path().now, element, s, *target);
+                    joint.first.station = Station::on(element, s);
+                }
+                JointKind::Body { body, feature, normal, point, carried, .. } => {
+                    let (body, at) = (&bodies[*body as usize], strand.end_state(&joint.first.station).now);
+                    if let Some(surface) = body.closest_at_end(at, LOOK) {
+                        let new = body.to_world(&surface.normal);
+                        // Another side of an edge or a sheet is another surface.
+                        if new.dot(normal) > SAME_SURFACE {
+                            (*normal, *point) = (new, body.surface_at_end(&surface));
+                            (*feature, *carried) = (surface.feature, body.carried(&surface));
+                        }
+                    }
+                }
+                JointKind::Hair { .. } | JointKind::Pin { .. } | JointKind::Tie { .. } => {}
             }
         }
     }

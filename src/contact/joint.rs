@@ -51,8 +51,8 @@ pub enum JointKind {
         carried: Vector3<f64>,
         /// From centreline to surface: the strand's radius and the body's thickness, m.
         margin: f64,
-        /// Multiplies the strand's friction.
-        friction: f64,
+        /// Multiplies the strand's friction: Coulomb's, viscous.
+        friction: [f64; 2],
     },
     /// Another strand's surface; the first end is the strand of the lower index.
     Hair {
@@ -115,6 +115,17 @@ impl Joint {
         matches!(self.kind, JointKind::Body { .. } | JointKind::Hair { .. })
     }
 
+    /// Whether it is a touch with the same partner as another of the same strand.
+    pub fn is_with(&self, other: &Joint) -> bool {
+        match (self.kind, other.kind) {
+            (JointKind::Body { body: a, .. }, JointKind::Body { body: b, .. }) => a == b,
+            (JointKind::Hair { .. }, JointKind::Hair { .. }) => {
+                self.second.map(|end| end.held) == other.second.map(|end| end.held)
+            }
+            _ => false,
+        }
+    }
+
     /// The constraint that it is of.
     pub fn constraint(&self) -> Option<u32> {
         match self.kind {
@@ -142,9 +153,9 @@ impl Joint {
                 let pick = |friction: &options::Friction| scales(friction, a.tangent);
                 let scaled = |c: Coefficient, by: f64| Coefficient { mean: c.mean * by, lean: c.lean * by };
                 let friction = if options.model.is_soft() {
-                    Friction::Viscous(scaled(pick(&contact[0].viscous_friction), friction))
+                    Friction::Viscous(scaled(pick(&contact[0].viscous_friction), friction[1]))
                 } else {
-                    Friction::Coulomb(scaled(pick(&contact[0].friction), friction))
+                    Friction::Coulomb(scaled(pick(&contact[0].friction), friction[0]))
                 };
                 self.touch(normal, gap, start_gap, slip, friction, options, step)
             }

@@ -6,16 +6,26 @@ use std::collections::HashMap;
 
 use nalgebra::Vector3;
 
+use super::bodies::{Contact, ContactPartner};
 use super::constraints::{Constraint, ConstraintStatus};
-use super::id::{SlotMap, StrandId};
+use super::id::{BodyId, SlotMap, StrandId};
+use super::report::Wrench;
 use super::strand::{self, Strand, Tally};
+use super::touching::Touching;
 use super::workers::Crew;
+use crate::chain::load::Station;
+use crate::contact::body::BodyAt;
 use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
-use crate::contact::joint::Joint;
+use crate::contact::joint::{Joint, JointKind};
 use crate::contact::options::ContactOptions;
+use crate::contact::shape::Bounds;
 use crate::step::Setting;
 use crate::step::members::One;
+use crate::step::options::Integrator;
+
+/// How often strands are searched for touches that the last search did not know of.
+const MOST_SEARCHES: u32 = 8;
 
 /// What the solver keeps for held strands between substeps.
 #[derive(Debug, Default)]
@@ -27,6 +37,8 @@ pub(super) struct Holding {
     island_count: usize,
     joints: Vec<Joint>,
     parents: Vec<u32>,
+    touching: Touching,
+    contacts: Vec<Contact>,
 }
 
 /// What contact came to in a call.
@@ -34,6 +46,8 @@ pub(super) struct Holding {
 pub struct ContactTally {
     /// Touches that carried a force at the end of the last substep.
     pub touches: u32,
+    /// Searches that found touches which the one at a substep's start had not.
+    pub searches: u32,
     /// Newton iterations of the island that took most.
     pub iterations: u32,
     /// Sweeps of the contact problem's solver, all islands and substeps together.
@@ -53,16 +67,44 @@ pub(super) struct Scene<'a> {
     pub strands: &'a mut [Strand],
     pub slots: &'a SlotMap<StrandId>,
     pub constraints: &'a mut [Constraint],
+    pub bodies: &'a [BodyAt<'a>],
+    pub body_ids: &'a [BodyId],
     pub options: &'a ContactOptions,
     pub setting: &'a Setting<'a>,
     pub crew: &'a Crew,
 }
 
 impl Holding {
-    /// Marks the strands that this substep holds.
-    pub fn mark(scene: &mut Scene) {
+    /// The touches that carried a force at the end of the last substep.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// Forgets who touched whom: strands or bodies have other indices now.
+    pub fn forget(&mut self) {
+        self.touching.forget();
+        self.contacts.clear();
+    }
+
+    /// Forgets which strands are near each other.
+    pub fn forget_pairs(&mut self) {
+        self.touching.forget_pairs();
+    }
+
+    /// Marks the strands that this substep of `h` seconds holds.
+    pub fn mark(scene: &mut Scene, h: f64) {
+        let hair = scene.options.hair;
         for strand in scene.strands.iter_mut() {
-            strand.held = false;
+            strand.held = strand.contact.as_deref().is_some_and(|contact| {
+                if hair && contact.wisp_radius > 0.0 {
+                    return true;
+                }
+                let reach = Vector3::repeat(strand.model.length() + contact.radius);
+                let end = strand::root_after(&strand.root_move, &strand.state.root, h).origin;
+                let around = Bounds::around(strand.state.root.origin, reach).union(&Bounds::around(end, reach));
+                let near = |body: &BodyAt| body.bounds.grown(body.thickness).meets(&around);
+                scene.bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && near(body))
+            });
         }
         for constraint in scene.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
             let ends = [Some(constraint.def.strand), constraint.other()];
@@ -73,7 +115,7 @@ impl Holding {
     }
 
     /// Takes the marked strands through a substep of `h` seconds.
-    pub fn take(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally) {
+    pub fn take(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally, wrenches: &mut [Wrench]) {
         let held: Vec<usize> = (0..scene.strands.len()).filter(|index| scene.strands[*index].held).collect();
         if held.is_empty() {
             return;
@@ -85,10 +127,24 @@ impl Holding {
         }
         self.begin(scene, h);
         self.joints.clear();
+        self.touching.find(scene, &mut self.strands[..self.count]);
+        self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
+        self.begin_again(scene, h);
         self.hold_constraints(scene, &held, h);
         self.tie();
         self.iterate(scene, h);
-        self.end(scene, h, tally, contact);
+        if !scene.options.model.is_soft() && self.touching.is_possible(scene) {
+            for _ in 0..MOST_SEARCHES {
+                self.touching.find(scene, &mut self.strands[..self.count]);
+                if !self.touching.add_missed(scene, &self.strands, &mut self.islands[..self.island_count], &mut self.joints, h) {
+                    break;
+                }
+                contact.searches += 1;
+                self.tie();
+                self.iterate(scene, h);
+            }
+        }
+        self.end(scene, h, tally, contact, wrenches);
     }
 
     /// The marked strands, each with its place in `strands`.
@@ -96,12 +152,32 @@ impl Holding {
         strands.iter_mut().filter(|strand| strand.held).zip(held).collect()
     }
 
+    /// Strands that may touch something take the step by implicit Euler: a two-step formula makes an impact ring.
+    fn begin_again(&mut self, scene: &mut Scene, h: f64) {
+        if scene.setting.options.integrator == Integrator::ImplicitEuler {
+            return;
+        }
+        for joint in &self.joints {
+            for end in [Some(joint.first), joint.second].into_iter().flatten() {
+                self.strands[end.held as usize].done = true;
+            }
+        }
+        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        scene.crew.for_each(&mut pairs, |(strand, held), _| {
+            if held.done {
+                with_one(strand, |one| held.held.begin(one, scene.setting, h, true));
+            }
+        });
+    }
+
     fn begin(&mut self, scene: &mut Scene, h: f64) {
         let mut index = 0;
         for (k, strand) in scene.strands.iter().enumerate().filter(|(_, strand)| strand.held) {
             let held = &mut self.strands[index];
             held.index = k as u32;
+            held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
+            held.done = false;
             index += 1;
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
@@ -179,7 +255,7 @@ impl Holding {
             }
             scene.crew.for_each(islands, |island, _| {
                 if !island.done {
-                    island.refresh(strands);
+                    island.refresh(strands, scene.bodies);
                 }
             });
             scene.crew.for_each(strands, |held, _| {
@@ -212,7 +288,7 @@ impl Holding {
     }
 
     /// Makes the ends the strands' states, and writes down what the joints came to.
-    fn end(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally) {
+    fn end(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally, wrenches: &mut [Wrench]) {
         let islands = &self.islands[..self.island_count];
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let setting = scene.setting;
@@ -226,9 +302,14 @@ impl Holding {
             tally.add(&held.held.outcome);
         }
         contact.touches = 0;
+        self.contacts.clear();
         for constraint in scene.constraints.iter_mut() {
             constraint.begin_report();
         }
+        let place = |held: u32, station: &Station| {
+            let strand = &self.strands[held as usize];
+            (scene.strands[strand.index as usize].id, strand.along(station))
+        };
         for island in islands {
             contact.iterations = contact.iterations.max(island.iterations);
             contact.sweeps += u64::from(island.sweeps);
@@ -242,12 +323,35 @@ impl Holding {
                         scene.constraints[index as usize].add_report(joint, &strand.path().now);
                     }
                     None => {
-                        contact.touches += u32::from(joint.force != Vector3::zeros());
                         contact.penetration = contact.penetration.max(-joint.gap);
+                        if joint.force == Vector3::zeros() {
+                            continue;
+                        }
+                        contact.touches += 1;
+                        let (strand, arclength) = place(joint.first.held, &joint.first.station);
+                        let position = self.strands[joint.first.held as usize].end_state(&joint.first.station).now;
+                        let (normal, partner) = match (joint.kind, joint.second) {
+                            (JointKind::Hair { normal, .. }, Some(end)) => {
+                                let (strand, arclength) = place(end.held, &end.station);
+                                (normal, ContactPartner::Strand { strand, arclength })
+                            }
+                            (JointKind::Body { body, feature, normal, point, .. }, _) => {
+                                let origin = scene.bodies[body as usize].end.origin;
+                                let wrench = &mut wrenches[body as usize];
+                                wrench.force -= joint.force;
+                                wrench.torque -= (point - origin).cross(&joint.force);
+                                (normal, ContactPartner::Body { body: scene.body_ids[body as usize], feature })
+                            }
+                            _ => continue,
+                        };
+                        let slip = joint.slip - normal * normal.dot(&joint.slip);
+                        let (force, gap) = (joint.force, joint.gap);
+                        self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
                     }
                 }
             }
         }
+        self.touching.remember(islands, &self.strands);
         for island in islands {
             for dependent in &island.report.dependent {
                 if let Some(index) = island.joints[dependent.touch].constraint() {

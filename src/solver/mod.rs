@@ -1,5 +1,6 @@
 //! The scene: strands, their roots, the step, and everything a host reads back.
 
+pub mod bodies;
 mod bulk_sampling;
 pub mod constraints;
 pub mod definition;
@@ -16,6 +17,7 @@ mod side_by_side;
 mod snapshot;
 mod stepping;
 mod strand;
+mod touching;
 mod workers;
 
 use nalgebra::Vector3;
@@ -28,10 +30,11 @@ pub use stepping::SHORTEST_STEP;
 use crate::error::{Error, Result, check_finite};
 use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
+use bodies::SceneBody;
 use constraints::Constraint;
 use definition::SolverOptions;
 use holding::Holding;
-use id::{ConstraintId, SlotMap, StrandId};
+use id::{BodyId, ConstraintId, SlotMap, StrandId};
 use sections::Sections;
 use strand::Strand;
 use workers::Crew;
@@ -50,6 +53,8 @@ pub struct Solver {
     constraint_slots: SlotMap<ConstraintId>,
     constraints: Vec<Constraint>,
     holding: Box<Holding>,
+    body_slots: SlotMap<BodyId>,
+    bodies: Vec<SceneBody>,
 }
 
 impl std::fmt::Debug for Solver {
@@ -80,6 +85,8 @@ impl Solver {
             constraint_slots: SlotMap::new(mark as u16),
             constraints: Vec::new(),
             holding: Box::default(),
+            body_slots: SlotMap::new(mark as u16),
+            bodies: Vec::new(),
         })
     }
 
