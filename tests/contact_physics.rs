@@ -53,7 +53,12 @@ fn a_resting_strand_is_borne_by_its_contacts() {
         let contacts: Vector3<f64> = solver.contacts().iter().map(|contact| contact.force).sum();
         let wrench = solver.body_wrench(floor).unwrap();
         let root = solver.root_wrench(id).unwrap();
-        println!("{model:?}: {} contacts bear {:?} of {weight:e}, root {:?}, {report:?}", solver.contacts().len(), contacts, root.force);
+        println!(
+            "{model:?}: {} contacts bear {:?} of {weight:e}, root {:?}, {report:?}",
+            solver.contacts().len(),
+            contacts,
+            root.force
+        );
         assert!((contacts + wrench.force).norm() < 1e-15);
         assert!((contacts - root.force - Vector3::new(0.0, 0.0, weight)).norm() < 1e-6 * weight);
     }

@@ -8,6 +8,7 @@
 mod bvh;
 mod bytes;
 pub mod curves;
+pub mod distance_grid;
 pub mod hair;
 pub mod motion;
 mod motion_csv;

@@ -25,7 +25,7 @@ pub fn from_rotation_vector(vector: Vector3<f64>) -> UnitQuaternion<f64> {
 }
 
 /// Arc tangent of y/x for y ≥ 0, x ≥ 0 by Newton's iteration on our own sine and cosine: the same bits on every machine.
-fn arc_tangent(y: f64, x: f64) -> f64 {
+pub(crate) fn arc_tangent(y: f64, x: f64) -> f64 {
     let radius = (x * x + y * y).sqrt();
     let (sine, cosine) = (y / radius, x / radius);
     // A rational start (error under 0.01 rad), then two steps of a method of third order.

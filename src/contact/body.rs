@@ -1,0 +1,325 @@
+//! Bodies: what strands are kept out of, where they are and how they move.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::shape::{Bounds, Shape, Surface};
+use crate::error::{Error, Result, check_finite, check_not_negative};
+use crate::math::frame::Frame;
+use crate::math::rotation::{PoseMove, rotation_vector};
+
+/// What a body is made of. [`BodyDef::new`] gives a body at the origin that touches every strand, with their own friction.
+#[derive(Debug, Clone)]
+pub struct BodyDef {
+    /// Shape in the body's own axes. Bodies may share one.
+    pub shape: Arc<Shape>,
+    /// Where the body is, world.
+    pub pose: Frame,
+    /// How far outside its shape the body's surface lies, m, zero or above.
+    pub thickness: f64,
+    /// Multiplies the strands' coefficients of Coulomb friction, zero or above.
+    pub friction: f64,
+    /// Multiplies the strands' coefficients of viscous friction, zero or above.
+    pub viscous_friction: f64,
+    /// Bits of the groups that the body belongs to.
+    pub group: u32,
+    /// Bits of the groups that it touches. A strand and a body meet when each is in a group that the other touches.
+    pub mask: u32,
+}
+
+impl BodyDef {
+    /// A body of a shape at the world's origin, without thickness, with the strands' own friction, in the first group, touching all.
+    pub fn new(shape: Arc<Shape>) -> Self {
+        Self { shape, pose: Frame::default(), thickness: 0.0, friction: 1.0, viscous_friction: 1.0, group: 1, mask: u32::MAX }
+    }
+}
+
+/// A body on its way. Not for several threads at once to change; reading is free.
+#[derive(Debug, Clone)]
+pub struct Body {
+    def: BodyDef,
+    /// Where it is going, and how many seconds of the way are done.
+    way: Option<(PoseMove, f64)>,
+    bending: Option<Box<Bending>>,
+}
+
+/// A mesh's vertices on their way.
+#[derive(Debug, Clone)]
+struct Bending {
+    from: Vec<Vector3<f64>>,
+    to: Vec<Vector3<f64>>,
+    duration: f64,
+    elapsed: f64,
+}
+
+impl Body {
+    /// A body at rest.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when thickness or a coefficient of friction is not finite and zero or above, or the pose is not finite.
+    pub fn new(def: BodyDef) -> Result<Self> {
+        check_not_negative(|| "thickness".into(), def.thickness)?;
+        check_not_negative(|| "friction".into(), def.friction)?;
+        check_not_negative(|| "viscous_friction".into(), def.viscous_friction)?;
+        check_pose("pose", &def.pose)?;
+        Ok(Self { def, way: None, bending: None })
+    }
+
+    /// What it is made of; the pose is the present one.
+    pub fn def(&self) -> &BodyDef {
+        &self.def
+    }
+
+    /// Sets thickness (m) and the coefficients of friction (1; N·s/m).
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when one is not finite and zero or above; nothing is changed then.
+    pub fn set_surface(&mut self, thickness: f64, friction: f64, viscous_friction: f64) -> Result<()> {
+        check_not_negative(|| "thickness".into(), thickness)?;
+        check_not_negative(|| "friction".into(), friction)?;
+        check_not_negative(|| "viscous_friction".into(), viscous_friction)?;
+        (self.def.thickness, self.def.friction, self.def.viscous_friction) = (thickness, friction, viscous_friction);
+        Ok(())
+    }
+
+    /// Sets the bits of its groups and of those that it touches.
+    pub fn set_filter(&mut self, group: u32, mask: u32) {
+        (self.def.group, self.def.mask) = (group, mask);
+    }
+
+    /// Whether it and something of these groups touch.
+    pub fn meets(&self, group: u32, mask: u32) -> bool {
+        self.def.group & mask != 0 && group & self.def.mask != 0
+    }
+
+    /// Sends it to a pose in `duration` seconds, leaving with the velocity that it has; in 0 seconds: within the coming substep.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when the pose is not finite or the duration not finite and zero or above; nothing is changed then.
+    pub fn move_to(&mut self, pose: Frame, duration: f64) -> Result<()> {
+        check_pose("pose", &pose)?;
+        check_not_negative(|| "duration".into(), duration)?;
+        let (velocity, spin) = self.velocity();
+        let angular_velocity = self.def.pose.rotation.inverse() * spin;
+        self.way = Some((PoseMove { from: self.def.pose, to: pose, velocity, angular_velocity, duration }, 0.0));
+        Ok(())
+    }
+
+    /// Puts it somewhere, at rest, without passing what lies between.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when the pose is not finite; nothing is changed then.
+    pub fn place(&mut self, pose: Frame) -> Result<()> {
+        check_pose("pose", &pose)?;
+        self.def.pose = pose;
+        self.way = None;
+        Ok(())
+    }
+
+    /// Velocity (m/s) and angular velocity (rad/s), world, where the last move left it: those of its end if it is done, else zero.
+    fn velocity(&self) -> (Vector3<f64>, Vector3<f64>) {
+        match &self.way {
+            Some((way, elapsed)) if way.duration > 0.0 && *elapsed > 0.0 => {
+                if *elapsed >= way.duration {
+                    return (way.final_velocity(), self.def.pose.rotation * way.final_angular_velocity());
+                }
+                // In the middle of a way: the mean over a short stretch up to now.
+                let short = (1e-4 * way.duration).min(*elapsed);
+                let (before, now) = (way.at(elapsed - short), self.def.pose);
+                let turn = rotation_vector(&(now.rotation * before.rotation.inverse()));
+                ((now.origin - before.origin) / short, turn / short)
+            }
+            _ => (Vector3::zeros(), Vector3::zeros()),
+        }
+    }
+
+    /// Sends a mesh's vertices (m, the body's axes) to new places in `duration` seconds, each straight and evenly; in 0 seconds: within
+    /// the coming substep. The tree of its boxes is refitted in every substep of the way.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] when the shape is no mesh; [`Error::InvalidArgument`] when the count is not the mesh's, a number is not
+    /// finite, or the duration not finite and zero or above. Nothing is changed then.
+    pub fn set_vertices(&mut self, vertices: &[Vector3<f64>], duration: f64) -> Result<()> {
+        check_not_negative(|| "duration".into(), duration)?;
+        if Arc::make_mut(&mut self.def.shape).deforming_mut().is_none() {
+            return Err(Error::Unsupported {
+                argument: "body".into(),
+                value: "of a shape without vertices to set".into(),
+                hint: "only triangle meshes deform".into(),
+            });
+        }
+        let Some(mesh) = self.def.shape.mesh() else { return Ok(()) };
+        mesh.check_replacement(vertices)?;
+        let from = mesh.vertices();
+        match &mut self.bending {
+            Some(bending) => {
+                bending.from.copy_from_slice(from);
+                bending.to.copy_from_slice(vertices);
+                (bending.duration, bending.elapsed) = (duration, 0.0);
+            }
+            None => {
+                self.bending = Some(Box::new(Bending { from: from.to_vec(), to: vertices.to_vec(), duration, elapsed: 0.0 }));
+            }
+        }
+        Ok(())
+    }
+
+    /// Readies the body for a substep of `h` seconds: a way to be gone at once takes it, a deforming mesh is brought to its start and end.
+    pub fn begin(&mut self, h: f64) {
+        if let Some((way, _)) = &mut self.way
+            && way.duration == 0.0
+        {
+            way.duration = h;
+        }
+        let Some(bending) = &mut self.bending else { return };
+        if bending.duration == 0.0 {
+            bending.duration = h;
+        }
+        let Some(mesh) = Arc::make_mut(&mut self.def.shape).deforming_mut() else { return };
+        if bending.elapsed >= bending.duration {
+            mesh.rest();
+            self.bending = None;
+        } else {
+            let part = |time: f64| if time >= bending.duration * (1.0 - 1e-12) { 1.0 } else { time / bending.duration };
+            mesh.advance(&bending.from, &bending.to, part(bending.elapsed), part(bending.elapsed + h));
+        }
+    }
+
+    /// The body during the substep of `h` seconds that comes; after [`Body::begin`]. `index` is told to touches.
+    pub fn at(&self, index: u32, h: f64) -> BodyAt<'_> {
+        let BodyDef { friction, viscous_friction, group, mask, .. } = self.def;
+        BodyAt {
+            friction,
+            viscous_friction,
+            group,
+            mask,
+            ..BodyAt::new(index, &self.def.shape, self.def.pose, self.after(h), self.def.thickness)
+        }
+    }
+
+    /// Counts the `h` seconds of a substep.
+    pub fn finish(&mut self, h: f64) {
+        self.def.pose = self.after(h);
+        if let Some((way, elapsed)) = &mut self.way {
+            if *elapsed >= way.duration {
+                self.way = None;
+            } else {
+                *elapsed += h;
+                if *elapsed >= way.duration * (1.0 - 1e-12) {
+                    *elapsed = way.duration;
+                }
+            }
+        }
+        if let Some(bending) = &mut self.bending {
+            bending.elapsed += h;
+            if bending.elapsed >= bending.duration * (1.0 - 1e-12) {
+                bending.elapsed = bending.duration;
+            }
+        }
+    }
+
+    /// The pose `h` seconds on.
+    fn after(&self, h: f64) -> Frame {
+        match &self.way {
+            Some((way, elapsed)) => {
+                let time = elapsed + h;
+                // A step meant to end with the move may miss its end by rounding.
+                if time >= way.duration * (1.0 - 1e-12) { way.to } else { way.at(time) }
+            }
+            None => self.def.pose,
+        }
+    }
+}
+
+fn check_pose(argument: &str, pose: &Frame) -> Result<()> {
+    for axis in 0..3 {
+        check_finite(|| format!("{argument}.origin[{axis}]"), pose.origin[axis])?;
+    }
+    for (axis, value) in pose.rotation_xyzw().iter().enumerate() {
+        check_finite(|| format!("{argument}.rotation[{axis}]"), *value)?;
+    }
+    Ok(())
+}
+
+/// A body during a substep: where it starts and where it ends.
+#[derive(Debug, Clone, Copy)]
+pub struct BodyAt<'a> {
+    /// Its index in the solver.
+    pub index: u32,
+    /// Its shape; a deforming mesh with its vertices at the substep's start and end.
+    pub shape: &'a Shape,
+    /// Pose at the substep's start.
+    pub start: Frame,
+    /// Pose at its end.
+    pub end: Frame,
+    /// How far outside its shape the surface lies, m.
+    pub thickness: f64,
+    /// Multiplies the strands' Coulomb friction.
+    pub friction: f64,
+    /// Multiplies the strands' viscous friction.
+    pub viscous_friction: f64,
+    /// Groups that it is in.
+    pub group: u32,
+    /// Groups that it touches.
+    pub mask: u32,
+    /// A box around all the places of the shape (not its thickness) during the substep, world.
+    pub bounds: Bounds,
+    pub(super) axes_start: Matrix3<f64>,
+    pub(super) axes_end: Matrix3<f64>,
+}
+
+impl<'a> BodyAt<'a> {
+    /// A body that goes from pose to pose.
+    pub fn new(index: u32, shape: &'a Shape, start: Frame, end: Frame, thickness: f64) -> Self {
+        let (axes_start, axes_end) = (*start.rotation.to_rotation_matrix().matrix(), *end.rotation.to_rotation_matrix().matrix());
+        let local = shape.bounds();
+        let bounds = if local.low.x.is_finite() {
+            let corners = local.corners();
+            let place =
+                |frame: &Frame, axes: &Matrix3<f64>| Bounds::of_points(corners.map(|corner| frame.origin + axes * corner));
+            // A point that turns by an angle φ about the pose's origin leaves its chord by at most r (1 − cos φ/2) ≤ r φ²/8.
+            let turn = rotation_vector(&(start.rotation.inverse() * end.rotation)).norm();
+            let farthest = corners.iter().map(|corner| corner.norm_squared()).fold(0.0, f64::max).sqrt();
+            place(&start, &axes_start).union(&place(&end, &axes_end)).grown(farthest * (0.125 * turn * turn).min(1.0))
+        } else {
+            local
+        };
+        let (friction, viscous_friction, group, mask) = (1.0, 1.0, 1, u32::MAX);
+        Self { index, shape, start, end, thickness, friction, viscous_friction, group, mask, bounds, axes_start, axes_end }
+    }
+
+    /// Its surface nearest to a point of the world at the substep's end, see [`Shape::closest`].
+    pub fn closest_at_end(&self, at: Vector3<f64>, within: f64) -> Option<Surface> {
+        self.shape.closest(self.axes_end.tr_mul(&(at - self.end.origin)), within)
+    }
+
+    /// A direction of the body's own axes at the substep's end, world.
+    pub fn to_world(&self, direction: &Vector3<f64>) -> Vector3<f64> {
+        self.axes_end * direction
+    }
+
+    /// Where a place of its surface is at the substep's end, world.
+    pub fn surface_at_end(&self, surface: &Surface) -> Vector3<f64> {
+        self.end.origin + self.axes_end * surface.point
+    }
+
+    /// Whether it and something of these groups touch.
+    pub fn meets(&self, group: u32, mask: u32) -> bool {
+        self.group & mask != 0 && group & self.mask != 0
+    }
+
+    /// How far the body's material point at a place of its surface goes during the substep, world, m.
+    pub fn carried(&self, surface: &Surface) -> Vector3<f64> {
+        let mut before = surface.point;
+        if let Some(mesh) = self.shape.mesh()
+            && mesh.is_moving()
+        {
+            let (start, end) = (mesh.corners_before(surface.feature), mesh.corners(surface.feature));
+            for corner in 0..3 {
+                before += (start[corner] - end[corner]) * surface.weights[corner];
+            }
+        }
+        (self.end.origin - self.start.origin) + self.axes_end * surface.point - self.axes_start * before
+    }
+}

@@ -1,0 +1,52 @@
+//! The minimum of a distance along a curve between two places where it falls and rises.
+
+/// A value and slope somewhere along a curve, and what was found there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sample<T> {
+    pub s: f64,
+    pub value: f64,
+    pub slope: f64,
+    pub found: T,
+}
+
+/// The lowest sample between `a`, where the value falls, and `b`, where it rises.
+///
+/// By turns at the zero of the slopes' secant, which is the minimum of a parabola, and where the tangents meet, which is that of a kink
+/// (an edge of a mesh); ends when the tangents, which lie below a convex function, leave less than `tolerance` below the lowest sample.
+pub(super) fn lowest<T: Copy>(
+    mut a: Sample<T>,
+    mut b: Sample<T>,
+    tolerance: f64,
+    mut ask: impl FnMut(f64) -> Option<Sample<T>>,
+) -> Sample<T> {
+    let mut best = if a.value <= b.value { a } else { b };
+    let mut width = b.s - a.s;
+    for turn in 0..48 {
+        let rise = b.slope - a.slope;
+        let cut = (a.value - b.value + b.slope * (b.s - a.s)) / rise;
+        if rise <= 0.0 || best.value - (a.value + a.slope * cut) <= tolerance {
+            break;
+        }
+        let span = b.s - a.s;
+        let place = match turn % 3 {
+            0 => -a.slope / rise * span,
+            1 => cut,
+            // Neither may have helped.
+            _ if span > 0.5 * width => 0.5 * span,
+            _ => cut,
+        };
+        if turn % 3 == 2 {
+            width = span;
+        }
+        let s = a.s + place.clamp(0.01 * span, 0.99 * span);
+        if s <= a.s || s >= b.s {
+            break;
+        }
+        let Some(sample) = ask(s) else { break };
+        if sample.value < best.value {
+            best = sample;
+        }
+        if sample.slope < 0.0 { a = sample } else { b = sample }
+    }
+    best
+}

@@ -1,0 +1,238 @@
+//! Shapes of bodies, in their own axes: where their surface is nearest to a point, how large they are.
+
+mod bounds;
+mod capsule;
+mod cuboid;
+mod ellipsoid;
+mod grid;
+mod half_space;
+mod hull;
+mod mesh;
+mod mesh_normals;
+mod mesh_query;
+mod sphere;
+mod surface;
+mod triangle;
+
+use nalgebra::Vector3;
+
+pub use bounds::Bounds;
+pub(crate) use grid::node_count;
+pub use grid::{DistanceGrid, NODE_LIMIT};
+pub use mesh::{Mesh, Sides};
+pub(in crate::contact) use mesh_query::Candidate;
+pub use surface::Surface;
+
+use crate::error::{Error, Result, check_finite, check_positive};
+
+/// The shape of a body, in the body's own axes. Made by the functions `new_…`, which check their arguments.
+#[derive(Debug, Clone)]
+pub struct Shape(pub(in crate::contact) Kind);
+
+/// What a shape is.
+#[derive(Debug, Clone)]
+pub(in crate::contact) enum Kind {
+    Sphere {
+        radius: f64,
+    },
+    Capsule {
+        a: Vector3<f64>,
+        b: Vector3<f64>,
+        radius: f64,
+    },
+    Ellipsoid {
+        semi_axes: Vector3<f64>,
+    },
+    Cuboid {
+        half_edges: Vector3<f64>,
+    },
+    HalfSpace {
+        normal: Vector3<f64>,
+    },
+    /// A convex hull: a closed mesh that is convex.
+    Hull(Mesh),
+    Mesh(Mesh),
+    Grid(DistanceGrid),
+}
+
+impl Shape {
+    /// A sphere about the origin; its radius in m.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when `radius` is not finite and above zero.
+    pub fn new_sphere(radius: f64) -> Result<Self> {
+        check_positive(|| "radius".into(), radius)?;
+        Ok(Self(Kind::Sphere { radius }))
+    }
+
+    /// All points within `radius` (m) of the segment from `a` to `b` (m).
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when a number is not finite, the radius is not above zero, or `a` is `b` (then it is a sphere).
+    pub fn new_capsule(a: Vector3<f64>, b: Vector3<f64>, radius: f64) -> Result<Self> {
+        check_vector("a", &a)?;
+        check_vector("b", &b)?;
+        check_positive(|| "radius".into(), radius)?;
+        if (b - a).norm_squared() == 0.0 {
+            return Err(Error::invalid("b", format!("{:?}, as is a", b.as_slice()), "another point than a"));
+        }
+        Ok(Self(Kind::Capsule { a, b, radius }))
+    }
+
+    /// An ellipsoid about the origin with semi-axes (m) along x, y and z.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when a semi-axis is not finite and above zero.
+    pub fn new_ellipsoid(semi_axes: Vector3<f64>) -> Result<Self> {
+        for axis in 0..3 {
+            check_positive(|| format!("semi_axes[{axis}]"), semi_axes[axis])?;
+        }
+        Ok(Self(Kind::Ellipsoid { semi_axes }))
+    }
+
+    /// A box about the origin; half its edges (m) along x, y and z.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when a number is not finite and above zero.
+    pub fn new_box(half_edges: Vector3<f64>) -> Result<Self> {
+        for axis in 0..3 {
+            check_positive(|| format!("half_edges[{axis}]"), half_edges[axis])?;
+        }
+        Ok(Self(Kind::Cuboid { half_edges }))
+    }
+
+    /// The half of space behind the plane through the origin across `normal`, which points out of it; normalised to rounding.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when a number is not finite or `normal` has no direction.
+    pub fn new_half_space(normal: Vector3<f64>) -> Result<Self> {
+        check_vector("normal", &normal)?;
+        // By the largest number first: squares of tiny or huge numbers are lost.
+        let scaled = normal / normal.amax();
+        match scaled.try_normalize(0.0) {
+            Some(normal) => Ok(Self(Kind::HalfSpace { normal })),
+            None => Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector of a direction")),
+        }
+    }
+
+    /// The convex hull of points (m).
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when a number is not finite, there are fewer than four points, or they span no volume.
+    pub fn new_hull(points: &[Vector3<f64>]) -> Result<Self> {
+        Ok(Self(Kind::Hull(hull::of_points(points)?)))
+    }
+
+    /// A triangle mesh, checked as [`Mesh::new`] says.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::new`].
+    pub fn new_mesh(vertices: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>, sides: Sides) -> Result<Self> {
+        Ok(Self(Kind::Mesh(Mesh::new(vertices, triangles, sides)?)))
+    }
+
+    /// The shape of a distance grid.
+    pub fn new_grid(grid: DistanceGrid) -> Self {
+        Self(Kind::Grid(grid))
+    }
+
+    /// The mesh of a mesh or hull.
+    pub fn mesh(&self) -> Option<&Mesh> {
+        match &self.0 {
+            Kind::Mesh(mesh) | Kind::Hull(mesh) => Some(mesh),
+            _ => None,
+        }
+    }
+
+    /// The mesh whose vertices may be set. A hull's may not: it would not stay convex.
+    pub(in crate::contact) fn deforming_mut(&mut self) -> Option<&mut Mesh> {
+        match &mut self.0 {
+            Kind::Mesh(mesh) => Some(mesh),
+            _ => None,
+        }
+    }
+
+    /// The grid of a distance grid.
+    pub fn grid(&self) -> Option<&DistanceGrid> {
+        match &self.0 {
+            Kind::Grid(grid) => Some(grid),
+            _ => None,
+        }
+    }
+
+    /// The surface nearest to a point (m, the shape's axes) if the point's signed distance is below `within` (m); inside a solid at any
+    /// depth. Where several places are nearest, one of them, always the same. A distance grid knows nothing beyond its band, a
+    /// one-sided mesh nothing deeper than its depth, a two-sided mesh no negative distances.
+    pub fn closest(&self, point: Vector3<f64>, within: f64) -> Option<Surface> {
+        match &self.0 {
+            Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.closest(point, within),
+            Kind::Grid(grid) => grid.closest(point).filter(|surface| surface.distance < within),
+            _ => Some(self.closest_smooth(point)).filter(|surface| surface.distance < within),
+        }
+    }
+
+    /// [`Shape::closest`] for the shapes that know it everywhere.
+    #[inline]
+    pub(in crate::contact) fn closest_smooth(&self, point: Vector3<f64>) -> Surface {
+        match &self.0 {
+            Kind::Sphere { radius } => sphere::closest(*radius, point),
+            Kind::Capsule { a, b, radius } => capsule::closest(*a, *b, *radius, point),
+            Kind::Ellipsoid { semi_axes } => ellipsoid::closest(semi_axes, point),
+            Kind::Cuboid { half_edges } => cuboid::closest(half_edges, point),
+            Kind::HalfSpace { normal } => half_space::closest(normal, point),
+            // Not asked: these have lists of triangles or a band.
+            Kind::Hull(_) | Kind::Mesh(_) | Kind::Grid(_) => Surface::smooth(point, Vector3::x(), f64::INFINITY),
+        }
+    }
+
+    /// A box around the shape; infinite for a half-space.
+    pub fn bounds(&self) -> Bounds {
+        match &self.0 {
+            Kind::Sphere { radius } => Bounds::around(Vector3::zeros(), Vector3::repeat(*radius)),
+            Kind::Capsule { a, b, radius } => Bounds::of_points([*a, *b]).grown(*radius),
+            Kind::Ellipsoid { semi_axes: half } | Kind::Cuboid { half_edges: half } => Bounds::around(Vector3::zeros(), *half),
+            Kind::HalfSpace { .. } => Bounds::EVERYTHING,
+            Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds(),
+            Kind::Grid(grid) => grid.bounds(),
+        }
+    }
+
+    /// How deep a point may be inside for the nearest surface to be, surely, that through which it came straight in, m.
+    pub(in crate::contact) fn thinness(&self) -> f64 {
+        match &self.0 {
+            Kind::Sphere { radius } | Kind::Capsule { radius, .. } => *radius,
+            Kind::Ellipsoid { semi_axes } => semi_axes.min(),
+            Kind::Cuboid { half_edges } => half_edges.min(),
+            Kind::HalfSpace { .. } => f64::INFINITY,
+            Kind::Hull(_) | Kind::Mesh(_) | Kind::Grid(_) => 0.0,
+        }
+    }
+
+    /// How long pieces of a strand may be for the distance to have no two minima along one, m: infinite for convex shapes.
+    pub(in crate::contact) fn feature_length(&self) -> f64 {
+        match &self.0 {
+            Kind::Mesh(mesh) => mesh.edge_length(),
+            Kind::Grid(grid) => 2.0 * grid.cell(),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Bytes on the heap.
+    pub fn heap_bytes(&self) -> usize {
+        match &self.0 {
+            Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.heap_bytes(),
+            Kind::Grid(grid) => grid.heap_bytes(),
+            _ => 0,
+        }
+    }
+}
+
+impl From<Mesh> for Shape {
+    fn from(mesh: Mesh) -> Self {
+        Self(Kind::Mesh(mesh))
+    }
+}
+
+fn check_vector(argument: &str, vector: &Vector3<f64>) -> Result<()> {
+    (0..3).try_for_each(|axis| check_finite(|| format!("{argument}[{axis}]"), vector[axis]))
+}

@@ -1,0 +1,128 @@
+//! Where a piece of a strand runs into something on its way through a step.
+//!
+//! Conservative advancement (Mirtich 1996) against a convex piece (a convex shape, or one triangle of a mesh): a plane across the shortest
+//! way parts the two, and until an end of the piece of strand has come through the plane nothing is touched. Sliding along costs nothing,
+//! and a piece of strand that passes is followed in a few steps.
+
+use nalgebra::Vector3;
+
+use super::descent::{self, Sample};
+use super::shape::Surface;
+
+/// A straight piece of a strand whose ends go straight from the step's start to now.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MovingChord {
+    /// Its ends at the start.
+    pub before: [Vector3<f64>; 2],
+    /// Its ends now.
+    pub after: [Vector3<f64>; 2],
+}
+
+/// A nearest place found along the way.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Near<T> {
+    /// Unit vector from the body to the strand.
+    pub normal: Vector3<f64>,
+    /// Distance, m.
+    pub distance: f64,
+    /// How fast the body comes on along the normal at the most, m per step.
+    pub coming: f64,
+    /// What it is.
+    pub what: T,
+}
+
+/// Where a moving piece of strand comes near.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hit<T> {
+    /// Fraction of the step.
+    pub time: f64,
+    /// Place along the piece, 0 to 1.
+    pub place: f64,
+    /// What was near.
+    pub near: Near<T>,
+}
+
+/// The most advances; one that has come so far without an end grazes, and is taken for a hit.
+const ADVANCES: usize = 64;
+
+/// The first time that the piece comes within `level` of a convex thing. `ask(point, time)` tells the nearest place of it.
+/// None if it never does, or is inside the thing from the start.
+pub(super) fn first_hit<T: Copy>(
+    chord: &MovingChord,
+    level: f64,
+    mut ask: impl FnMut(&Vector3<f64>, f64) -> Near<T>,
+) -> Option<Hit<T>> {
+    let mut time = 0.0;
+    let velocity = [chord.after[0] - chord.before[0], chord.after[1] - chord.before[1]];
+    for advance in 0..ADVANCES {
+        let ends = [chord.before[0] + velocity[0] * time, chord.before[1] + velocity[1] * time];
+        let along = ends[1] - ends[0];
+        let mut sample = |u: f64| {
+            let near = ask(&(ends[0] + along * u), time);
+            Sample { s: u, value: near.distance, slope: near.normal.dot(&along), found: near }
+        };
+        let (low, high) = (sample(0.0), sample(1.0));
+        let nearest = if low.slope < 0.0 && high.slope > 0.0 {
+            descent::lowest(low, high, 0.05 * level, |u| Some(sample(u)))
+        } else if low.value <= high.value {
+            low
+        } else {
+            high
+        };
+        let near = nearest.found;
+        if near.distance <= 0.0 && time == 0.0 {
+            return None;
+        }
+        if near.distance <= 1.1 * level || advance + 1 == ADVANCES {
+            return Some(Hit { time, place: nearest.s, near });
+        }
+        // The ends' heights over the plane through the body's nearest point, and when the first comes down to the level.
+        let foot = ends[0] + along * nearest.s - near.normal * near.distance;
+        let mut next = f64::INFINITY;
+        for (end, velocity) in ends.iter().zip(&velocity) {
+            let height = near.normal.dot(&(end - foot));
+            let approach = near.coming - near.normal.dot(velocity);
+            if approach > 0.0 {
+                // The nearest place is known to a twentieth of the level.
+                next = next.min((height - 0.9 * level).max(0.0) / approach);
+            }
+        }
+        time += next;
+        if time > 1.0 {
+            return None;
+        }
+    }
+    None
+}
+
+/// For bodies that are known by their distance alone: where nodes of a strand run into one on their straight ways. Advances by the distance,
+/// but at least by `least` metres, since nothing thinner is there. `ask(point)` tells the surface, or a clearance that is surely there.
+/// Adds arclength and surface.
+pub(super) fn along_nodes(
+    nodes: impl Iterator<Item = (f64, Vector3<f64>, Vector3<f64>)>,
+    level: f64,
+    least: f64,
+    ask: impl Fn(Vector3<f64>) -> Result<Surface, f64>,
+    hits: &mut Vec<(f64, Surface)>,
+) {
+    for (s, before, now) in nodes {
+        let way = (now - before).norm();
+        let mut gone = 0.0;
+        while gone <= way {
+            let point = if way > 0.0 { before + (now - before) * (gone / way) } else { before };
+            let step = match ask(point) {
+                Ok(surface) => {
+                    if surface.distance <= level {
+                        if gone > 0.0 || surface.distance > 0.0 {
+                            hits.push((s, surface));
+                        }
+                        break;
+                    }
+                    surface.distance - level
+                }
+                Err(clearance) => clearance - level,
+            };
+            gone += step.max(least);
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Touches along strands at rest, against dense sampling of arclength.
+
+use nalgebra::{UnitQuaternion, Vector3};
+use superhelix::contact::body::BodyAt;
+use superhelix::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
+use superhelix::contact::strand_body::{PathBounds, Scratch, Span, touches};
+use superhelix::contact::touch::{Partner, Touch};
+use superhelix::math::frame::Frame;
+
+use super::scene::{Dice, Moving, at_rest, ball, bumpy, strand};
+
+const LENGTH: f64 = 0.02;
+
+/// The signed distance of a strand's point from a body, less thicknesses.
+fn gap(moving: &Moving, element: usize, s: f64, thickness: f64, body: &BodyAt) -> f64 {
+    let point = body.end.rotation.inverse() * (moving.path().now.position(element, s) - body.end.origin);
+    body.shape.closest(point, f64::INFINITY).map_or(f64::INFINITY, |surface| surface.distance) - thickness
+}
+
+/// Checks a strand's touches against samples, and counts them.
+fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -> usize {
+    const SAMPLES: usize = 160;
+    let found = moving.touches(radius, body, within);
+    let thickness = radius + body.thickness;
+    for touch in &found {
+        let exact = gap(moving, touch.place.element as usize, touch.place.s, thickness, body);
+        assert!((touch.gap - exact).abs() < 1e-12, "{name}: {touch:?} {exact}");
+        assert!(touch.gap < within && touch.carried == Vector3::zeros());
+        assert!(matches!(touch.partner, Partner::Body { body: 7, .. }) && touch.place.strand == 3);
+    }
+    assert!(found.is_sorted_by(|a, b| (a.place.element, a.place.s) < (b.place.element, b.place.s)), "{name}: {found:?}");
+    let along = |touch: &Touch| f64::from(touch.place.element) * LENGTH + touch.place.s;
+    let count = moving.now.1.len();
+    let place = |index: usize| (index as f64) * LENGTH / SAMPLES as f64;
+    let values: Vec<f64> = (0..=count * SAMPLES)
+        .map(|index| {
+            let element = (index / SAMPLES).min(count - 1);
+            gap(moving, element, place(index - element * SAMPLES), thickness, body)
+        })
+        .collect();
+    for (index, value) in values.iter().enumerate() {
+        if *value >= within - 1e-9 {
+            continue;
+        }
+        let left = if index == 0 { f64::INFINITY } else { values[index - 1] };
+        let right = values.get(index + 1).copied().unwrap_or(f64::INFINITY);
+        if *value <= left && *value <= right {
+            // A minimum to one spacing: one touch there is as deep, or one next to it with no crest in between that counts.
+            let (low, high) = (place(index) - 1e-9, place(index) + 1e-9);
+            let reach = 1.01 * place(1);
+            let covered = found.iter().any(|touch| {
+                let s = along(touch);
+                let as_deep = touch.gap < value + 6e-7;
+                let near = s > low - reach && s < high + reach;
+                let between = (s.min(place(index)), s.max(place(index)));
+                let crest = values
+                    .iter()
+                    .enumerate()
+                    .filter(|(other, _)| place(*other) >= between.0 && place(*other) <= between.1)
+                    .map(|(_, value)| *value)
+                    .fold(f64::NEG_INFINITY, f64::max);
+                as_deep && (near || crest < value + 6e-7)
+            });
+            assert!(covered, "{name}: minimum {value} at {} of {found:#?}", place(index));
+        }
+    }
+    found.len()
+}
+
+fn shapes() -> Vec<(&'static str, Shape)> {
+    let (vertices, triangles) = bumpy(0.05, 3);
+    let mesh = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
+    vec![
+        ("sphere", Shape::new_sphere(0.04).unwrap()),
+        ("small sphere", Shape::new_sphere(0.002).unwrap()),
+        ("capsule", Shape::new_capsule(-Vector3::x() * 0.03, Vector3::x() * 0.03, 0.01).unwrap()),
+        ("ellipsoid", Shape::new_ellipsoid(Vector3::new(0.05, 0.02, 0.03)).unwrap()),
+        ("box", Shape::new_box(Vector3::new(0.04, 0.02, 0.03)).unwrap()),
+        ("half-space", Shape::new_half_space(Vector3::new(0.0, 1.0, 2.0)).unwrap()),
+        ("hull", Shape::new_hull(&ball(0.04, 1).0).unwrap()),
+        ("mesh", Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap()),
+        ("grid", Shape::new_grid(DistanceGrid::bake(&mesh, 0.004, 0.02).unwrap())),
+    ]
+}
+
+#[test]
+fn every_minimum_of_the_distance_is_a_touch() {
+    let mut dice = Dice(77);
+    for (name, shape) in shapes() {
+        let mut touches = 0;
+        for _ in 0..40 {
+            let curl = [4.0, 20.0, 80.0, 200.0][(dice.unit() * 4.0) as usize];
+            let curvatures: Vec<[f64; 3]> =
+                (0..5).map(|_| [dice.between(-20.0, 20.0), dice.between(-curl, curl), dice.between(-curl, curl)]).collect();
+            let moving = Moving::still(dice.cube() * 0.05, strand(&dice.rotation(), LENGTH, &curvatures));
+            let pose = Frame { origin: dice.cube() * 0.01, rotation: dice.rotation() };
+            let body = at_rest(&shape, pose, 0.001);
+            touches += check(name, &moving, 0.0005, &body, 0.002);
+        }
+        assert!(touches > 30, "{name}: {touches} touches");
+    }
+}
+
+#[test]
+fn a_straight_strand_on_a_plane_is_held_at_its_elements_ends() {
+    let shape = Shape::new_half_space(Vector3::z()).unwrap();
+    let body = at_rest(&shape, Frame::default(), 0.0);
+    let moving = Moving::still(Vector3::new(0.0, 0.0, 0.0001), strand(&UnitQuaternion::identity(), LENGTH, &[[0.0; 3]; 3]));
+    let found = moving.touches(0.0001, &body, 0.001);
+    let places: Vec<(u32, f64)> = found.iter().map(|touch| (touch.place.element, touch.place.s)).collect();
+    assert_eq!(places, [(0, 0.0), (0, LENGTH), (1, LENGTH), (2, LENGTH)]);
+    assert!(found.iter().all(|touch| touch.gap.abs() < 1e-17 && touch.normal == Vector3::z()));
+    // The exempt part ends in the second element: that place takes the root's part.
+    let found = moving.touches_from(0.025, 0.0001, &body, 0.001);
+    let places: Vec<(u32, f64)> = found.iter().map(|touch| (touch.place.element, touch.place.s)).collect();
+    assert_eq!(places.len(), 3);
+    assert!(places[0].0 == 1 && (places[0].1 - 0.005).abs() < 1e-15 && places[1..] == [(1, LENGTH), (2, LENGTH)]);
+}
+
+#[test]
+fn a_strand_deep_inside_is_touched() {
+    let (vertices, triangles) = bumpy(0.2, 3);
+    for shape in [Shape::new_mesh(vertices.clone(), triangles, Sides::Solid).unwrap(), Shape::new_sphere(0.15).unwrap()] {
+        let body = at_rest(&shape, Frame::default(), 0.0);
+        let moving = Moving::still(Vector3::zeros(), strand(&UnitQuaternion::identity(), LENGTH, &[[0.0, 1.0, 0.0]; 3]));
+        let found = moving.touches(0.0001, &body, 0.001);
+        assert!(found.len() >= 3 && found.iter().all(|touch| touch.gap < -0.05), "{found:?}");
+    }
+}
+
+#[test]
+fn lists_used_again_change_nothing() {
+    // Many strands through one scratch give what each gives with its own.
+    let (vertices, triangles) = bumpy(0.05, 3);
+    let shape = Shape::new_mesh(vertices, triangles, Sides::Solid).unwrap();
+    let body = at_rest(&shape, Frame::default(), 0.0);
+    let (mut dice, mut scratch, mut bounds, mut all) = (Dice(3), Scratch::default(), PathBounds::default(), Vec::new());
+    let mut alone = Vec::new();
+    for _ in 0..30 {
+        let moving = Moving::still(dice.cube() * 0.06, strand(&dice.rotation(), LENGTH, &[[3.0, 10.0, 5.0]; 4]));
+        let path = moving.path();
+        bounds.update(&path);
+        touches(&path, &bounds, Span::default(), 1e-4, &body, 0.001, &mut scratch, &mut all);
+        alone.extend(moving.touches(1e-4, &body, 0.001));
+    }
+    assert!(all.len() > 20);
+    assert_eq!(all, alone);
+}

@@ -1,0 +1,101 @@
+//! Signed distance grids.
+
+use nalgebra::Vector3;
+use superhelix::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
+use superhelix::files::distance_grid;
+
+use super::scene::{Dice, ball, bumpy, sheet};
+
+#[test]
+fn a_grid_is_near_its_mesh() {
+    let (vertices, triangles) = bumpy(0.1, 4);
+    let mesh = Mesh::new(vertices, triangles, Sides::Solid).unwrap();
+    let mut worst = Vec::new();
+    for cell in [0.008, 0.004] {
+        let grid = DistanceGrid::bake(&mesh, cell, 0.02).unwrap();
+        let mut dice = Dice(4);
+        let mut largest: f64 = 0.0;
+        for _ in 0..2000 {
+            let point = dice.cube() * 0.14;
+            let exact = mesh.closest(point, f64::INFINITY).unwrap();
+            match grid.closest(point) {
+                Some(surface) => {
+                    // Distances change by at most the way, so a cell's corners differ from it by at most its diagonal.
+                    assert!((surface.distance - exact.distance).abs() < cell * 3f64.sqrt());
+                    if exact.distance.abs() < 0.01 {
+                        largest = largest.max((surface.distance - exact.distance).abs());
+                    }
+                }
+                None => assert!(exact.distance > 0.02, "{point} {exact:?}"),
+            }
+        }
+        worst.push(largest);
+    }
+    // On a surface of this roundness (radius of curvature about 2 cm): of second order, h²/8 a direction.
+    assert!(worst[0] < 0.3 * 0.008 && worst[1] < 0.6 * worst[0], "{worst:?}");
+}
+
+#[test]
+fn a_grid_of_a_ball_is_the_ball() {
+    // Distance to the faceted ball is within the facets' sagitta of that to the ball; trilinear interpolation adds (3/8) cell²/r.
+    let (vertices, triangles) = ball(0.1, 4);
+    let mesh = Mesh::new(vertices, triangles, Sides::Solid).unwrap();
+    let grid = DistanceGrid::bake(&mesh, 0.005, 0.03).unwrap();
+    let mut dice = Dice(9);
+    for _ in 0..500 {
+        let point = dice.direction() * dice.between(0.07, 0.125);
+        let surface = grid.closest(point).unwrap();
+        assert!((surface.distance - (point.norm() - 0.1)).abs() < 6e-4, "{surface:?}");
+        assert!(surface.normal.dot(&point.normalize()) > 0.995);
+    }
+}
+
+#[test]
+fn a_grid_comes_back_from_bytes_and_nothing_else_does() {
+    let (vertices, triangles) = ball(0.1, 1);
+    let mesh = Mesh::new(vertices, triangles, Sides::Solid).unwrap();
+    let grid = DistanceGrid::bake(&mesh, 0.03, 0.01).unwrap();
+    let bytes = distance_grid::write_to_bytes(&grid).unwrap();
+    assert_eq!(distance_grid::read_from_bytes("it", &bytes).unwrap(), grid);
+    for length in (0..bytes.len()).step_by(7) {
+        let error = distance_grid::read_from_bytes("it", &bytes[..length]).unwrap_err().to_string();
+        assert!(error.starts_with("it: truncated"), "{length}: {error}");
+    }
+    let spoilt = |at: usize, by: &[u8]| {
+        let mut bytes = bytes.clone();
+        bytes[at..at + by.len()].copy_from_slice(by);
+        distance_grid::read_from_bytes("it", &bytes).unwrap_err().to_string()
+    };
+    assert!(spoilt(0, b"X").contains("SHXDGRID"));
+    assert!(spoilt(8, &[9]).contains("version 9"));
+    assert!(spoilt(12, &u32::MAX.to_le_bytes()).contains("nodes"));
+    assert!(spoilt(12, &1u32.to_le_bytes()).contains("bytes after"));
+    assert!(spoilt(24, &f64::NAN.to_le_bytes()).contains("low[0] is NaN"));
+    assert!(spoilt(48, &(-1.0f64).to_le_bytes()).contains("cell is -1"));
+    assert!(spoilt(64, &f32::INFINITY.to_le_bytes()).contains("distance 0"));
+    let mut long = bytes.clone();
+    long.push(0);
+    assert!(distance_grid::read_from_bytes("it", &long).unwrap_err().to_string().contains("1 bytes after"));
+    let path = std::env::temp_dir().join(format!("superhelix_grid_{}", std::process::id()));
+    distance_grid::write(&path, &grid).unwrap();
+    assert_eq!(distance_grid::read(&path).unwrap(), grid);
+    std::fs::remove_file(&path).unwrap();
+}
+
+#[test]
+fn a_grid_that_cannot_be_is_refused() {
+    let (vertices, triangles) = ball(0.1, 1);
+    let mesh = Mesh::new(vertices, triangles, Sides::Solid).unwrap();
+    let says = |result: superhelix::error::Result<DistanceGrid>, argument: &str| {
+        let text = result.unwrap_err().to_string();
+        assert!(text.starts_with(argument), "{text}");
+    };
+    says(DistanceGrid::bake(&mesh, 1e-5, 0.1), "cell is 0.00001");
+    says(DistanceGrid::bake(&mesh, f64::NAN, 0.1), "cell is NaN");
+    says(DistanceGrid::bake(&mesh, 0.01, 0.0), "band is 0");
+    let (vertices, triangles) = sheet(0.1, 2);
+    says(DistanceGrid::bake(&Mesh::new(vertices, triangles, Sides::Both).unwrap(), 0.01, 0.01), "mesh.sides is Both");
+    says(DistanceGrid::from_parts(Vector3::zeros(), 1.0, 1.0, [2, 2, 2], vec![0.0; 7].into()), "values is 7 long");
+    let grid = DistanceGrid::bake(&mesh, 0.03, 0.01).unwrap();
+    assert!(Shape::new_grid(grid).grid().is_some());
+}
