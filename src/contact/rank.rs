@@ -107,7 +107,8 @@ pub(super) fn dependence(factor: &RankFactor) -> Vec<(usize, Vec<usize>)> {
     let mut out: Vec<(usize, Vec<usize>)> = (factor.rank..factor.count)
         .map(|i| {
             let y = factor.lower[i * factor.count..i * factor.count + factor.rank].to_vec();
-            let on = factor.backward(y).iter().enumerate().filter(|(_, c)| c.abs() > 1e-6).map(|(k, _)| factor.order[k]).collect();
+            let on =
+                factor.backward(y).iter().enumerate().filter(|(_, c)| c.abs() > 1e-6).map(|(k, _)| factor.order[k]).collect();
             (factor.order[i], on)
         })
         .collect();

@@ -43,7 +43,11 @@ impl Coefficient {
             check_finite(|| format!("{argument}.lean[{i}]"), self.lean[i])?;
         }
         if self.lean.norm() > self.mean * (1.0 + 1e-12) {
-            return Err(Error::invalid(format!("{argument}.lean"), self.lean.norm(), format!("a length of at most {}", self.mean)));
+            return Err(Error::invalid(
+                format!("{argument}.lean"),
+                self.lean.norm(),
+                format!("a length of at most {}", self.mean),
+            ));
         }
         Ok(())
     }
