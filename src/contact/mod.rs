@@ -4,6 +4,7 @@ pub mod bonds;
 pub mod contact_space;
 pub mod gauss_seidel;
 pub mod law;
+pub mod options;
 mod rank;
 pub mod system;
 pub mod touch;
