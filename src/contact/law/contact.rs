@@ -67,13 +67,12 @@ impl Contact {
             Friction::Viscous(c) => {
                 let speed = u_t.norm();
                 let full = if speed > 0.0 { c.at(&(u_t / speed)) / step } else { 0.0 };
-                // Floating: any share of the friction.
-                let share = if lambda_n > 0.0 || full * speed == 0.0 {
-                    1.0
-                } else {
-                    (-lambda_t.dot(&u_t) / (full * speed * speed)).clamp(0.0, 1.0)
-                };
-                (lambda_t + u_t * (full * share)).norm() / force
+                let whole = (lambda_t + u_t * full).norm();
+                // Floating: no normal force, and any share of the friction.
+                let most = full * speed * speed;
+                let share = if most > 0.0 { (-lambda_t.dot(&u_t) / most).clamp(0.0, 1.0) } else { 1.0 };
+                let floating = (lambda_t + u_t * (full * share)).norm().max(lambda_n.abs());
+                whole.min(floating) / (force + full * length)
             }
         };
         normal.abs().max(tangential)
