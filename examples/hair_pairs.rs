@@ -86,6 +86,7 @@ fn main() {
             let (mut scratch, mut touches) = (TouchScratch::default(), Vec::new());
             for _ in 0..5 {
                 pairs.set(&wisps, &PairOptions { activation: 0.2e-3, margin }).expect("the options are in range");
+                pairs.begin_step();
                 let clock = Instant::now();
                 assert!(pairs.update(&paths).expect("as many paths as wisps"));
                 search = search.min(clock.elapsed().as_secs_f64());

@@ -105,6 +105,7 @@ fn touches_between(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (b
     let paths: Vec<StrandPath> = (0..now.len())
         .map(|k| StrandPath { index: k as u32, start: then[k].curve(&poses[k][0]), now: now[k].curve(&poses[k][1]) })
         .collect();
+    pairs.begin_step();
     let searched = pairs.update(&paths).unwrap();
     let (mut out, mut scratch) = (Vec::new(), TouchScratch::default());
     for group in pairs.groups() {

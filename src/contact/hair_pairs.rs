@@ -68,11 +68,13 @@ pub struct HairPairs {
     turned: Matrix3<f64>,
     /// The roots of the strands that take part, at the step's start and now.
     roots: [Vec<Root>; 2],
-    /// Nodes, roots, sagittas when the candidates were found, and the step's start then.
+    /// Nodes, roots and sagittas when the candidates were found.
     found_at: Vec<Vector3<f64>>,
     found_roots: Vec<Root>,
     found_sagittas: Vec<f64>,
-    found_start: Vec<Vector3<f64>>,
+    /// The start is still to be looked at; it is the one that the candidates were found with.
+    begun: bool,
+    found_this_step: bool,
     counts: PairCounts,
     valid: bool,
 }
@@ -94,6 +96,11 @@ impl HairPairs {
         Ok(())
     }
 
+    /// Says that a step begins: the next [`update`](Self::update) has another start. Within a step its paths' starts are the same.
+    pub fn begin_step(&mut self) {
+        (self.begun, self.found_this_step) = (true, false);
+    }
+
     /// Takes note of where the strands are, at every iterate, and searches where what was found may no longer be all. True if it searched.
     /// Strands are paths in the order of the wisps; their numbers of elements and their lengths must be those of the last search
     /// ([`set`](Self::set) otherwise). A strand that is not finite meets nothing until the next search.
@@ -108,6 +115,9 @@ impl HairPairs {
         let now = |strand: usize| strands[strand].now;
         self.valid = self.valid && !self.pieces.outgrown(&self.wisps, now);
         if self.valid {
+            if self.begun {
+                self.place_start(strands);
+            }
             self.place(strands);
             self.valid = self.still_within();
         }
@@ -115,34 +125,32 @@ impl HairPairs {
             return Ok(false);
         }
         self.pieces.cut(&self.wisps, now);
+        self.place_start(strands);
         self.place(strands);
         self.search();
-        self.valid = true;
+        (self.valid, self.found_this_step) = (true, true);
         Ok(true)
+    }
+
+    /// Where everything was when the step began.
+    fn place_start(&mut self, strands: &[StrandPath]) {
+        let start = |strand: usize| -> StrandCurve { strands[strand].start };
+        self.pieces.place(start, &mut self.start);
+        self.pieces.sagittas(start, &mut self.sagittas[0]);
+        roots_of(strands, &self.wisps, |strand| strand.start, &mut self.roots[0]);
+        self.begun = false;
     }
 
     /// Where everything is.
     fn place(&mut self, strands: &[StrandPath]) {
-        let start = |strand: usize| -> StrandCurve { strands[strand].start };
         let now = |strand: usize| -> StrandCurve { strands[strand].now };
-        self.pieces.place(start, &mut self.start);
         self.pieces.place(now, &mut self.now);
-        self.pieces.sagittas(start, &mut self.sagittas[0]);
         self.pieces.sagittas(now, &mut self.sagittas[1]);
         let [then, sagittas] = &mut self.sagittas;
         for (now, then) in sagittas.iter_mut().zip(then) {
             *now = now.max(*then);
         }
-        let root = |curve: &StrandCurve| {
-            let first = curve.elements.first()?;
-            Some(Root { origin: curve.origin, frame: first.frame_left.into() })
-        };
-        let taking_part = || strands.iter().zip(&self.wisps).filter(|(_, wisp)| wisp.radius > 0.0).map(|(strand, _)| strand);
-        let [roots_start, roots_now] = &mut self.roots;
-        roots_start.clear();
-        roots_start.extend(taking_part().filter_map(|strand| root(&strand.start)));
-        roots_now.clear();
-        roots_now.extend(taking_part().filter_map(|strand| root(&strand.now)));
+        roots_of(strands, &self.wisps, |strand| strand.now, &mut self.roots[1]);
         let shared = RigidMotion::shared(&self.roots[0], &self.roots[1]);
         self.carried.clear();
         self.carried.extend(self.start.iter().map(|node| shared.of(node)));
@@ -152,7 +160,6 @@ impl HairPairs {
     /// Whether no piece has left the room that the candidates were found for.
     fn still_within(&self) -> bool {
         // The start is the one of the search, and its way was looked at then, or within the margin like everything else.
-        let same_start = self.start == self.found_start;
         let within = |nodes: &[Vector3<f64>], roots: &[Root]| {
             let moved = RigidMotion::shared(&self.found_roots, roots);
             self.pieces.pieces.iter().enumerate().all(|(index, piece)| {
@@ -161,11 +168,11 @@ impl HairPairs {
                 off(node).max(off(node + 1)) + self.sagittas[1][index] <= self.margin + self.found_sagittas[index]
             })
         };
-        within(&self.now, &self.roots[1]) && (same_start || within(&self.start, &self.roots[0]))
+        within(&self.now, &self.roots[1]) && (self.found_this_step || within(&self.start, &self.roots[0]))
     }
 
     fn search(&mut self) {
-        let Self { wisps, pieces, boxes, candidates, groups, now, start, carried, .. } = self;
+        let Self { wisps, pieces, boxes, candidates, groups, now, carried, .. } = self;
         let sagittas = &self.sagittas[1];
         let pieces = &pieces.pieces;
         boxes.clear();
@@ -215,7 +222,6 @@ impl HairPairs {
             }
         }
         self.found_at.clone_from(now);
-        self.found_start.clone_from(start);
         self.found_roots.clone_from(&self.roots[1]);
         self.found_sagittas.clone_from(sagittas);
         self.counts.searches += 1;
@@ -264,6 +270,22 @@ impl HairPairs {
 struct Root {
     origin: Vector3<f64>,
     frame: Matrix3<f64>,
+}
+
+/// The roots of the strands that take part.
+fn roots_of<'a>(
+    strands: &[StrandPath<'a>],
+    wisps: &[Wisp],
+    curve: impl Fn(&StrandPath<'a>) -> StrandCurve<'a>,
+    roots: &mut Vec<Root>,
+) {
+    let taking_part = strands.iter().zip(wisps).filter(|(_, wisp)| wisp.radius > 0.0);
+    roots.clear();
+    roots.extend(taking_part.filter_map(|(strand, _)| {
+        let curve = curve(strand);
+        let first = curve.elements.first()?;
+        Some(Root { origin: curve.origin, frame: first.frame_left.into() })
+    }));
 }
 
 /// A turn and a shift.

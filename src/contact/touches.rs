@@ -131,17 +131,20 @@ impl TwoStrands<'_> {
         }
         for held in [0, 1] {
             for end in [0, 1] {
+                let (this, that) = ([a, b][held], [a, b][1 - held]);
+                // Begun opposite, by the chords; what is too far by them is too far.
+                let (tip, line) = (this.now[end] - that.now[0], that.now[1] - that.now[0]);
+                let t = (tip.dot(&line) / line.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+                let farthest = radii + self.activation + that.sagitta;
+                if (tip - line * t).norm_squared() > farthest * farthest {
+                    continue;
+                }
                 let mut from = near.s;
-                from[held] = [a, b][held].piece.s[end];
-                let other = 1 - held;
-                // Begun opposite, by the chords.
-                let (this, that) = ([a, b][held], [a, b][other]);
-                let line = that.now[1] - that.now[0];
-                let t = ((this.now[end] - that.now[0]).dot(&line) / line.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-                from[other] = that.piece.s[0] + t * (that.piece.s[1] - that.piece.s[0]);
+                from[held] = this.piece.s[end];
+                from[1 - held] = that.piece.s[0] + t * (that.piece.s[1] - that.piece.s[0]);
                 let opposite = closest(&arc_a, &arc_b, from, [held == 0, held == 1]);
                 // An end of the overlap only if it is opposite the other piece.
-                let foot = opposite.slope[other].abs() <= 1e-6 * opposite.apart.norm().max(1e-3 * radii);
+                let foot = opposite.slope[1 - held].abs() <= 1e-6 * opposite.apart.norm().max(1e-3 * radii);
                 if foot && opposite.apart.norm() - radii <= self.activation {
                     self.add(a, b, &opposite, side, found);
                 }
