@@ -16,7 +16,7 @@ use crate::error::Result;
 /// How nearly a bond must hold at the end of a step, m.
 const BOND_TOLERANCE: f64 = 1e-10;
 /// The residual to which the contact problem is solved where friction need not be exact.
-const ROUGH: f64 = 1e-3;
+const ROUGH: f64 = 1e-4;
 /// Where surfaces may sink into each other a strand is done when no element may be further than this from the end, rad.
 const SOFT_TOLERANCE: f64 = 1e-4;
 

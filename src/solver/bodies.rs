@@ -75,7 +75,7 @@ impl Solver {
         let mut ids = Vec::with_capacity(made.len());
         for body in made {
             let Some(id) = self.body_slots.insert(self.bodies.len()) else {
-                self.remove_bodies(&ids)?;
+                self.reset_body_frames(&ids)?;
                 return Err(Error::OutOfMemory { bytes: size_of::<SceneBody>() });
             };
             self.bodies.push(SceneBody { id, body, wrench: Wrench::default() });
@@ -92,7 +92,7 @@ impl Solver {
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for an identifier given twice.
-    pub fn remove_bodies(&mut self, ids: &[BodyId]) -> Result<()> {
+    pub fn reset_body_frames(&mut self, ids: &[BodyId]) -> Result<()> {
         let mut gone = vec![false; self.bodies.len()];
         for (k, id) in ids.iter().enumerate() {
             let index = self.body_index(|| format!("ids[{k}]"), *id)?;
@@ -116,11 +116,11 @@ impl Solver {
         Ok(())
     }
 
-    /// Sends bodies to `frames` in `over_seconds` (0: within the next substep), as [`Solver::move_roots`] does roots.
+    /// Sends bodies to `frames` in `over_seconds` (0: within the next substep), as [`Solver::set_root_frames`] does roots.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ or a time that is not finite and 0 or more; [`Error::InvalidId`].
-    pub fn move_bodies(&mut self, ids: &[BodyId], frames: &[Frame], over_seconds: f64) -> Result<()> {
+    pub fn set_body_frames(&mut self, ids: &[BodyId], frames: &[Frame], over_seconds: f64) -> Result<()> {
         check_not_negative(|| "over_seconds".into(), over_seconds)?;
         for (index, frame) in self.body_indices(ids, frames)?.into_iter().zip(frames) {
             self.bodies[index].body.move_to(*frame, over_seconds)?;
@@ -132,7 +132,7 @@ impl Solver {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ; [`Error::InvalidId`].
-    pub fn place_bodies(&mut self, ids: &[BodyId], frames: &[Frame]) -> Result<()> {
+    pub fn teleport_bodies(&mut self, ids: &[BodyId], frames: &[Frame]) -> Result<()> {
         for (index, frame) in self.body_indices(ids, frames)?.into_iter().zip(frames) {
             self.bodies[index].body.place(*frame)?;
         }

@@ -244,7 +244,7 @@ impl Solver {
         let mut ids = Vec::with_capacity(constraints.len());
         for def in constraints {
             let Some(id) = self.constraint_slots.insert(self.constraints.len()) else {
-                self.remove_constraints(&ids)?;
+                self.reset_constraint_targets(&ids)?;
                 return Err(Error::OutOfMemory { bytes: size_of::<Constraint>() });
             };
             let state = ConstraintState { arclength: def.arclength, ..ConstraintState::default() };
@@ -304,7 +304,7 @@ impl Solver {
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`, also for an identifier given twice.
-    pub fn remove_constraints(&mut self, ids: &[ConstraintId]) -> Result<()> {
+    pub fn reset_constraint_targets(&mut self, ids: &[ConstraintId]) -> Result<()> {
         let mut gone = vec![false; self.constraints.len()];
         for (k, id) in ids.iter().enumerate() {
             let index = self.constraint_index(|| format!("ids[{k}]"), *id)?;
@@ -332,12 +332,12 @@ impl Solver {
         }
     }
 
-    /// Sends the targets of constraints to `frames` in `over_seconds` (0: within the next substep), as [`Solver::move_roots`] does roots.
+    /// Sends the targets of constraints to `frames` in `over_seconds` (0: within the next substep), as [`Solver::set_root_frames`] does roots.
     /// Ties have none: theirs are not read.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ or a time that is not finite and 0 or more; [`Error::InvalidId`].
-    pub fn move_constraints(&mut self, ids: &[ConstraintId], frames: &[Frame], over_seconds: f64) -> Result<()> {
+    pub fn set_constraint_targets(&mut self, ids: &[ConstraintId], frames: &[Frame], over_seconds: f64) -> Result<()> {
         check_not_negative(|| "over_seconds".into(), over_seconds)?;
         if frames.len() != ids.len() {
             return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a constraint", ids.len())));
