@@ -104,7 +104,7 @@ fn a_contact_alone_obeys_its_law_to_rounding() {
             } else {
                 slid += 1;
                 let bound = mu.at(&(-t.normalize())) * normal;
-                assert!((t.norm() - bound).abs() <= 1e-12 * bound, "case {case}: {} {bound}", t.norm());
+                assert!((t.norm() - bound).abs() <= 1e-12 * normal, "case {case}: {} {bound}", t.norm());
             }
         }
     }

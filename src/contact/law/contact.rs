@@ -52,8 +52,12 @@ impl Contact {
     /// See [`super::Law::residual`].
     pub(super) fn residual(&self, u: Vector3<f64>, lambda: Vector3<f64>, step: f64, length: f64, force: f64) -> f64 {
         let (u_n, lambda_n) = (u.dot(&self.normal), lambda.dot(&self.normal));
-        let gap = u_n + self.response.depth(step).at(lambda_n.max(0.0));
-        let normal = (lambda_n / force).min(gap / length);
+        let depth = self.response.depth(step);
+        let gap = u_n + depth.at(lambda_n.max(0.0));
+        // By the force or by the depth, whichever is nearer: a soft spring's depth is not to be had from a force of a rounding, nor a hard
+        // one's force from a depth.
+        let by_force = (lambda_n - depth.pressed(-u_n)).abs() / force;
+        let normal = (lambda_n / force).min(gap / length).abs().min(by_force);
         let u_t = u - self.normal * u_n;
         let lambda_t = lambda - self.normal * lambda_n;
         let tangential = match self.friction {
@@ -75,7 +79,7 @@ impl Contact {
                 whole.min(floating) / (force + full * length)
             }
         };
-        normal.abs().max(tangential)
+        normal.max(tangential)
     }
 }
 
@@ -251,7 +255,7 @@ impl ContactSolve {
         // Full friction would draw the surfaces together: as much as leaves no normal force.
         let c = crossing(0.0, c, |c| -self.forces(b, mobility(c)).normal);
         let f = self.forces(b, mobility(c));
-        Vector3::new(f.normal.max(0.0), f.tangent[0], f.tangent[1])
+        Vector3::new(0.0, f.tangent[0], f.tangent[1])
     }
 }
 

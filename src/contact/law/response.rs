@@ -73,6 +73,20 @@ impl Depth {
         self.shift + bent
     }
 
+    /// The force that a depth asks for, N; infinite for a hard contact.
+    pub(super) fn pressed(&self, depth: f64) -> f64 {
+        let depth = depth - self.shift;
+        if self.compliance == 0.0 {
+            f64::INFINITY
+        } else if depth <= 0.0 {
+            0.0
+        } else if depth < self.curve {
+            depth * depth / (2.0 * self.curve * self.compliance)
+        } else {
+            (depth - 0.5 * self.curve) / self.compliance
+        }
+    }
+
     /// The force F with D F + depth(F) − shift = `drive`, and the slope of the left side there. A drive of zero or below gives what a linear
     /// spring would (a force of zero or below): it tells a search on which side it is.
     #[inline(always)]
