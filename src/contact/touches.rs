@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::helix_distance::{Arc, PointPair, closest, direction, nearly_parallel};
+use super::helix_distance::{Arc, PointPair, closest, direction};
 use super::pieces::{Piece, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::touch::{Partner, Place, StrandPath, Touch};
@@ -15,6 +15,11 @@ const MERGED: f64 = 0.25;
 /// Centrelines that come nearer than this share of the sum of the radii while their normal turns round have crossed; centrelines that
 /// were nearer when the step began were inside each other, and have no side to keep.
 const CROSSED: f64 = 0.5;
+
+/// Strands lie along each other where the square of the sine between their tangents is less: within a quarter of a radian.
+const ALONG: f64 = 0.0625;
+/// The same between chords of pieces that have such tangents somewhere: half a piece's bend more to either side, sin² 0.75.
+const MOST_CHORDS: f64 = 0.47;
 
 /// A piece and where its ends are at the step's start and now, world, m. The start is told as the motion that all strands share has
 /// carried it along, so that what all strands do together is no motion.
@@ -126,12 +131,18 @@ impl TwoStrands<'_> {
         if side.is_some() || !(goes_on(&near, 0, a) || goes_on(&near, 1, b)) {
             self.add(a, b, &near, side, found);
         }
-        if !nearly_parallel(&arc_a, &arc_b) {
-            return;
-        }
+        // Where the chords cross at more than this no tangents of theirs lie along each other.
+        let (line_a, line_b) = (a.now[1] - a.now[0], b.now[1] - b.now[0]);
+        let may_lie_along = line_a.cross(&line_b).norm_squared() <= MOST_CHORDS * line_a.norm_squared() * line_b.norm_squared();
         for held in [0, 1] {
             for end in [0, 1] {
                 let (this, that) = ([a, b][held], [a, b][1 - held]);
+                let continued = this.piece.continued[end];
+                // A piece's second end is the next piece's first one, which looks for itself. A strand's end may be nearest in its own
+                // right, beside another nearest place of the same pieces.
+                if continued && (end == 1 || !may_lie_along) {
+                    continue;
+                }
                 // Begun opposite, by the chords; what is too far by them is too far.
                 let (tip, line) = (this.now[end] - that.now[0], that.now[1] - that.now[0]);
                 let t = (tip.dot(&line) / line.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
@@ -145,7 +156,11 @@ impl TwoStrands<'_> {
                 let opposite = closest(&arc_a, &arc_b, from, [held == 0, held == 1]);
                 // An end of the overlap only if it is opposite the other piece.
                 let foot = opposite.slope[1 - held].abs() <= 1e-6 * opposite.apart.norm().max(1e-3 * radii);
-                if foot && opposite.apart.norm() - radii <= self.activation {
+                let [p, q] = &opposite.points;
+                let beside = p.tangent.cross(&q.tangent).norm_squared() < ALONG;
+                let outwards = if end == 0 { opposite.slope[held] >= 0.0 } else { opposite.slope[held] <= 0.0 };
+                let nearest = beside || (!continued && outwards);
+                if nearest && foot && opposite.apart.norm() - radii <= self.activation {
                     self.add(a, b, &opposite, side, found);
                 }
             }
