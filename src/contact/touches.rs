@@ -122,18 +122,29 @@ impl TwoStrands<'_> {
         }
         let arc_a = Arc { curve: self.a.now, element: a.piece.element as usize, s: a.piece.s };
         let arc_b = Arc { curve: self.b.now, element: b.piece.element as usize, s: b.piece.s };
-        let near = closest(&arc_a, &arc_b, along_pieces([chords.t, chords.u], a, b), [false; 2]);
-        let side = self.side_kept(a, b, &near, motion);
-        let close = near.apart.norm() - radii <= self.activation;
-        if !close && side.is_none() {
-            return;
-        }
-        if side.is_some() || !(goes_on(&near, 0, a) || goes_on(&near, 1, b)) {
-            self.add(a, b, &near, side, found);
-        }
+        let mut near = closest(&arc_a, &arc_b, along_pieces([chords.t, chords.u], a, b), [false; 2]);
         // Where the chords cross at more than this no tangents of theirs lie along each other.
         let (line_a, line_b) = (a.now[1] - a.now[0], b.now[1] - b.now[0]);
         let may_lie_along = line_a.cross(&line_b).norm_squared() <= MOST_CHORDS * line_a.norm_squared() * line_b.norm_squared();
+        // Arcs along each other may be bowed towards each other: one more nearest place, where the chords do not show it.
+        let mut second = None;
+        if may_lie_along && let Some(start) = middle_of_overlap(a, b, (radii + self.activation).max(motion + inside) + sagittas) {
+            let other = closest(&arc_a, &arc_b, along_pieces(start, a, b), [false; 2]);
+            second = Some(other);
+            if other.apart.norm_squared() < near.apart.norm_squared() {
+                second = Some(std::mem::replace(&mut near, other));
+            }
+        }
+        let side = self.side_kept(a, b, &near, motion);
+        let close = |pair: &PointPair| pair.apart.norm() - radii <= self.activation;
+        if !close(&near) && side.is_none() {
+            return;
+        }
+        for pair in [Some(near), second].into_iter().flatten() {
+            if side.is_some() || (close(&pair) && !goes_on(&pair, 0, a) && !goes_on(&pair, 1, b)) {
+                self.add(a, b, &pair, side, found);
+            }
+        }
         for held in [0, 1] {
             for end in [0, 1] {
                 let (this, that) = ([a, b][held], [a, b][1 - held]);
@@ -218,6 +229,19 @@ impl TwoStrands<'_> {
         };
         found.push(Found { touch, along, crossed: side.is_some() });
     }
+}
+
+/// Where the middle of what the chords share is on each, if it is not farther apart than `farthest`.
+fn middle_of_overlap(a: &MovingPiece, b: &MovingPiece, farthest: f64) -> Option<[f64; 2]> {
+    let (line_a, line_b) = (a.now[1] - a.now[0], b.now[1] - b.now[0]);
+    let (long_a, long_b) = (line_a.norm_squared().max(f64::MIN_POSITIVE), line_b.norm_squared().max(f64::MIN_POSITIVE));
+    let ends = b.now.map(|end| (end - a.now[0]).dot(&line_a) / long_a);
+    let (from, to) = (ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1]).min(1.0));
+    let t = 0.5 * (from + to);
+    let at = a.now[0] + line_a * t;
+    let u = ((at - b.now[0]).dot(&line_b) / long_b).clamp(0.0, 1.0);
+    let distance = (at - b.now[0] - line_b * u).norm();
+    (from < to && distance <= farthest).then_some([t, u])
 }
 
 fn along_pieces(t: [f64; 2], a: &MovingPiece, b: &MovingPiece) -> [f64; 2] {
