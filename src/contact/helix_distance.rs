@@ -62,6 +62,15 @@ pub struct PointPair {
     pub slope: [f64; 2],
 }
 
+impl PointPair {
+    /// Whether the distance is the same along both, to rounding (the Hessian is singular): straight pieces side by side.
+    pub fn is_flat(&self) -> bool {
+        let [p, q] = &self.points;
+        let cosine = p.tangent.dot(&q.tangent);
+        (1.0 + self.apart.dot(&p.bend)) * (1.0 - self.apart.dot(&q.bend)) - cosine * cosine < 1e-7
+    }
+}
+
 fn pair(a: &Arc, b: &Arc, s: [f64; 2]) -> PointPair {
     let points = [a.at(s[0]), b.at(s[1])];
     let apart = points[0].position - points[1].position;

@@ -140,7 +140,8 @@ impl TwoStrands<'_> {
         if !close(&near) && side.is_none() {
             return;
         }
-        for pair in [Some(near), second].into_iter().flatten() {
+        // Where the distance is the same all along, the middle is no place of its own: the ends will do.
+        for pair in [Some(near), second.filter(|pair| !pair.is_flat())].into_iter().flatten() {
             if side.is_some() || (close(&pair) && !goes_on(&pair, 0, a) && !goes_on(&pair, 1, b)) {
                 self.add(a, b, &pair, side, found);
             }
