@@ -47,10 +47,6 @@ impl Arc<'_> {
             bend: world(bend),
         }
     }
-
-    fn middle(&self) -> f64 {
-        0.5 * (self.s[0] + self.s[1])
-    }
 }
 
 /// A pair of points of two arcs.
@@ -64,6 +60,15 @@ pub struct PointPair {
     pub apart: Vector3<f64>,
     /// Derivatives of half the squared distance along the first and the second arclength, m.
     pub slope: [f64; 2],
+}
+
+impl PointPair {
+    /// Whether the distance is the same along both, to rounding (the Hessian is singular): straight pieces side by side.
+    pub fn is_flat(&self) -> bool {
+        let [p, q] = &self.points;
+        let cosine = p.tangent.dot(&q.tangent);
+        (1.0 + self.apart.dot(&p.bend)) * (1.0 - self.apart.dot(&q.bend)) - cosine * cosine < 1e-7
+    }
 }
 
 fn pair(a: &Arc, b: &Arc, s: [f64; 2]) -> PointPair {
@@ -114,8 +119,9 @@ pub fn closest(a: &Arc, b: &Arc, start: [f64; 2], held: [bool; 2]) -> PointPair 
         };
         let (moved, fell) = ((next.s[0] - now.s[0]).abs().max((next.s[1] - now.s[1]).abs()), half - next.apart.norm_squared());
         now = next;
-        // A step of 1e-5 of the arc leaves its square.
-        if share == 1.0 && moved < 1e-6 * scale || fell <= 1e-15 * half {
+        // An undamped step of 1e-5 of the arc leaves its square.
+        let last = if damped { 1e-9 } else { 1e-5 } * scale;
+        if (share == 1.0 && moved < last) || fell <= 1e-15 * half {
             break;
         }
     }
@@ -169,9 +175,4 @@ pub fn direction(pair: &PointPair) -> Vector3<f64> {
         let axis = if p.tangent.x.abs() < 0.6 { Vector3::x() } else { Vector3::y() };
         p.tangent.cross(&axis).normalize()
     })
-}
-
-/// Whether two arcs point alike or opposite, within a quarter of a radian.
-pub fn nearly_parallel(a: &Arc, b: &Arc) -> bool {
-    a.at(a.middle()).tangent.cross(&b.at(b.middle()).tangent).norm_squared() < 0.0625
 }

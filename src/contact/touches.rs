@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::helix_distance::{Arc, PointPair, closest, direction, nearly_parallel};
+use super::helix_distance::{Arc, PointPair, closest, direction};
 use super::pieces::{Piece, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::touch::{Partner, Place, StrandPath, Touch};
@@ -15,6 +15,11 @@ const MERGED: f64 = 0.25;
 /// Centrelines that come nearer than this share of the sum of the radii while their normal turns round have crossed; centrelines that
 /// were nearer when the step began were inside each other, and have no side to keep.
 const CROSSED: f64 = 0.5;
+
+/// Strands lie along each other where the square of the sine between their tangents is less: within a quarter of a radian.
+const ALONG: f64 = 0.0625;
+/// The same between chords of pieces that have such tangents somewhere: half a piece's bend more to either side, sin² 0.75.
+const MOST_CHORDS: f64 = 0.47;
 
 /// A piece and where its ends are at the step's start and now, world, m. The start is told as the motion that all strands share has
 /// carried it along, so that what all strands do together is no motion.
@@ -117,21 +122,39 @@ impl TwoStrands<'_> {
         }
         let arc_a = Arc { curve: self.a.now, element: a.piece.element as usize, s: a.piece.s };
         let arc_b = Arc { curve: self.b.now, element: b.piece.element as usize, s: b.piece.s };
-        let near = closest(&arc_a, &arc_b, along_pieces([chords.t, chords.u], a, b), [false; 2]);
+        let mut near = closest(&arc_a, &arc_b, along_pieces([chords.t, chords.u], a, b), [false; 2]);
+        // Where the chords cross at more than this no tangents of theirs lie along each other.
+        let (line_a, line_b) = (a.now[1] - a.now[0], b.now[1] - b.now[0]);
+        let may_lie_along = line_a.cross(&line_b).norm_squared() <= MOST_CHORDS * line_a.norm_squared() * line_b.norm_squared();
+        // Arcs along each other may be bowed towards each other: one more nearest place, where the chords do not show it.
+        let mut second = None;
+        if may_lie_along && let Some(start) = middle_of_overlap(a, b, (radii + self.activation).max(motion + inside) + sagittas) {
+            let other = closest(&arc_a, &arc_b, along_pieces(start, a, b), [false; 2]);
+            second = Some(other);
+            if other.apart.norm_squared() < near.apart.norm_squared() {
+                second = Some(std::mem::replace(&mut near, other));
+            }
+        }
         let side = self.side_kept(a, b, &near, motion);
-        let close = near.apart.norm() - radii <= self.activation;
-        if !close && side.is_none() {
+        let close = |pair: &PointPair| pair.apart.norm() - radii <= self.activation;
+        if !close(&near) && side.is_none() {
             return;
         }
-        if side.is_some() || !(goes_on(&near, 0, a) || goes_on(&near, 1, b)) {
-            self.add(a, b, &near, side, found);
-        }
-        if !nearly_parallel(&arc_a, &arc_b) {
-            return;
+        // Where the distance is the same all along, the middle is no place of its own: the ends will do.
+        for pair in [Some(near), second.filter(|pair| !pair.is_flat())].into_iter().flatten() {
+            if side.is_some() || (close(&pair) && !goes_on(&pair, 0, a) && !goes_on(&pair, 1, b)) {
+                self.add(a, b, &pair, side, found);
+            }
         }
         for held in [0, 1] {
             for end in [0, 1] {
                 let (this, that) = ([a, b][held], [a, b][1 - held]);
+                let continued = this.piece.continued[end];
+                // A piece's second end is the next piece's first one, which looks for itself. A strand's end may be nearest in its own
+                // right, beside another nearest place of the same pieces.
+                if continued && (end == 1 || !may_lie_along) {
+                    continue;
+                }
                 // Begun opposite, by the chords; what is too far by them is too far.
                 let (tip, line) = (this.now[end] - that.now[0], that.now[1] - that.now[0]);
                 let t = (tip.dot(&line) / line.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
@@ -145,7 +168,11 @@ impl TwoStrands<'_> {
                 let opposite = closest(&arc_a, &arc_b, from, [held == 0, held == 1]);
                 // An end of the overlap only if it is opposite the other piece.
                 let foot = opposite.slope[1 - held].abs() <= 1e-6 * opposite.apart.norm().max(1e-3 * radii);
-                if foot && opposite.apart.norm() - radii <= self.activation {
+                let [p, q] = &opposite.points;
+                let beside = p.tangent.cross(&q.tangent).norm_squared() < ALONG;
+                let outwards = if end == 0 { opposite.slope[held] >= 0.0 } else { opposite.slope[held] <= 0.0 };
+                let nearest = beside || (!continued && outwards);
+                if nearest && foot && opposite.apart.norm() - radii <= self.activation {
                     self.add(a, b, &opposite, side, found);
                 }
             }
@@ -203,6 +230,19 @@ impl TwoStrands<'_> {
         };
         found.push(Found { touch, along, crossed: side.is_some() });
     }
+}
+
+/// Where the middle of what the chords share is on each, if it is not farther apart than `farthest`.
+fn middle_of_overlap(a: &MovingPiece, b: &MovingPiece, farthest: f64) -> Option<[f64; 2]> {
+    let (line_a, line_b) = (a.now[1] - a.now[0], b.now[1] - b.now[0]);
+    let (long_a, long_b) = (line_a.norm_squared().max(f64::MIN_POSITIVE), line_b.norm_squared().max(f64::MIN_POSITIVE));
+    let ends = b.now.map(|end| (end - a.now[0]).dot(&line_a) / long_a);
+    let (from, to) = (ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1]).min(1.0));
+    let t = 0.5 * (from + to);
+    let at = a.now[0] + line_a * t;
+    let u = ((at - b.now[0]).dot(&line_b) / long_b).clamp(0.0, 1.0);
+    let distance = (at - b.now[0] - line_b * u).norm();
+    (from < to && distance <= farthest).then_some([t, u])
 }
 
 fn along_pieces(t: [f64; 2], a: &MovingPiece, b: &MovingPiece) -> [f64; 2] {
