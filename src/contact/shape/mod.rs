@@ -10,6 +10,7 @@ mod hull;
 mod mesh;
 mod mesh_normals;
 mod mesh_query;
+mod parts;
 mod sphere;
 mod surface;
 mod triangle;
@@ -21,6 +22,7 @@ pub(crate) use grid::node_count;
 pub use grid::{DistanceGrid, NODE_LIMIT};
 pub use mesh::{Mesh, Sides};
 pub(in crate::contact) use mesh_query::Candidate;
+pub(crate) use parts::Parts;
 pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};
