@@ -127,6 +127,7 @@ impl Holding {
         }
         self.begin(scene, h);
         self.joints.clear();
+        self.touching.begin_step();
         self.touching.find(scene, &mut self.strands[..self.count]);
         self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
         self.begin_again(scene, h);

@@ -70,6 +70,11 @@ impl Touching {
         !scene.bodies.is_empty() || scene.options.hair
     }
 
+    /// Begins a substep.
+    pub fn begin_step(&mut self) {
+        self.pairs.begin_step();
+    }
+
     /// Finds all touches at the present iterate.
     pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand]) {
         self.hair.clear();
