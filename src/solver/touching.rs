@@ -4,7 +4,7 @@ mod memory;
 
 use nalgebra::Vector3;
 
-pub(super) use memory::TouchMemory;
+pub(super) use memory::{NearStrands, TouchMemory};
 
 use super::holding::Scene;
 use crate::chain::load::Station;
