@@ -203,9 +203,8 @@ impl shx_body_def {
                     other => return Err(Error::invalid("sides", other, "one of SHX_SIDES_")),
                 };
                 // SAFETY: the caller's points and indices.
-                let (vertices, triangles) = unsafe {
-                    (points("vertices", &raw const self.vertices)?, corners(self.triangles, self.triangle_count)?)
-                };
+                let (vertices, triangles) =
+                    unsafe { (points("vertices", &raw const self.vertices)?, corners(self.triangles, self.triangle_count)?) };
                 Shape::new_mesh(vertices, triangles, sides).map_err(|error| error.renamed("sides.depth", "depth"))
             }
             SHX_SHAPE_GRID => {

@@ -110,12 +110,8 @@ impl shx_constraint_def {
             SHX_HOLD_POINT => Hold::Point,
             SHX_HOLD_DIRECTION => Hold::Direction,
             SHX_HOLD_FRAME => Hold::Frame,
-            SHX_HOLD_RING => {
-                Hold::Ring { friction: Friction { along: self.friction_along, against: self.friction_against } }
-            }
-            SHX_HOLD_TIE => {
-                Hold::Tie { other: StrandId::from_bits(self.other.bits), arclength: self.other_arclength }
-            }
+            SHX_HOLD_RING => Hold::Ring { friction: Friction { along: self.friction_along, against: self.friction_against } },
+            SHX_HOLD_TIE => Hold::Tie { other: StrandId::from_bits(self.other.bits), arclength: self.other_arclength },
             other => return Err(Error::invalid(format!("{argument}.hold"), other, "one of SHX_HOLD_")),
         };
         let target = if self.hold == SHX_HOLD_TIE {
@@ -171,8 +167,7 @@ pub unsafe extern "C" fn shx_solver_add_constraints(
     unsafe {
         write("shx_solver_add_constraints", solver, |core, _| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
-            let definitions =
-                definitions("shx_constraint_def", defs, def_stride, count, shx_constraint_def::definition)?;
+            let definitions = definitions("shx_constraint_def", defs, def_stride, count, shx_constraint_def::definition)?;
             let ids = core
                 .add_constraints(&definitions)
                 .map_err(|error| error.renamed("constraints", "defs").renamed_in("friction.", "friction_"))?;
@@ -190,9 +185,7 @@ pub unsafe extern "C" fn shx_solver_remove_constraints(
     count: usize,
 ) -> shx_result {
     // SAFETY: the caller's handle and count ids.
-    unsafe {
-        write("shx_solver_remove_constraints", solver, |core, _| core.remove_constraints(&constraint_ids(ids, count)?))
-    }
+    unsafe { write("shx_solver_remove_constraints", solver, |core, _| core.remove_constraints(&constraint_ids(ids, count)?)) }
 }
 
 /// Whether an id names a constraint of this solver. False for the null id, a removed constraint, one whose strand was removed, another

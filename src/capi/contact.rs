@@ -138,8 +138,7 @@ pub unsafe extern "C" fn shx_solver_get_contact_options(
     // SAFETY: the caller's handle and structure, of the size that it states.
     unsafe {
         read("shx_solver_get_contact_options", solver, |core| {
-            VersionedOutput::new("out_options", out_options)?
-                .write(&shx_contact_options::from_options(&core.options().contact));
+            VersionedOutput::new("out_options", out_options)?.write(&shx_contact_options::from_options(&core.options().contact));
             Ok(())
         })
     }

@@ -52,9 +52,7 @@ impl From<&Contact> for shx_contact {
     fn from(contact: &Contact) -> Self {
         let (none, nothing) = (shx_strand_id { bits: 0 }, shx_body_id { bits: 0 });
         let (partner, feature, body, other, other_arclength) = match contact.partner {
-            ContactPartner::Body { body, feature } => {
-                (SHX_PARTNER_BODY, feature, shx_body_id { bits: body.bits() }, none, 0.0)
-            }
+            ContactPartner::Body { body, feature } => (SHX_PARTNER_BODY, feature, shx_body_id { bits: body.bits() }, none, 0.0),
             ContactPartner::Strand { strand, arclength } => {
                 (SHX_PARTNER_STRAND, 0, nothing, shx_strand_id { bits: strand.bits() }, arclength)
             }

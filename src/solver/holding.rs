@@ -97,11 +97,7 @@ impl Holding {
     }
 
     /// A solver's memory as it was, see [`Touching::take_up`].
-    pub fn taken_up<'a>(
-        memory: TouchMemory,
-        elements: impl Fn(u32) -> Option<&'a [f64]>,
-        bodies: usize,
-    ) -> Option<Self> {
+    pub fn taken_up<'a>(memory: TouchMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
         let mut new = Self::default();
         new.touching.take_up(memory, elements, bodies).then_some(new)
     }

@@ -246,7 +246,8 @@ impl Solver {
             writer.strand(strand);
         }
         // A scene without contact has the hash that it had before there was any.
-        let touching = self.options.contact != ContactOptions::default() || self.strands.iter().any(|strand| strand.contact.is_some());
+        let touching =
+            self.options.contact != ContactOptions::default() || self.strands.iter().any(|strand| strand.contact.is_some());
         if touching || !self.bodies.is_empty() || !self.constraints.is_empty() {
             writer.contact_options(&self.options.contact);
             for strand in &self.strands {

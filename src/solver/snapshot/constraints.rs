@@ -11,12 +11,7 @@ use crate::solver::strand::Strand;
 
 impl Writer {
     /// All constraints, their strands by index; `id` writes what stands at the end of each.
-    pub fn constraints(
-        &mut self,
-        constraints: &[Constraint],
-        strands: &SlotMap<StrandId>,
-        id: impl Fn(&mut Self, &Constraint),
-    ) {
+    pub fn constraints(&mut self, constraints: &[Constraint], strands: &SlotMap<StrandId>, id: impl Fn(&mut Self, &Constraint)) {
         self.u64(constraints.len() as u64);
         for constraint in constraints {
             self.constraint(constraint, strands);
