@@ -137,7 +137,8 @@ impl Holding {
         if !scene.options.model.is_soft() && self.touching.is_possible(scene) {
             for _ in 0..MOST_SEARCHES {
                 self.touching.find(scene, &mut self.strands[..self.count]);
-                if !self.touching.add_missed(scene, &self.strands, &mut self.islands[..self.island_count], &mut self.joints, h) {
+                let islands = &mut self.islands[..self.island_count];
+                if !self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
                     break;
                 }
                 contact.searches += 1;
@@ -158,14 +159,19 @@ impl Holding {
         if scene.setting.options.integrator == Integrator::ImplicitEuler {
             return;
         }
-        for joint in &self.joints {
-            for end in [Some(joint.first), joint.second].into_iter().flatten() {
-                self.strands[end.held as usize].done = true;
-            }
+        let mut again = false;
+        for end in self.joints.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
+            let held = &mut self.strands[end.held as usize];
+            held.begins_again = !held.first_order;
+            again |= held.begins_again;
+        }
+        if !again {
+            return;
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
-            if held.done {
+            if held.begins_again {
+                (held.begins_again, held.first_order) = (false, true);
                 with_one(strand, |one| held.held.begin(one, scene.setting, h, true));
             }
         });
@@ -178,13 +184,13 @@ impl Holding {
             held.index = k as u32;
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            held.done = false;
+            (held.first_order, held.settled) = (strand.touched, false);
             index += 1;
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             strand.begin_root_way(h);
-            with_one(strand, |one| held.held.begin(one, scene.setting, h, false));
+            with_one(strand, |one| held.held.begin(one, scene.setting, h, held.first_order));
         });
     }
 
@@ -216,8 +222,6 @@ impl Holding {
         }
         for held in &mut self.strands[..self.count] {
             held.attachments.clear();
-            held.done = false;
-            held.residual = f64::INFINITY;
         }
         self.island_count = 0;
         for k in 0..self.count {
@@ -232,6 +236,11 @@ impl Holding {
             };
             self.strands[k].island = island as u32;
             self.islands[island].strands.push(k as u32);
+        }
+        for island in &mut self.islands[..self.island_count] {
+            if island.strands.iter().all(|held| self.strands[*held as usize].settled) {
+                (island.done, island.converged) = (true, true);
+            }
         }
         for joint in self.joints.drain(..) {
             let island = &mut self.islands[self.strands[joint.first.held as usize].island as usize];
@@ -298,6 +307,8 @@ impl Holding {
             with_one(strand, |one| held.held.end(one, setting, h, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
+            strand.touched =
+                held.attachments.iter().any(|end| islands[held.island as usize].joints[end.joint as usize].is_touch());
         });
         for held in &self.strands[..self.count] {
             tally.add(&held.held.outcome);
