@@ -35,6 +35,8 @@ pub struct HeldStrand {
     pub held: Held,
     /// What it is to contact.
     pub contact: StrandContact,
+    /// Its mass, kg.
+    pub mass: f64,
     /// Its island.
     pub island: u32,
     /// From root to tip; their places in this list are the points of the island's contact space.

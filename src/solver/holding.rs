@@ -159,16 +159,19 @@ impl Holding {
         if scene.setting.options.integrator == Integrator::ImplicitEuler {
             return;
         }
-        let mut again = false;
         for end in self.joints.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
             let held = &mut self.strands[end.held as usize];
             held.begins_again = !held.first_order;
-            again |= held.begins_again;
         }
-        if !again {
+        Self::restart(scene, &mut self.strands[..self.count], h);
+    }
+
+    /// Begins the step of those strands anew that are marked for it, by implicit Euler.
+    fn restart(scene: &mut Scene, held: &mut [HeldStrand], h: f64) {
+        if !held.iter().any(|held| held.begins_again) {
             return;
         }
-        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        let mut pairs = Self::pairs(scene.strands, held);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             if held.begins_again {
                 (held.begins_again, held.first_order) = (false, true);
@@ -182,6 +185,7 @@ impl Holding {
         for (k, strand) in scene.strands.iter().enumerate().filter(|(_, strand)| strand.held) {
             let held = &mut self.strands[index];
             held.index = k as u32;
+            held.mass = strand.model.length() * strand.model.linear_density;
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.settled) = (strand.touched, false);
@@ -260,9 +264,17 @@ impl Holding {
         let Self { strands, islands, count, island_count, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         loop {
+            for island in islands.iter_mut().filter(|island| island.done) {
+                if island.relax() {
+                    for held in &island.strands {
+                        strands[*held as usize].begins_again = true;
+                    }
+                }
+            }
             if islands.iter().all(|island| island.done) {
                 break;
             }
+            Self::restart(scene, strands, h);
             scene.crew.for_each(islands, |island, _| {
                 if !island.done {
                     island.refresh(strands, scene.bodies);
