@@ -176,11 +176,13 @@ fn ties_hold_strands_together_and_close_loops() {
         compliance: 0.0,
     };
     let held = solver.add_constraints(&[tie(ids[0], 0.07, ids[1], 0.08), tie(ids[2], 0.1, ids[2], 0.03)]).unwrap();
-    for _ in 0..240 {
-        run(&mut solver, 1);
+    for step in 0..240 {
+        let report = solver.step(1.0 / 60.0, 1).unwrap();
         let apart = point(&solver, ids[0], 0.07) - point(&solver, ids[1], 0.08);
         let open = point(&solver, ids[2], 0.1) - point(&solver, ids[2], 0.03);
-        assert!(apart.norm() < 1e-9 && open.norm() < 1e-9, "{apart:?} {open:?}");
+        // A straight strand is not closed to a loop in one step: it is on its way first, and told to be.
+        let told = step < 3 && solver.constraint_state(held[1]).unwrap().status == ConstraintStatus::Violated;
+        assert!(apart.norm() < 1e-9 && (told || open.norm() < 1e-9), "step {step}: {apart:?} {open:?} {report:?}");
     }
     for id in &held {
         let state = solver.constraint_state(*id).unwrap();
