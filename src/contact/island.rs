@@ -20,8 +20,10 @@ use crate::error::Result;
 const BOND_TOLERANCE: f64 = 1e-10;
 /// The residual to which the contact problem is solved where friction need not be exact.
 const ROUGH: f64 = 1e-4;
-/// Where surfaces may sink into each other a strand is done when no element may be further than this from the end, rad.
-const SOFT_TOLERANCE: f64 = 1e-4;
+/// But with the exact model a strand is done when no element may be further than this from the end, rad.
+const ROUGH_TOLERANCE: f64 = 1e-4;
+/// A strand that ends further from the end than this, rad, has come to nowhere.
+const LOST: f64 = 0.1;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
@@ -192,7 +194,8 @@ impl Island {
     /// the strands are now.
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft() || self.relaxed;
-        let tolerance = if soft { tolerance.max(SOFT_TOLERANCE) } else { tolerance };
+        let exact = options.model == ContactModel::Coulomb || !self.joints.iter().any(Joint::is_touch);
+        let tolerance = if exact { tolerance } else { tolerance.max(ROUGH_TOLERANCE) };
         let mut good = self.strands.iter().all(|held| strands[*held as usize].residual <= tolerance);
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
         self.residual = 0.0;
@@ -218,6 +221,6 @@ impl Island {
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
         self.done = good || lost || self.iterations >= options.max_iterations;
-        self.lost = self.done && !good && self.relaxed;
+        self.lost = self.done && self.relaxed && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
     }
 }
