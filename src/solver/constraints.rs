@@ -177,6 +177,7 @@ impl Constraint {
                 second,
                 kind,
                 force: self.forces[part],
+                rubs: false,
                 slip: Vector3::zeros(),
                 gap: 0.0,
             });

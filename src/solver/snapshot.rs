@@ -151,7 +151,7 @@ fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         let id = reader.id("strand", &slots, index)?;
         let mut strand = reader.strand(id, rules, &mut sections)?;
         strand.authored = reader.authored(strand.model.length())?;
-        strand.contact = reader.strand_contact()?;
+        (strand.contact, strand.touched) = (reader.strand_contact()?, reader.flag()?);
         strands.push(strand);
     }
     let bodies = reader.bodies(&body_slots)?;
@@ -209,6 +209,7 @@ impl Solver {
             writer.strand(strand);
             writer.authored(strand.authored.as_deref());
             writer.strand_contact(strand.contact.as_deref());
+            writer.flag(strand.touched);
         }
         writer.bodies(&self.bodies, |writer, body| writer.u64(body.id.bits()));
         writer.constraints(&self.constraints, &self.slots, |writer, constraint| writer.u64(constraint.id.bits()));
@@ -252,6 +253,7 @@ impl Solver {
             writer.contact_options(&self.options.contact);
             for strand in &self.strands {
                 writer.strand_contact(strand.contact.as_deref());
+                writer.flag(strand.touched);
             }
             writer.bodies(&self.bodies, |_, _| ());
             writer.constraints(&self.constraints, &self.slots, |_, _| ());

@@ -151,7 +151,7 @@ impl Touching {
         let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
         // A force that draws is none of a touch.
         let force = if force.dot(&touch.normal) > 0.0 { force } else { Vector3::zeros() };
-        Joint { first, second, kind, force, slip: Vector3::zeros(), gap: touch.gap }
+        Joint { first, second, kind, force, rubs: false, slip: Vector3::zeros(), gap: touch.gap }
     }
 
     /// The force that such a touch had in the last substep.
@@ -172,7 +172,7 @@ impl Touching {
     pub fn add_missed(
         &mut self,
         scene: &Scene,
-        strands: &[HeldStrand],
+        strands: &mut [HeldStrand],
         islands: &mut [Island],
         joints: &mut Vec<Joint>,
         h: f64,
@@ -197,6 +197,12 @@ impl Touching {
         }
         if missed.is_empty() {
             return false;
+        }
+        for held in strands.iter_mut() {
+            held.settled = islands[held.island as usize].converged;
+        }
+        for end in missed.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
+            strands[end.held as usize].settled = false;
         }
         for island in islands.iter_mut() {
             joints.append(&mut island.joints);
