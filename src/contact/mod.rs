@@ -3,6 +3,7 @@
 mod block_newton;
 pub mod body;
 pub mod bonds;
+mod conjugate;
 pub mod contact_space;
 mod dense;
 mod descent;
