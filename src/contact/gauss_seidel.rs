@@ -40,8 +40,10 @@ pub struct Report {
     pub dependent: Vec<DependentBond>,
 }
 
-/// Problems of at most so many touches are taken whole by Newton's iteration, as those of one block are.
-const WHOLE: usize = 40;
+/// Problems of at most so many touches are taken whole by Newton's iteration first.
+const WHOLE: usize = 100;
+/// And so many where they are one block's, or where sweeps are slow.
+const RESCUE: usize = 400;
 /// Sweeps between looks at the residual, of several blocks.
 const ROUND: u32 = 20;
 /// A round that leaves more than this part of the residual is slow: blocks are solved in turn, each with its neighbours as they are.
@@ -77,7 +79,8 @@ impl GaussSeidel {
             }
         }
         let mut report = Report::default();
-        let whole = system.blocks() == 1 || system.rows.len() <= WHOLE;
+        let most = if system.blocks() == 1 { RESCUE } else { WHOLE };
+        let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= RESCUE);
         let mut last = f64::INFINITY;
         self.conjugate.restart(system, &self.forces);
         loop {
@@ -88,7 +91,7 @@ impl GaussSeidel {
             }
             let slow = report.residual > SLOW * last;
             last = report.residual;
-            let moved = if whole && (report.sweeps == 0 || slow) {
+            let moved = if (whole && report.sweeps == 0) || (rescue && slow) {
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
                 report.sweeps += 1;
@@ -97,6 +100,9 @@ impl GaussSeidel {
                 for block in 0..system.blocks() {
                     self.rows.clear();
                     self.rows.extend_from_slice(system.rows_of(block));
+                    if self.rows.len() > RESCUE {
+                        continue;
+                    }
                     self.newton.solve(space, system, &mut self.forces, &self.rows, &report, AIM * settings.tolerance, PART);
                 }
                 report.sweeps += 1;
