@@ -11,7 +11,7 @@ use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Wrench;
 use super::strand::{self, Strand, Tally};
-use super::touching::Touching;
+use super::touching::{TouchMemory, Touching};
 use super::workers::Crew;
 use crate::chain::load::Station;
 use crate::contact::body::BodyAt;
@@ -89,6 +89,17 @@ impl Holding {
     /// Forgets which strands are near each other.
     pub fn forget_pairs(&mut self) {
         self.touching.forget_pairs();
+    }
+
+    /// What is kept of the last substep's touches.
+    pub fn memory(&self) -> TouchMemory {
+        self.touching.memory()
+    }
+
+    /// A solver's memory as it was, see [`Touching::take_up`].
+    pub fn taken_up<'a>(memory: TouchMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
+        let mut new = Self::default();
+        new.touching.take_up(memory, elements, bodies).then_some(new)
     }
 
     /// Marks the strands that this substep of `h` seconds holds.
