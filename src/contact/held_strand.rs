@@ -35,12 +35,18 @@ pub struct HeldStrand {
     pub held: Held,
     /// What it is to contact.
     pub contact: StrandContact,
+    /// Its mass, kg.
+    pub mass: f64,
     /// Its island.
     pub island: u32,
     /// From root to tip; their places in this list are the points of the island's contact space.
     pub attachments: Vec<Attachment>,
-    /// Whether its iteration has ended.
-    pub done: bool,
+    /// Whether its step is implicit Euler's, whatever the setting says, and whether it is to begin once more for that.
+    pub first_order: bool,
+    /// See `first_order`.
+    pub begins_again: bool,
+    /// Whether its island's iteration has ended well, and nothing new holds it since.
+    pub settled: bool,
     /// How far an element may be from where the iteration ends, rad.
     pub residual: f64,
     /// Whether it takes part in contact at all.

@@ -20,6 +20,8 @@ const ROUGH: f64 = 1e-4;
 /// Where surfaces may sink into each other a strand is done when no element may be further than this from the end, rad.
 const SOFT_TOLERANCE: f64 = 1e-4;
 
+/// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
+const RELAXED: f64 = 0.03;
 /// How far from a body's surface a touch is looked at again, m.
 const LOOK: f64 = 0.01;
 /// A surface is the same while its normal turns by no more than this cosine.
@@ -44,6 +46,8 @@ pub struct Island {
     pub done: bool,
     /// Whether they have ended where they should.
     pub converged: bool,
+    /// Its constraints could not be held exactly, and give way: see [`Island::relax`].
+    pub relaxed: bool,
     space: ContactSpace,
     solver: GaussSeidel,
     forces: Vec<Vector3<f64>>,
@@ -55,7 +59,8 @@ impl Island {
     pub fn clear(&mut self) {
         self.strands.clear();
         self.joints.clear();
-        (self.sweeps, self.iterations, self.done, self.converged, self.residual) = (0, 0, false, false, 0.0);
+        (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
+        (self.done, self.converged, self.relaxed) = (false, false, false);
     }
 
     /// Finds every joint's ends among its strands' attachments, once they are in order.
@@ -73,6 +78,17 @@ impl Island {
     /// Whether its iteration ended elsewhere than it should.
     pub fn failed(&self) -> bool {
         self.done && !self.converged
+    }
+
+    /// If constraints were not to be held, a second attempt from the start in which they give way: what contradicts itself, or is out of a
+    /// strand's reach, is drawn as near as it goes. True if there is to be one.
+    pub fn relax(&mut self) -> bool {
+        let again = self.failed() && !self.relaxed && self.joints.iter().any(|joint| joint.constraint().is_some());
+        if again {
+            (self.iterations, self.done, self.relaxed) = (0, false, true);
+            self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
+        }
+        again
     }
 
     /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
@@ -107,7 +123,11 @@ impl Island {
         let second = joint.second.map_or(first, |end| &strands[end.held as usize]);
         let a = first.end_state(&joint.first.station);
         let b = joint.second.map_or(a, |end| second.end_state(&end.station));
-        joint.evaluate([a, b], [&first.contact, &second.contact], options, step)
+        let (mut law, u) = joint.evaluate([a, b], [&first.contact, &second.contact], options, step);
+        if let (true, Law::Bond(bond)) = (self.relaxed, &mut law) {
+            bond.compliance = bond.compliance.max(RELAXED * step * step / first.mass.min(second.mass));
+        }
+        (law, u)
     }
 
     /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution.
@@ -180,7 +200,8 @@ impl Island {
             };
         }
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
-        self.converged = good;
+        // What has given way holds not, whatever it came to.
+        self.converged = good && !self.relaxed;
         self.done = good || lost || self.iterations >= options.max_iterations;
     }
 }

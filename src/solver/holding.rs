@@ -137,7 +137,8 @@ impl Holding {
         if !scene.options.model.is_soft() && self.touching.is_possible(scene) {
             for _ in 0..MOST_SEARCHES {
                 self.touching.find(scene, &mut self.strands[..self.count]);
-                if !self.touching.add_missed(scene, &self.strands, &mut self.islands[..self.island_count], &mut self.joints, h) {
+                let islands = &mut self.islands[..self.island_count];
+                if !self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
                     break;
                 }
                 contact.searches += 1;
@@ -158,14 +159,22 @@ impl Holding {
         if scene.setting.options.integrator == Integrator::ImplicitEuler {
             return;
         }
-        for joint in &self.joints {
-            for end in [Some(joint.first), joint.second].into_iter().flatten() {
-                self.strands[end.held as usize].done = true;
-            }
+        for end in self.joints.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
+            let held = &mut self.strands[end.held as usize];
+            held.begins_again = !held.first_order;
         }
-        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        Self::restart(scene, &mut self.strands[..self.count], h);
+    }
+
+    /// Begins the step of those strands anew that are marked for it, by implicit Euler.
+    fn restart(scene: &mut Scene, held: &mut [HeldStrand], h: f64) {
+        if !held.iter().any(|held| held.begins_again) {
+            return;
+        }
+        let mut pairs = Self::pairs(scene.strands, held);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
-            if held.done {
+            if held.begins_again {
+                (held.begins_again, held.first_order) = (false, true);
                 with_one(strand, |one| held.held.begin(one, scene.setting, h, true));
             }
         });
@@ -176,15 +185,16 @@ impl Holding {
         for (k, strand) in scene.strands.iter().enumerate().filter(|(_, strand)| strand.held) {
             let held = &mut self.strands[index];
             held.index = k as u32;
+            held.mass = strand.model.length() * strand.model.linear_density;
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            held.done = false;
+            (held.first_order, held.settled) = (strand.touched, false);
             index += 1;
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             strand.begin_root_way(h);
-            with_one(strand, |one| held.held.begin(one, scene.setting, h, false));
+            with_one(strand, |one| held.held.begin(one, scene.setting, h, held.first_order));
         });
     }
 
@@ -216,8 +226,6 @@ impl Holding {
         }
         for held in &mut self.strands[..self.count] {
             held.attachments.clear();
-            held.done = false;
-            held.residual = f64::INFINITY;
         }
         self.island_count = 0;
         for k in 0..self.count {
@@ -232,6 +240,11 @@ impl Holding {
             };
             self.strands[k].island = island as u32;
             self.islands[island].strands.push(k as u32);
+        }
+        for island in &mut self.islands[..self.island_count] {
+            if island.strands.iter().all(|held| self.strands[*held as usize].settled) {
+                (island.done, island.converged) = (true, true);
+            }
         }
         for joint in self.joints.drain(..) {
             let island = &mut self.islands[self.strands[joint.first.held as usize].island as usize];
@@ -251,9 +264,17 @@ impl Holding {
         let Self { strands, islands, count, island_count, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         loop {
+            for island in islands.iter_mut().filter(|island| island.done) {
+                if island.relax() {
+                    for held in &island.strands {
+                        strands[*held as usize].begins_again = true;
+                    }
+                }
+            }
             if islands.iter().all(|island| island.done) {
                 break;
             }
+            Self::restart(scene, strands, h);
             scene.crew.for_each(islands, |island, _| {
                 if !island.done {
                     island.refresh(strands, scene.bodies);
@@ -298,6 +319,8 @@ impl Holding {
             with_one(strand, |one| held.held.end(one, setting, h, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
+            strand.touched =
+                held.attachments.iter().any(|end| islands[held.island as usize].joints[end.joint as usize].is_touch());
         });
         for held in &self.strands[..self.count] {
             tally.add(&held.held.outcome);

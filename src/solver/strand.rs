@@ -38,6 +38,8 @@ pub(super) struct Strand {
     pub fared: Fared,
     /// Touches or constraints hold it in this substep.
     pub held: bool,
+    /// It was near something in the last substep.
+    pub touched: bool,
     /// What it is to contact; none: it touches nothing.
     pub contact: Option<Box<StrandContact>>,
 }
@@ -139,6 +141,7 @@ impl Strand {
             energies: Energies::default(),
             fared: Fared::well(),
             held: false,
+            touched: false,
             contact: None,
         }
     }

@@ -168,7 +168,7 @@ impl Touching {
     pub fn add_missed(
         &mut self,
         scene: &Scene,
-        strands: &[HeldStrand],
+        strands: &mut [HeldStrand],
         islands: &mut [Island],
         joints: &mut Vec<Joint>,
         h: f64,
@@ -193,6 +193,12 @@ impl Touching {
         }
         if missed.is_empty() {
             return false;
+        }
+        for held in strands.iter_mut() {
+            held.settled = islands[held.island as usize].converged;
+        }
+        for end in missed.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
+            strands[end.held as usize].settled = false;
         }
         for island in islands.iter_mut() {
             joints.append(&mut island.joints);
