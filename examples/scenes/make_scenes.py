@@ -107,25 +107,34 @@ def braid_tie():
 
 
 def shoulder():
-    strands = []
-    for index in range(90):
-        row, column = divmod(index, 15)
-        origin = [-0.07 + 0.01 * column, -0.025 + 0.01 * row + 0.003 * (column % 2), 0.16]
-        # Straight hair that is let go from the level: it falls onto the shoulder, and over it to the front and the back.
-        angle = math.pi * (0.08 + 0.84 * column / 14)
-        tangent = [0.9 * math.cos(math.pi - angle), -0.35 + 0.14 * row, 0.35]
-        length = 0.26 + 0.01 * ((7 * index) % 5)
-        strands.append({**HAIR, "elements": 12, "length": length, "root": {"origin": origin, "rotation": turn(tangent)}})
+    strands, head, radius = [], [0.0, 0.0, 0.22], 0.085
+    count = 130
+    for index in range(count):
+        # Even over the upper half of the head, by the golden angle; the face (against y) stays free.
+        height = 1 - 0.95 * (index + 0.5) / count
+        around = index * math.pi * (3 - math.sqrt(5))
+        flat = math.sqrt(1 - height * height)
+        normal = [flat * math.cos(around), flat * math.sin(around), height]
+        if normal[1] < -0.45 and normal[2] < 0.75:
+            continue
+        strands.append({
+            **HAIR, "elements": 12, "length": 0.30 + 0.04 * math.sin(5.1 * index) ** 2,
+            "natural_curvatures": [[0, 4 * math.sin(78.233 * index), 4 * math.cos(37.719 * index)]],
+            "root": {"origin": [middle + radius * value for middle, value in zip(head, normal)], "rotation": turn(normal)},
+        })
+    body = {"friction": 0.3}
     write(
         "shoulder.json",
-        ["Hair let go above a neck and a shoulder: it falls, is caught and slides over them."],
+        ["Long hair that stands away from a head is let go: it falls over head, neck and shoulders."],
         {
-            "version": 1, "time_step": 1 / 120, "duration": 1.5, "output_interval": 0.75,
-            "contact": {"model": "hard", "strands": {"exempt_length": 0.005}},
+            "version": 1, "time_step": 1 / 120, "duration": 1.5, "output_interval": 0.25,
+            "contact": {"model": "hard", "strands": {"exempt_length": 0.004}},
             "strands": strands,
             "colliders": [
-                {"shape": "capsule", "a": [-0.18, 0, -0.02], "b": [0.18, 0, -0.02], "radius": 0.055, "friction": 0.3},
-                {"shape": "capsule", "a": [0, 0, 0], "b": [0, 0, 0.085], "radius": 0.045, "friction": 0.3},
+                {"shape": "sphere", "radius": radius, **body, "pose": {"origin": head}},
+                {"shape": "capsule", "a": [0, 0.01, 0.02], "b": [0, 0, 0.16], "radius": 0.05, **body},
+                {"shape": "capsule", "a": [-0.16, 0.01, 0], "b": [0, 0.01, 0.04], "radius": 0.05, **body},
+                {"shape": "capsule", "a": [0, 0.01, 0.04], "b": [0.16, 0.01, 0], "radius": 0.05, **body},
             ],
             "output": ["points"],
         },
@@ -134,44 +143,47 @@ def shoulder():
 
 def combed_sphere():
     radius, strands = 0.09, []
-    count = 160
+    count = 150
     for index in range(count):
-        # Even over the upper two thirds of the sphere, by the golden angle.
-        height = 1 - 1.1 * (index + 0.5) / count
+        # Even over a cap of 40 degrees, by the golden angle.
+        height = 1 - (1 - math.cos(math.radians(40))) * (index + 0.5) / count
         around = index * math.pi * (3 - math.sqrt(5))
         flat = math.sqrt(1 - height * height)
         normal = [flat * math.cos(around), flat * math.sin(around), height]
-        # Tousled: every strand leaves at an angle of its own, and curls by chance.
-        side = [-normal[1], normal[0], 0.0]
-        lean = 0.9 * math.sin(12.9898 * index)
-        tangent = [n + lean * s for n, s in zip(normal, side)]
-        bend, sweep = 14 * math.sin(78.233 * index), 14 * math.cos(37.719 * index)
+        # Tousled: every strand leaves towards a side of its own, and bends by chance.
+        toward = 2.4 * index * index
+        tangent = [0.7 * n + s for n, s in zip(normal, [math.cos(toward), math.sin(toward), 0.0])]
+        bend, sweep = 10 * math.sin(78.233 * index), 10 * math.cos(37.719 * index)
         strands.append({
-            **HAIR, "length": 0.14 + 0.03 * math.sin(5.1 * index) ** 2, "natural_curvatures": [[0, bend, sweep]],
+            **HAIR, "elements": 8, "length": 0.06 + 0.015 * math.sin(5.1 * index) ** 2,
+            "natural_curvatures": [[0, bend, sweep]],
             "root": {"origin": [radius * value for value in normal], "rotation": turn(tangent)},
         })
     teeth = []
-    # The comb goes from the crown down the right side, around the sphere's middle: each pose turns it about y.
-    times = [0.6 + 0.05 * step for step in range(25)]
-    for tooth in range(13):
-        y = -0.09 + 0.015 * tooth
+    # The comb comes down on the left side from 0.3 to 0.5 s, and goes from there over the crown to the right: each pose turns it about
+    # y. Its teeth reach into the sphere: no hair lies under them.
+    times = [0.3, 0.5] + [0.5 + 0.05 * step for step in range(1, 25)]
+    for tooth in range(23):
+        y = -0.077 + 0.007 * tooth
         frames = []
         for step, _ in enumerate(times):
-            angle = math.radians(-75 + 9 * step)
-            frames.append([0.0, y, 0.0, 0.0, math.sin(angle / 2), 0.0, math.cos(angle / 2)])
-        inner = math.sqrt(max(0.096 ** 2 - y * y, 0.0))
+            angle = math.radians(-75 + 6 * max(0, step - 1))
+            away = 0.1 if step == 0 else 0.0
+            frames.append([away * math.sin(angle), y, away * math.cos(angle), 0.0, math.sin(angle / 2), 0.0, math.cos(angle / 2)])
+        inner = math.sqrt(0.088 ** 2 - y * y)
         teeth.append({
-            "shape": "capsule", "a": [0, 0, inner], "b": [0, 0, 0.17], "radius": 0.001, "friction": 0.2,
+            "shape": "capsule", "a": [0, 0, inner], "b": [0, 0, 0.15], "radius": 0.001, "friction": 0.1,
             "motion": {"times": times, "frames": frames},
         })
     write(
         "combed_sphere.json",
-        ["Tousled hair on a sphere settles for 0.6 s; then a comb of thirteen teeth, 2 mm thick, goes over it in 1.2 s."],
+        ["Tousled hair lies down on a sphere, whose friction holds it; a comb of 23 teeth, 2 mm thick, then goes over the sphere from left to",
+         "right in 1.2 s."],
         {
-            "version": 1, "time_step": 1 / 120, "duration": 2.1, "output_interval": 0.3,
+            "version": 1, "time_step": 1 / 120, "duration": 2.0, "output_interval": 0.25,
             "contact": {"model": "hard", "strands": {"exempt_length": 0.004}},
             "strands": strands,
-            "colliders": [{"shape": "sphere", "radius": radius, "friction": 0.3}] + teeth,
+            "colliders": [{"shape": "sphere", "radius": radius, "friction": 0.8}] + teeth,
             "output": ["points"],
         },
     )
