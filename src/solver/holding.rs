@@ -291,7 +291,7 @@ impl Holding {
                     island.find_ends(strands);
                     // A number that is not finite: the strand that it comes from is told apart at the end.
                     if island.solve(strands, options, h).is_err() {
-                        island.done = true;
+                        (island.done, island.lost) = (true, island.relaxed);
                     }
                 }
             });
@@ -315,7 +315,9 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let setting = scene.setting;
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
-            held.held.outcome.converged = islands[held.island as usize].converged;
+            let island = &islands[held.island as usize];
+            held.held.outcome.converged = island.converged;
+            held.held.outcome.quarantined |= island.lost;
             with_one(strand, |one| held.held.end(one, setting, h, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
