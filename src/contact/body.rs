@@ -250,6 +250,8 @@ pub struct BodyAt<'a> {
     pub thickness: f64,
     /// A box around all the places of the shape (not its thickness) during the substep, world.
     pub bounds: Bounds,
+    /// Angle that it turns by, rad.
+    pub(super) turn: f64,
     pub(super) axes_start: Matrix3<f64>,
     pub(super) axes_end: Matrix3<f64>,
 }
@@ -258,19 +260,19 @@ impl<'a> BodyAt<'a> {
     /// A body that goes from pose to pose.
     pub fn new(index: u32, shape: &'a Shape, start: Frame, end: Frame, thickness: f64) -> Self {
         let (axes_start, axes_end) = (*start.rotation.to_rotation_matrix().matrix(), *end.rotation.to_rotation_matrix().matrix());
+        let turn = rotation_vector(&(start.rotation.inverse() * end.rotation)).norm();
         let local = shape.bounds();
         let bounds = if local.low.x.is_finite() {
             let corners = local.corners();
             let place =
                 |frame: &Frame, axes: &Matrix3<f64>| Bounds::of_points(corners.map(|corner| frame.origin + axes * corner));
             // A point that turns by an angle φ about the pose's origin leaves its chord by at most r (1 − cos φ/2) ≤ r φ²/8.
-            let turn = rotation_vector(&(start.rotation.inverse() * end.rotation)).norm();
             let farthest = corners.iter().map(|corner| corner.norm_squared()).fold(0.0, f64::max).sqrt();
             place(&start, &axes_start).union(&place(&end, &axes_end)).grown(farthest * (0.125 * turn * turn).min(1.0))
         } else {
             local
         };
-        Self { index, shape, start, end, thickness, bounds, axes_start, axes_end }
+        Self { index, shape, start, end, thickness, bounds, turn, axes_start, axes_end }
     }
 
     /// How far the body's material point at a place of its surface goes during the substep, world, m.

@@ -20,6 +20,9 @@ const PROMINENCE: f64 = 2e-7;
 /// Most pieces into which an element is cut.
 const MOST_PIECES: usize = 64;
 
+/// How often a piece is halved where its ends' slopes do not tell what lies between.
+const DEEPEST_SPLIT: usize = 4;
+
 /// Which part of a strand is touched.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Span {
@@ -66,6 +69,7 @@ pub struct Scratch {
     candidates: Vec<Candidate>,
     nodes: Vec<Node>,
     hits: Vec<(f64, Surface)>,
+    pieces: Vec<(Sample<Surface>, Sample<Surface>, usize)>,
 }
 
 /// A node of an element: the element is looked at there first.
@@ -96,7 +100,7 @@ pub fn touches(
     out: &mut Vec<Touch>,
 ) {
     let thickness = radius + body.thickness;
-    let near = body.bounds.grown(thickness + within);
+    let near = body.bounds.grown(thickness + within + turning_slack(bounds, body));
     if !bounds.whole.meets(&near) {
         return;
     }
@@ -115,6 +119,19 @@ pub fn touches(
         }
         search.first = false;
     }
+}
+
+/// How far the ways of points of a strand, straight in the body's turning axes, may leave those in the world, m.
+///
+/// With a and b a point's places at start and end from the body's origin there, and θ the turn, the two differ at the fraction τ of the step by
+/// τ(1−τ) θ×(a−b) to first order in θ, and by at most θ²/8 max(|a|, |b|) beyond.
+fn turning_slack(bounds: &PathBounds, body: &BodyAt) -> f64 {
+    if body.turn == 0.0 {
+        return 0.0;
+    }
+    let farthest = |origin: &Vector3<f64>| (bounds.whole.low - origin).abs().sup(&(bounds.whole.high - origin).abs()).norm();
+    let (a, b) = (farthest(&body.start.origin), farthest(&body.end.origin));
+    body.turn * (0.25 * (a + b) + 0.125 * body.turn * a.max(b))
 }
 
 /// The search along one strand.
@@ -177,6 +194,7 @@ impl Search<'_, '_> {
         let piece = self.place_nodes(&path, low, high);
         let reach = self.thickness + self.within + piece;
         let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
+        let travel = travel + mesh.map_or(0.0, Mesh::farthest_travel);
         let swept = travel > 0.5 * self.thickness + shape.thinness();
         if let Some(mesh) = mesh {
             let sagitta = 0.125 * piece * piece * path.now.bend().max(path.start.bend());
@@ -245,29 +263,48 @@ impl Search<'_, '_> {
         let mut before = left.sample.map_or(f64::INFINITY, |sample| sample.value);
         let mut crest = before;
         let mut added = 0;
+        let ask = |s: f64| {
+            let (now, tangent) = path.now.at(s);
+            ground.ask(|| path.start.at(s).0, now, None).map(|surface| sample(s, surface, &tangent))
+        };
+        let mut pieces = std::mem::take(&mut self.scratch.pieces);
         for pair in nodes.windows(2) {
             let (Some(a), Some(b)) = (pair[0].sample, pair[1].sample) else {
                 (before, crest) = (f64::INFINITY, f64::INFINITY);
                 continue;
             };
-            crest = crest.max(a.value);
-            // The slope is at most 1.
-            let may_touch = 0.5 * (a.value + b.value - (b.s - a.s)) < limit;
-            if !(may_touch && a.slope < 0.0 && b.slope >= 0.0) {
-                continue;
-            }
-            let found = descent::lowest(a, b, 0.5 * PROMINENCE, |s| {
-                let (now, tangent) = path.now.at(s);
-                let surface = ground.ask(|| path.start.at(s).0, now, None)?;
-                Some(sample(s, surface, &tangent))
-            });
-            let counts = found.value < before.max(crest) - PROMINENCE;
-            if found.value < limit && counts && found.s > left.s && found.s < right.s {
-                self.add(index, &found);
-                added += 1;
-                (before, crest) = (found.value, found.value);
+            pieces.clear();
+            pieces.push((a, b, 0));
+            while let Some((a, b, depth)) = pieces.pop() {
+                crest = crest.max(a.value);
+                // The slope is at most 1.
+                let length = b.s - a.s;
+                if 0.5 * (a.value + b.value - length) >= limit {
+                    continue;
+                }
+                if !(a.slope < 0.0 && b.slope >= 0.0) {
+                    // Where the mean slope is none between those at the ends, there is more to it than they tell.
+                    let mean = (b.value - a.value) / length;
+                    let told = mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3;
+                    if !told
+                        && depth < DEEPEST_SPLIT
+                        && let Some(middle) = ask(0.5 * (a.s + b.s))
+                    {
+                        pieces.push((middle, b, depth + 1));
+                        pieces.push((a, middle, depth + 1));
+                    }
+                    continue;
+                }
+                let found = descent::lowest(a, b, 0.5 * PROMINENCE, ask);
+                let counts = found.value < before.max(crest) - PROMINENCE;
+                if found.value < limit && counts && found.s > left.s && found.s < right.s {
+                    self.add(index, &found);
+                    added += 1;
+                    (before, crest) = (found.value, found.value);
+                }
             }
         }
+        self.scratch.pieces = pieces;
         if let Some(sample) = right.sample.filter(|sample| sample.value < limit) {
             // A minimum from which it rises to the end by nothing that counts is the end's own.
             if added > 0 && crest.max(sample.value) - before < PROMINENCE {
@@ -296,20 +333,31 @@ impl Search<'_, '_> {
         let level = (0.5 * self.thickness).max(1e-6);
         for pair in nodes.windows(2) {
             let chord = MovingChord { before: [pair[0].before, pair[1].before], after: [pair[0].now, pair[1].now] };
-            let hit = match (&self.body.shape.0, ground.mesh) {
-                (_, Some(mesh)) => self.sweep_mesh(mesh, ground.candidates, &chord, level),
-                (Kind::Grid(_), _) => None,
-                (Kind::HalfSpace { .. }, _) => None,
-                _ => first_hit(&chord, level, |point, _| {
-                    let surface = self.body.shape.closest_smooth(*point);
-                    Near { normal: surface.normal, distance: surface.distance, coming: 0.0, what: surface }
-                }),
-            };
-            if let Some(hit) = hit {
+            if let Some(hit) = self.sweep_chord(ground, &chord, level) {
                 let s = pair[0].s + (pair[1].s - pair[0].s) * hit.place;
                 // Pieces share their ends.
                 if hits.last().is_none_or(|(last, _)| (s - last).abs() > 1e-6) {
                     hits.push((s, hit.near.what));
+                }
+            }
+        }
+        // What is flat may be hit all along: where a piece is hit, its ends are seen to as well.
+        let chord_hits = hits.len();
+        for (k, node) in nodes.iter().enumerate() {
+            let beside = |s: f64| s >= nodes[k.saturating_sub(1)].s && s <= nodes[(k + 1).min(nodes.len() - 1)].s;
+            if hits[..chord_hits].iter().any(|(s, _)| beside(*s)) && hits.iter().all(|(s, _)| (s - node.s).abs() > 1e-6) {
+                let point = MovingChord { before: [node.before; 2], after: [node.now; 2] };
+                if let Some(hit) = self.sweep_chord(ground, &point, level) {
+                    hits.push((node.s, hit.near.what));
+                }
+            }
+        }
+        // Pieces that start within a solid mesh come from where they are nearest to its surface then.
+        if let Some(mesh) = ground.mesh.filter(|mesh| mesh.sides() == Sides::Solid && !mesh.is_moving()) {
+            for node in nodes {
+                let start = mesh.closest_among(ground.candidates, ground.reach, Some(false), node.before);
+                if let Some(surface) = start.filter(|surface| surface.distance <= level) {
+                    hits.push((node.s, surface));
                 }
             }
         }
@@ -321,6 +369,18 @@ impl Search<'_, '_> {
                 |point| grid.closest(point).ok_or_else(|| grid.clearance(&point)),
                 hits,
             );
+        }
+    }
+
+    /// Where a piece that goes straight runs into the body. A half-space has no other side, and a grid is swept by nodes.
+    fn sweep_chord(&self, ground: &Ground, chord: &MovingChord, level: f64) -> Option<Hit<Surface>> {
+        match (&self.body.shape.0, ground.mesh) {
+            (_, Some(mesh)) => self.sweep_mesh(mesh, ground.candidates, chord, level),
+            (Kind::Grid(_) | Kind::HalfSpace { .. }, _) => None,
+            _ => first_hit(chord, level, |point, _| {
+                let surface = self.body.shape.closest_smooth(*point);
+                Near { normal: surface.normal, distance: surface.distance, coming: 0.0, what: surface }
+            }),
         }
     }
 
@@ -365,6 +425,11 @@ impl Search<'_, '_> {
     fn keep_side(&mut self, index: usize, path: &ElementPath, piece: f64, from: usize, s: f64, hit: &Surface, ground: &Ground) {
         /// Cosine of the angle up to which the nearest surface's normal counts as that of the side that was hit.
         const ALIKE: f64 = 0.7;
+        let (now, _) = path.now.at(s);
+        let gap = hit.normal.dot(&(now - hit.point)) - self.thickness;
+        if gap >= self.within {
+            return;
+        }
         let normal = self.body.axes_end * hit.normal;
         let mut kept = from;
         for touch in from..self.out.len() {
@@ -375,12 +440,14 @@ impl Search<'_, '_> {
             }
         }
         self.out.truncate(kept);
-        let (now, _) = path.now.at(s);
+        // Where the nearest surface is that which was hit, the touches beside it say more.
         let at_place = ground.ask(|| path.start.at(s).0, now, None);
-        let found_anyway = at_place
-            .is_some_and(|surface| surface.distance < self.thickness + self.within && surface.normal.dot(&hit.normal) >= ALIKE);
-        let gap = hit.normal.dot(&(now - hit.point)) - self.thickness;
-        if !found_anyway && gap < self.within {
+        let beside = self.out[from..].iter().any(|touch| (touch.place.s - s).abs() <= piece);
+        let found_anyway = beside
+            && at_place.is_some_and(|surface| {
+                surface.distance < self.thickness + self.within && surface.normal.dot(&hit.normal) >= ALIKE
+            });
+        if !found_anyway {
             self.push(index, s, hit, gap);
         }
     }

@@ -34,6 +34,7 @@ pub struct Mesh {
     /// At the step's end; nearest points are told of these.
     pub(super) vertices: Vec<Vector3<f64>>,
     pub(super) moving: bool,
+    travel: f64,
     pub(super) normals: Normals,
     /// For each edge of each triangle the triangle on its other side; `u32::MAX` at a rim.
     pub(super) neighbours: Box<[[u32; 3]]>,
@@ -99,6 +100,7 @@ impl Mesh {
             before: vertices.clone(),
             vertices,
             moving: false,
+            travel: 0.0,
             neighbours,
         };
         mesh.normals.update(&mesh.vertices, &mesh.triangles, &mesh.neighbours);
@@ -187,7 +189,9 @@ impl Mesh {
 
     /// Brings boxes and normals to the vertices. A leaf's box holds its triangle at start and end.
     fn refit(&mut self) {
-        self.moving = self.before != self.vertices;
+        let travel =
+            self.before.iter().zip(&self.vertices).map(|(before, after)| (after - before).norm_squared()).fold(0.0, f64::max);
+        (self.travel, self.moving) = (travel.sqrt(), travel > 0.0);
         for (index, triangle) in self.triangles.iter().enumerate() {
             let _ = self.bvh.insert_or_update_partially(leaf(triangle, &self.before, &self.vertices), index as u32, 0.0);
         }
@@ -196,6 +200,11 @@ impl Mesh {
         let used = used(&self.triangles, &self.vertices).chain(used(&self.triangles, &self.before));
         self.bounds = Bounds::of_points(used);
         self.edge_length = self.mean_edge();
+    }
+
+    /// How far the vertex goes that goes farthest during the step, m.
+    pub(in crate::contact) fn farthest_travel(&self) -> f64 {
+        self.travel
     }
 
     /// A triangle's corners at the step's end.

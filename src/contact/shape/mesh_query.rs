@@ -134,34 +134,35 @@ impl Mesh {
     /// Tells the side of a point at its nearest place.
     fn told(&self, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
         let out = point - nearest.point;
-        let distance = nearest.squared.sqrt();
         let index = nearest.triangle as usize;
         let (side, rim) = self.normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
+        // Over a face its own normal keeps its digits however near the point is.
+        let height = if nearest.part == Part::Face { side.dot(&out).abs() } else { nearest.squared.sqrt() };
+        let below = side.dot(&out) < 0.0;
         let behind = match self.sides {
-            Sides::Solid => side.dot(&out) < 0.0,
+            Sides::Solid => below,
             // Beyond a rim a point is beside the mesh, not behind it.
             Sides::Front { depth } => {
-                let behind = side.dot(&out) < 0.0 && !rim;
-                if behind && distance > depth {
+                if below && !rim && height > depth {
                     return None;
                 }
-                behind
+                below && !rim
             }
             Sides::Both => false,
         };
-        let distance_signed = if behind { -distance } else { distance };
-        if distance_signed >= within {
+        let distance = if behind { -height } else { height };
+        if distance >= within {
             return None;
         }
-        // On the surface itself its own normal is the way out.
-        let normal = if distance > 1e-12 { out / distance_signed } else { side.try_normalize(0.0).unwrap_or_else(Vector3::x) };
-        Some(Surface {
-            point: nearest.point,
-            normal,
-            distance: distance_signed,
-            feature: nearest.triangle,
-            weights: nearest.weights,
-        })
+        let normal = if nearest.part == Part::Face {
+            if below && !behind { -side } else { side }
+        } else if height > 1e-12 {
+            out / distance
+        } else {
+            // On an edge its own normal is the way out.
+            side.try_normalize(0.0).unwrap_or_else(Vector3::x)
+        };
+        Some(Surface { point: nearest.point, normal, distance, feature: nearest.triangle, weights: nearest.weights })
     }
 
     /// Whether the way from `from` to `to` goes through an odd number of the picked triangles.

@@ -108,11 +108,11 @@ impl Shape {
     pub fn new_half_space(normal: Vector3<f64>) -> Result<Self> {
         check_vector("normal", &normal)?;
         // By the largest number first: squares of tiny or huge numbers are lost.
-        let scaled = normal / normal.amax();
-        match scaled.try_normalize(0.0) {
-            Some(normal) => Ok(Self(Kind::HalfSpace { normal })),
-            None => Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector of a direction")),
+        let largest = normal.amax();
+        if largest == 0.0 {
+            return Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector with a direction"));
         }
+        Ok(Self(Kind::HalfSpace { normal: (normal / largest).normalize() }))
     }
 
     /// The convex hull of points (m).
