@@ -236,8 +236,8 @@ impl Search<'_, '_> {
     fn place_nodes(&mut self, path: &ElementPath, low: f64, high: f64) -> f64 {
         let bend = path.now.bend().max(path.start.bend());
         let length = high - low;
-        // A quarter of the thickness for the chord's sagitta, half a radian for its turn.
-        let flat = (8.0 * (0.25 * self.thickness).max(2e-6) / bend).sqrt().min(0.5 / bend);
+        // A quarter of the thickness for the chord's sagitta, a quarter of a radian for its turn.
+        let flat = (8.0 * (0.25 * self.thickness).max(2e-6) / bend).sqrt().min(0.25 / bend);
         let longest = flat.min(self.body.shape.feature_length()).max(length / MOST_PIECES as f64);
         let count = ((length / longest).ceil() as usize).clamp(1, MOST_PIECES);
         let nodes = &mut self.scratch.nodes;
@@ -286,7 +286,9 @@ impl Search<'_, '_> {
                     // Where the mean slope is none between those at the ends, there is more to it than they tell.
                     let mean = (b.value - a.value) / length;
                     let told = mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3;
-                    if !told
+                    // In contact one look between is always worth it.
+                    let look = depth == 0 && a.value.min(b.value) < limit;
+                    if (look || !told)
                         && depth < DEEPEST_SPLIT
                         && let Some(middle) = ask(0.5 * (a.s + b.s))
                     {

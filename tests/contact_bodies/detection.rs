@@ -11,8 +11,8 @@ use super::scene::{Dice, Moving, at_rest, ball, bumpy, strand};
 
 const LENGTH: f64 = 0.02;
 
-/// Down to this depth all minima are looked for, m: about a fifth of the shapes' least half width.
-const DEEP: f64 = 0.004;
+/// Down to this depth all minima are looked for, m: half the small sphere's radius, a twentieth of the others' half width.
+const DEEP: f64 = 0.001;
 
 /// The signed distance of a strand's point from a body, less thicknesses.
 fn gap(moving: &Moving, element: usize, s: f64, thickness: f64, body: &BodyAt) -> f64 {
@@ -54,7 +54,7 @@ fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -
             let reach = 1.01 * place(1);
             let covered = found.iter().any(|touch| {
                 let s = along(touch);
-                let as_deep = touch.gap < value + 6e-7;
+                let as_deep = touch.gap < value + 3e-6;
                 let near = s > low - reach && s < high + reach;
                 let between = (s.min(place(index)), s.max(place(index)));
                 let crest = values
@@ -63,7 +63,7 @@ fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -
                     .filter(|(other, _)| place(*other) >= between.0 && place(*other) <= between.1)
                     .map(|(_, value)| *value)
                     .fold(f64::NEG_INFINITY, f64::max);
-                as_deep && (near || crest < value + 6e-7)
+                as_deep && (near || crest < value + 3e-6)
             });
             let around = &values[index.saturating_sub(8)..(index + 8).min(values.len())];
             assert!(covered, "{name}: minimum {value} at {}, {around:?} of {found:#?}", place(index));
