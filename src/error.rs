@@ -91,6 +91,16 @@ impl Error {
         Error::InvalidArgument { argument: argument.into(), value: value.to_string(), expected: expected.into() }
     }
 
+    /// The same error of an argument's part: `outer` goes before its name.
+    pub fn inside(self, outer: &str) -> Self {
+        match self {
+            Error::InvalidArgument { argument, value, expected } => {
+                Error::InvalidArgument { argument: format!("{outer}.{argument}"), value, expected }
+            }
+            other => other,
+        }
+    }
+
     /// An [`Error::File`] for a path.
     pub fn file(path: impl AsRef<std::path::Path>, reason: impl fmt::Display) -> Self {
         Error::File { path: path.as_ref().display().to_string(), reason: reason.to_string() }

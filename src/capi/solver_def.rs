@@ -10,6 +10,7 @@ use super::errors::shx_result;
 use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_ERROR, SHX_LOG_WARN, shx_log_fn};
 use super::parallel::{HostParallelFor, shx_parallel_for_fn};
 use super::versioned::{Versioned, initialise};
+use crate::contact::options::ContactOptions;
 use crate::error::{Error, Result};
 use crate::math::lane::Precision;
 use crate::math::lanes::InstructionSet;
@@ -213,6 +214,7 @@ impl shx_solver_def {
             },
             workers,
             instruction_set,
+            contact: ContactOptions::default(),
         };
         options.check("def")?;
         Ok(options)

@@ -7,6 +7,7 @@
 //! stiffness k and force f at place x moves by ρ + ψ×x + J_x δκ. The exact Hessian adds tension: the second variations of x and of the
 //! right end, weighted by −f, −F, −M.
 
+use super::load::Load;
 use super::pivot::factorise;
 use super::system::{ChainSystem, Direction, LinearSolve};
 use crate::math::lane::{Kernel, Lane};
@@ -16,26 +17,26 @@ use crate::rod::segment::{self, CurvatureForm};
 
 /// What the second pass needs of an element, D free curvatures.
 #[derive(Debug, Clone, Copy)]
-struct Eliminated<T, const D: usize> {
+pub(super) struct Eliminated<T, const D: usize> {
     /// Cholesky factor of the pivot, diagonal inverted.
-    factor: [[T; D]; D],
+    pub factor: [[T; D]; D],
     /// Factor⁻¹ × coupling to u: rows are freedoms, columns ψ then ρ.
-    coupling: [[T; 6]; D],
+    pub coupling: [[T; 6]; D],
     /// Factor⁻¹ × reduced force.
-    reduced: [T; D],
+    pub reduced: [T; D],
     /// Force on the free curvatures before any elimination: the potential's slope.
-    force: [T; D],
+    pub force: [T; D],
     /// Ψ and J at the right end, free columns.
-    psi: [Vec3<T>; D],
-    jacobian: [Vec3<T>; D],
+    pub psi: [Vec3<T>; D],
+    pub jacobian: [Vec3<T>; D],
 }
 
 /// Scratch of the elimination; kept between calls so that nothing is allocated.
 #[derive(Debug, Clone)]
 pub struct Elimination<T> {
-    one: Vec<Eliminated<T, 1>>,
-    two: Vec<Eliminated<T, 2>>,
-    three: Vec<Eliminated<T, 3>>,
+    pub(super) one: Vec<Eliminated<T, 1>>,
+    pub(super) two: Vec<Eliminated<T, 2>>,
+    pub(super) three: Vec<Eliminated<T, 3>>,
 }
 
 impl<T> Default for Elimination<T> {
@@ -77,7 +78,7 @@ impl<T: Lane, const D: usize> Kernel for SolveFor<'_, T, D> {
     type Output = Direction<T>;
     #[inline(always)]
     fn run(self) -> Direction<T> {
-        solve_for(self.scratch, self.kinematics, self.system, self.axes, None, self.change).0
+        solve_for::<T, D, false>(self.scratch, self.kinematics, self.system, &[], self.axes, None, self.change).0
     }
 }
 
@@ -91,7 +92,24 @@ impl<T: Lane> Elimination<T> {
         root_stiffness: T,
         change: &mut Vec<[T; 3]>,
     ) -> (Direction<T>, Vec3<T>) {
-        solve_for(&mut self.three, kinematics, system, [0, 1, 2], Some(root_stiffness), change)
+        solve_for::<T, 3, false>(&mut self.three, kinematics, system, &[], [0, 1, 2], Some(root_stiffness), change)
+    }
+
+    /// The same as [`LinearSolve::solve`] of a strand on which forces act at stations (`loads`, from root to tip): their geometric terms
+    /// are in the matrix; their forces are not in the direction, see [`super::response`].
+    pub fn solve_loaded(
+        &mut self,
+        kinematics: &Kinematics<T>,
+        system: &ChainSystem<T>,
+        loads: &[Load<T>],
+        axes: &[usize],
+        change: &mut Vec<[T; 3]>,
+    ) -> Direction<T> {
+        match *axes {
+            [a] => solve_for::<T, 1, true>(&mut self.one, kinematics, system, loads, [a], None, change).0,
+            [a, b] => solve_for::<T, 2, true>(&mut self.two, kinematics, system, loads, [a, b], None, change).0,
+            _ => solve_for::<T, 3, true>(&mut self.three, kinematics, system, loads, [0, 1, 2], None, change).0,
+        }
     }
 }
 
@@ -216,10 +234,11 @@ impl<T: Lane> Downstream<T> {
 }
 
 #[inline(always)]
-fn solve_for<T: Lane, const D: usize>(
+fn solve_for<T: Lane, const D: usize, const LOADED: bool>(
     scratch: &mut Vec<Eliminated<T, D>>,
     kinematics: &Kinematics<T>,
     system: &ChainSystem<T>,
+    mut loads: &[Load<T>],
     axes: [usize; D],
     root_stiffness: Option<T>,
     change: &mut Vec<[T; 3]>,
@@ -229,7 +248,11 @@ fn solve_for<T: Lane, const D: usize>(
     let mut repaired = T::zero();
     let mut down = Downstream::nothing();
     for index in (0..count).rev() {
-        let (eliminated, left, repair) = eliminate(&down, kinematics, system, axes, index);
+        let mut own = loads;
+        if LOADED {
+            (loads, own) = loads.split_at(loads.partition_point(|load| load.element < index));
+        }
+        let (eliminated, left, repair) = eliminate::<T, D, LOADED>(&down, kinematics, system, own, axes, index);
         repaired += repair;
         scratch.push(eliminated);
         down = if index > 0 { left.turned(&kinematics.elements[index - 1].turn) } else { left };
@@ -296,10 +319,11 @@ fn turn_of_root<T: Lane>(root: &Downstream<T>, stiffness: T) -> Vec3<T> {
 
 /// Eliminates one element's curvatures: what it and all downstream are to its left end, and what the second pass needs.
 #[inline(always)]
-fn eliminate<T: Lane, const D: usize>(
+fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
     right: &Downstream<T>,
     kinematics: &Kinematics<T>,
     system: &ChainSystem<T>,
+    loads: &[Load<T>],
     axes: [usize; D],
     index: usize,
 ) -> (Eliminated<T, D>, Downstream<T>, T) {
@@ -398,6 +422,31 @@ fn eliminate<T: Lane, const D: usize>(
     }
     for slot in 0..6 {
         left.a[slot] += own[slot];
+    }
+    if LOADED && system.exact {
+        for load in loads {
+            // As a point without stiffness; a lever is a rigid piece downstream of its place, whose force has a moment there.
+            let (f, x) = (load.tension, load.local);
+            let j = columns(&load.jacobian, axes, T::one());
+            left.add_tension(f, x);
+            left.tension_moment += x.cross(f);
+            left.tension_force += f;
+            form.subtract_force(f, kappa, load.s, element.kappa_squared, &load.c);
+            for i in 0..D {
+                psi_k[i] += f.cross(j[i]);
+            }
+            if let Some(turning) = &load.turning {
+                let (turning, l) = (columns(turning, axes, T::one()), load.lever);
+                let (half, along) = (T::splat(0.5), f.dot(l));
+                for i in 0..D {
+                    for k in 0..=i {
+                        let swing = f.dot(turning[i]) * l.dot(turning[k]) + f.dot(turning[k]) * l.dot(turning[i]);
+                        kk[i][k] += along * turning[i].dot(turning[k]) - half * swing;
+                    }
+                }
+                form.subtract_moment(l.cross(f), kappa, load.s, element.kappa_squared, &load.c);
+            }
+        }
     }
     left.b = left.b.add(&Mat3::cross(first_moment));
     left.c[0] += stiffness_sum;

@@ -4,5 +4,7 @@ pub mod dense;
 pub mod displacement;
 pub mod elimination;
 pub mod force;
+pub mod load;
 pub mod pivot;
+pub mod response;
 pub mod system;

@@ -7,9 +7,10 @@ use nalgebra::{Matrix3, Vector3};
 use super::shape::{Bounds, Shape, Surface};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
-use crate::math::rotation::{PoseMove, rotation_vector};
+use crate::math::rotation::rotation_vector;
+use crate::math::way::Way;
 
-/// What a body is made of. [`BodyDef::new`] gives a body at the origin that touches every strand, without friction.
+/// What a body is made of. [`BodyDef::new`] gives a body at the origin that touches every strand, with their own friction.
 #[derive(Debug, Clone)]
 pub struct BodyDef {
     /// Shape in the body's own axes. Bodies may share one.
@@ -18,9 +19,9 @@ pub struct BodyDef {
     pub pose: Frame,
     /// How far outside its shape the body's surface lies, m, zero or above.
     pub thickness: f64,
-    /// Coulomb's coefficient of friction, zero or above.
+    /// Multiplies the strands' coefficients of Coulomb friction, zero or above.
     pub friction: f64,
-    /// Viscous coefficient of friction, N·s/m, zero or above.
+    /// Multiplies the strands' coefficients of viscous friction, zero or above.
     pub viscous_friction: f64,
     /// Bits of the groups that the body belongs to.
     pub group: u32,
@@ -29,9 +30,9 @@ pub struct BodyDef {
 }
 
 impl BodyDef {
-    /// A body of a shape at the world's origin, without thickness and friction, in the first group, touching all.
+    /// A body of a shape at the world's origin, without thickness, with the strands' own friction, in the first group, touching all.
     pub fn new(shape: Arc<Shape>) -> Self {
-        Self { shape, pose: Frame::default(), thickness: 0.0, friction: 0.0, viscous_friction: 0.0, group: 1, mask: u32::MAX }
+        Self { shape, pose: Frame::default(), thickness: 0.0, friction: 1.0, viscous_friction: 1.0, group: 1, mask: u32::MAX }
     }
 }
 
@@ -39,8 +40,8 @@ impl BodyDef {
 #[derive(Debug, Clone)]
 pub struct Body {
     def: BodyDef,
-    /// Where it is going, and how many seconds of the way are done.
-    way: Option<(PoseMove, f64)>,
+    /// Where it is going; its pose is the one told in `def`.
+    way: Way,
     bending: Option<Box<Bending>>,
 }
 
@@ -63,7 +64,7 @@ impl Body {
         check_not_negative(|| "friction".into(), def.friction)?;
         check_not_negative(|| "viscous_friction".into(), def.viscous_friction)?;
         check_pose("pose", &def.pose)?;
-        Ok(Self { def, way: None, bending: None })
+        Ok(Self { way: Way::at(def.pose), def, bending: None })
     }
 
     /// What it is made of; the pose is the present one.
@@ -100,9 +101,7 @@ impl Body {
     pub fn move_to(&mut self, pose: Frame, duration: f64) -> Result<()> {
         check_pose("pose", &pose)?;
         check_not_negative(|| "duration".into(), duration)?;
-        let (velocity, spin) = self.velocity();
-        let angular_velocity = self.def.pose.rotation.inverse() * spin;
-        self.way = Some((PoseMove { from: self.def.pose, to: pose, velocity, angular_velocity, duration }, 0.0));
+        self.way.send(pose, duration);
         Ok(())
     }
 
@@ -113,25 +112,8 @@ impl Body {
     pub fn place(&mut self, pose: Frame) -> Result<()> {
         check_pose("pose", &pose)?;
         self.def.pose = pose;
-        self.way = None;
+        self.way = Way::at(pose);
         Ok(())
-    }
-
-    /// Velocity (m/s) and angular velocity (rad/s), world, where the last move left it: those of its end if it is done, else zero.
-    fn velocity(&self) -> (Vector3<f64>, Vector3<f64>) {
-        match &self.way {
-            Some((way, elapsed)) if way.duration > 0.0 && *elapsed > 0.0 => {
-                if *elapsed >= way.duration {
-                    return (way.final_velocity(), self.def.pose.rotation * way.final_angular_velocity());
-                }
-                // In the middle of a way: the mean over a short stretch up to now.
-                let short = (1e-4 * way.duration).min(*elapsed);
-                let (before, now) = (way.at(elapsed - short), self.def.pose);
-                let turn = rotation_vector(&(now.rotation * before.rotation.inverse()));
-                ((now.origin - before.origin) / short, turn / short)
-            }
-            _ => (Vector3::zeros(), Vector3::zeros()),
-        }
     }
 
     /// Sends a mesh's vertices (m, the body's axes) to new places in `duration` seconds, each straight and evenly; in 0 seconds: within
@@ -167,11 +149,7 @@ impl Body {
 
     /// Readies the body for a substep of `h` seconds: a way to be gone at once takes it, a deforming mesh is brought to its start and end.
     pub fn begin(&mut self, h: f64) {
-        if let Some((way, _)) = &mut self.way
-            && way.duration == 0.0
-        {
-            way.duration = h;
-        }
+        self.way.begin(h);
         let Some(bending) = &mut self.bending else { return };
         if bending.duration == 0.0 {
             bending.duration = h;
@@ -188,39 +166,25 @@ impl Body {
 
     /// The body during the substep of `h` seconds that comes; after [`Body::begin`]. `index` is told to touches.
     pub fn at(&self, index: u32, h: f64) -> BodyAt<'_> {
-        BodyAt::new(index, &self.def.shape, self.def.pose, self.after(h), self.def.thickness)
+        let BodyDef { friction, viscous_friction, group, mask, .. } = self.def;
+        BodyAt {
+            friction,
+            viscous_friction,
+            group,
+            mask,
+            ..BodyAt::new(index, &self.def.shape, self.way.pose, self.way.after(h), self.def.thickness)
+        }
     }
 
     /// Counts the `h` seconds of a substep.
     pub fn finish(&mut self, h: f64) {
-        self.def.pose = self.after(h);
-        if let Some((way, elapsed)) = &mut self.way {
-            if *elapsed >= way.duration {
-                self.way = None;
-            } else {
-                *elapsed += h;
-                if *elapsed >= way.duration * (1.0 - 1e-12) {
-                    *elapsed = way.duration;
-                }
-            }
-        }
+        self.way.advance(h);
+        self.def.pose = self.way.pose;
         if let Some(bending) = &mut self.bending {
             bending.elapsed += h;
             if bending.elapsed >= bending.duration * (1.0 - 1e-12) {
                 bending.elapsed = bending.duration;
             }
-        }
-    }
-
-    /// The pose `h` seconds on.
-    fn after(&self, h: f64) -> Frame {
-        match &self.way {
-            Some((way, elapsed)) => {
-                let time = elapsed + h;
-                // A step meant to end with the move may miss its end by rounding.
-                if time >= way.duration * (1.0 - 1e-12) { way.to } else { way.at(time) }
-            }
-            None => self.def.pose,
         }
     }
 }
@@ -248,6 +212,14 @@ pub struct BodyAt<'a> {
     pub end: Frame,
     /// How far outside its shape the surface lies, m.
     pub thickness: f64,
+    /// Multiplies the strands' Coulomb friction.
+    pub friction: f64,
+    /// Multiplies the strands' viscous friction.
+    pub viscous_friction: f64,
+    /// Groups that it is in.
+    pub group: u32,
+    /// Groups that it touches.
+    pub mask: u32,
     /// A box around all the places of the shape (not its thickness) during the substep, world.
     pub bounds: Bounds,
     /// Angle that it turns by, rad.
@@ -272,7 +244,28 @@ impl<'a> BodyAt<'a> {
         } else {
             local
         };
-        Self { index, shape, start, end, thickness, bounds, turn, axes_start, axes_end }
+        let (friction, viscous_friction, group, mask) = (1.0, 1.0, 1, u32::MAX);
+        Self { index, shape, start, end, thickness, friction, viscous_friction, group, mask, bounds, turn, axes_start, axes_end }
+    }
+
+    /// Its surface nearest to a point of the world at the substep's end, see [`Shape::closest`].
+    pub fn closest_at_end(&self, at: Vector3<f64>, within: f64) -> Option<Surface> {
+        self.shape.closest(self.axes_end.tr_mul(&(at - self.end.origin)), within)
+    }
+
+    /// A direction of the body's own axes at the substep's end, world.
+    pub fn to_world(&self, direction: &Vector3<f64>) -> Vector3<f64> {
+        self.axes_end * direction
+    }
+
+    /// Where a place of its surface is at the substep's end, world.
+    pub fn surface_at_end(&self, surface: &Surface) -> Vector3<f64> {
+        self.end.origin + self.axes_end * surface.point
+    }
+
+    /// Whether it and something of these groups touch.
+    pub fn meets(&self, group: u32, mask: u32) -> bool {
+        self.group & mask != 0 && group & self.mask != 0
     }
 
     /// How far the body's material point at a place of its surface goes during the substep, world, m.

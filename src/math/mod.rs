@@ -12,3 +12,4 @@ mod quadrature_limits;
 pub mod rotation;
 pub mod trigonometry;
 pub mod vector;
+pub mod way;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use crate::contact::options::ContactOptions;
 use crate::error::{Error, Result, check_finite};
 use crate::math::lanes::InstructionSet;
 pub use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
@@ -51,6 +52,8 @@ pub struct SolverOptions {
     pub workers: Workers,
     /// The vector instructions to use; `None`: the best that the machine has. Results are the same to the bit with all of them.
     pub instruction_set: Option<InstructionSet>,
+    /// How contact is answered; costs nothing where nothing touches.
+    pub contact: ContactOptions,
 }
 
 impl Default for SolverOptions {
@@ -61,6 +64,7 @@ impl Default for SolverOptions {
             step: StepOptions::default(),
             workers: Workers::default(),
             instruction_set: None,
+            contact: ContactOptions::default(),
         }
     }
 }
@@ -76,6 +80,7 @@ impl SolverOptions {
             check_finite(|| format!("{argument}.wind[{axis}]"), self.wind[axis])?;
         }
         self.step.check(argument)?;
+        self.contact.check(&format!("{argument}.contact"))?;
         if let Workers::Pool(count) = self.workers
             && !(2..=256).contains(&count)
         {

@@ -1,8 +1,59 @@
 //! Identifiers that can be checked: a slot, the generation of what sits in it, and a mark of the solver that gave it out.
 
-/// Names a strand of one solver. Zero bits is the null identifier; a removed strand's identifier never names another.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct StrandId(u64);
+use std::marker::PhantomData;
+
+/// An identifier as bits.
+pub trait Identifier: Copy {
+    /// Sixteen bits that tell this sort of identifiers from the others.
+    const SORT: u16;
+    /// From the bits as the C ABI has them.
+    fn from_bits(bits: u64) -> Self;
+    /// The bits as the C ABI has them.
+    fn bits(self) -> u64;
+}
+
+macro_rules! identifier {
+    ($(#[$doc:meta])* $name:ident, $sort:literal) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub struct $name(u64);
+
+        impl $name {
+            /// From the bits as the C ABI has them.
+            pub fn from_bits(bits: u64) -> Self {
+                Self(bits)
+            }
+
+            /// The bits as the C ABI has them.
+            pub fn bits(self) -> u64 {
+                self.0
+            }
+        }
+
+        impl Identifier for $name {
+            const SORT: u16 = $sort;
+            fn from_bits(bits: u64) -> Self {
+                Self(bits)
+            }
+            fn bits(self) -> u64 {
+                self.0
+            }
+        }
+    };
+}
+
+identifier! {
+    /// Names a strand of one solver. Zero bits is the null identifier; a removed strand's identifier never names another.
+    StrandId, 0
+}
+identifier! {
+    /// Names a body of one solver, as [`StrandId`] names a strand.
+    BodyId, 0x5555
+}
+identifier! {
+    /// Names a constraint of one solver, as [`StrandId`] names a strand.
+    ConstraintId, 0x3c3c
+}
 
 const SLOT_BITS: u32 = 26;
 const GENERATION_BITS: u32 = 22;
@@ -10,26 +61,15 @@ const MAX_GENERATION: u32 = (1 << GENERATION_BITS) - 1;
 /// Slots that a solver can have: the most strands that live at one time.
 pub(super) const MAX_SLOTS: usize = 1 << SLOT_BITS;
 
-impl StrandId {
-    /// From the bits as the C ABI has them.
-    pub fn from_bits(bits: u64) -> Self {
-        Self(bits)
-    }
-
-    /// The bits as the C ABI has them.
-    pub fn bits(self) -> u64 {
-        self.0
-    }
-}
-
 /// Which slot holds which strand, and which identifiers are alive.
 #[derive(Debug, Clone)]
-pub(super) struct SlotMap {
+pub(super) struct SlotMap<I = StrandId> {
     /// Sixteen bits that tell this solver's identifiers from another's.
     pub mark: u16,
     pub slots: Vec<Slot>,
     /// Empty slots whose generation may still grow.
     pub free: Vec<u32>,
+    sort: PhantomData<fn() -> I>,
 }
 
 /// One slot.
@@ -43,13 +83,13 @@ pub(super) struct Slot {
     pub index: Option<u32>,
 }
 
-impl SlotMap {
+impl<I: Identifier> SlotMap<I> {
     pub fn new(mark: u16) -> Self {
-        Self { mark, slots: Vec::new(), free: Vec::new() }
+        Self { mark, slots: Vec::new(), free: Vec::new(), sort: PhantomData }
     }
 
     /// A new identifier for the strand at `index`, or `None` when all slots are taken.
-    pub fn insert(&mut self, index: usize) -> Option<StrandId> {
+    pub fn insert(&mut self, index: usize) -> Option<I> {
         let slot = match self.free.pop() {
             Some(slot) => slot as usize,
             None if self.slots.len() < MAX_SLOTS => {
@@ -66,24 +106,24 @@ impl SlotMap {
         Some(self.id_of(slot))
     }
 
-    fn id_of(&self, slot: usize) -> StrandId {
+    fn id_of(&self, slot: usize) -> I {
         let generation = u64::from(self.slots[slot].generation);
-        StrandId(u64::from(self.mark) << (SLOT_BITS + GENERATION_BITS) | generation << SLOT_BITS | slot as u64)
+        I::from_bits(u64::from(self.mark ^ I::SORT) << (SLOT_BITS + GENERATION_BITS) | generation << SLOT_BITS | slot as u64)
     }
 
     /// The slot that a living identifier names.
-    fn slot(&self, id: StrandId) -> Option<usize> {
-        let slot = (id.0 & (MAX_SLOTS as u64 - 1)) as usize;
-        (slot < self.slots.len() && self.slots[slot].index.is_some() && self.id_of(slot) == id).then_some(slot)
+    fn slot(&self, id: I) -> Option<usize> {
+        let slot = (id.bits() & (MAX_SLOTS as u64 - 1)) as usize;
+        (slot < self.slots.len() && self.slots[slot].index.is_some() && self.id_of(slot).bits() == id.bits()).then_some(slot)
     }
 
     /// The index of the strand that an identifier names.
-    pub fn index(&self, id: StrandId) -> Option<usize> {
+    pub fn index(&self, id: I) -> Option<usize> {
         self.slot(id).and_then(|slot| self.slots[slot].index).map(|index| index as usize)
     }
 
     /// Ends an identifier.
-    pub fn remove(&mut self, id: StrandId) {
+    pub fn remove(&mut self, id: I) {
         if let Some(slot) = self.slot(id) {
             self.slots[slot].index = None;
             self.offer(slot);
@@ -98,14 +138,14 @@ impl SlotMap {
     }
 
     /// Tells a strand's new index.
-    pub fn moved(&mut self, id: StrandId, index: usize) {
+    pub fn moved(&mut self, id: I, index: usize) {
         if let Some(slot) = self.slot(id) {
             self.slots[slot].index = Some(index as u32);
         }
     }
 
     /// Remembers the identifiers that `later` gave out: going back to a snapshot must not give one of them out again.
-    pub fn remember(&mut self, later: &SlotMap) {
+    pub fn remember(&mut self, later: &Self) {
         if later.mark != self.mark {
             return;
         }
@@ -128,12 +168,15 @@ mod tests {
 
     #[test]
     fn stale_and_foreign_identifiers_name_nothing() {
-        let (mut map, mut other) = (SlotMap::new(7), SlotMap::new(8));
+        let (mut map, mut other): (SlotMap, SlotMap) = (SlotMap::new(7), SlotMap::new(8));
         let a = map.insert(0).unwrap();
         let b = map.insert(1).unwrap();
         let foreign = other.insert(0).unwrap();
         assert_eq!((map.index(a), map.index(b), map.index(foreign)), (Some(0), Some(1), None));
         assert_ne!(a.bits(), 0);
+        let mut bodies: SlotMap<BodyId> = SlotMap::new(7);
+        let body = bodies.insert(0).unwrap();
+        assert_eq!((bodies.index(body), map.index(StrandId::from_bits(body.bits()))), (Some(0), None));
         map.remove(a);
         let c = map.insert(5).unwrap();
         assert_eq!((map.index(a), map.index(c)), (None, Some(5)));
@@ -143,7 +186,7 @@ mod tests {
 
     #[test]
     fn going_back_gives_no_identifier_out_twice() {
-        let mut map = SlotMap::new(3);
+        let mut map: SlotMap = SlotMap::new(3);
         let a = map.insert(0).unwrap();
         let saved = map.clone();
         map.remove(a);
@@ -160,7 +203,7 @@ mod tests {
 
     #[test]
     fn a_slot_is_retired_when_its_generations_end() {
-        let mut map = SlotMap::new(1);
+        let mut map: SlotMap = SlotMap::new(1);
         let id = map.insert(0).unwrap();
         map.slots[0].generation = MAX_GENERATION;
         map.slots[0].highest = MAX_GENERATION;

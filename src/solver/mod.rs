@@ -1,8 +1,11 @@
 //! The scene: strands, their roots, the step, and everything a host reads back.
 
+pub mod bodies;
 mod bulk_sampling;
+pub mod constraints;
 pub mod definition;
 mod editing;
+mod holding;
 pub mod id;
 mod level_of_detail;
 mod population;
@@ -14,6 +17,7 @@ mod side_by_side;
 mod snapshot;
 mod stepping;
 mod strand;
+mod touching;
 mod workers;
 
 use nalgebra::Vector3;
@@ -26,8 +30,11 @@ pub use stepping::SHORTEST_STEP;
 use crate::error::{Error, Result, check_finite};
 use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
+use bodies::SceneBody;
+use constraints::Constraint;
 use definition::SolverOptions;
-use id::{SlotMap, StrandId};
+use holding::Holding;
+use id::{BodyId, ConstraintId, SlotMap, StrandId};
 use sections::Sections;
 use strand::Strand;
 use workers::Crew;
@@ -43,6 +50,11 @@ pub struct Solver {
     strands: Vec<Strand>,
     sections: Sections,
     crew: Crew,
+    constraint_slots: SlotMap<ConstraintId>,
+    constraints: Vec<Constraint>,
+    holding: Box<Holding>,
+    body_slots: SlotMap<BodyId>,
+    bodies: Vec<SceneBody>,
 }
 
 impl std::fmt::Debug for Solver {
@@ -63,7 +75,19 @@ impl Solver {
         // Identifiers of two living solvers differ by where the solvers are: no counter is shared between them.
         let address = std::ptr::from_ref::<Rules>(&rules) as u64;
         let mark = (address >> 4).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 48;
-        Ok(Self { options, rules, slots: SlotMap::new(mark as u16), strands: Vec::new(), sections: Sections::default(), crew })
+        Ok(Self {
+            options,
+            rules,
+            slots: SlotMap::new(mark as u16),
+            strands: Vec::new(),
+            sections: Sections::default(),
+            crew,
+            constraint_slots: SlotMap::new(mark as u16),
+            constraints: Vec::new(),
+            holding: Box::default(),
+            body_slots: SlotMap::new(mark as u16),
+            bodies: Vec::new(),
+        })
     }
 
     /// What the solver was made from, with later changes.

@@ -59,7 +59,7 @@ impl Solver {
         }
     }
 
-    /// Removes strands, all or none. The others keep their identifiers and their order.
+    /// Removes strands, all or none, and the constraints on them. The others keep their identifiers and their order.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for an identifier given twice.
@@ -71,10 +71,15 @@ impl Solver {
                 return Err(Error::invalid(format!("ids[{k}]"), format!("0x{:016x}", ids[k].bits()), "each strand once"));
             }
         }
+        let is_gone = |id: StrandId| self.slots.index(id).is_some_and(|index| gone[index]);
+        let gone_constraints: Vec<bool> =
+            self.constraints.iter().map(|held| is_gone(held.def.strand) || held.other().is_some_and(is_gone)).collect();
+        self.drop_constraints(&gone_constraints);
         for id in ids {
             self.slots.remove(*id);
         }
         let Some(first) = indices.iter().min() else { return Ok(()) };
+        self.holding.forget();
         let mut index = 0;
         self.strands.retain(|_| {
             index += 1;

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+pub use super::holding::ContactTally;
 pub use crate::energy::Energies;
 
 /// What happened in a call of [`Solver::step`](super::Solver::step), all its substeps together.
@@ -28,6 +29,8 @@ pub struct StepReport {
     pub max_error: f64,
     /// Energies after the step.
     pub energies: Energies,
+    /// What contact and constraints came to.
+    pub contact: ContactTally,
     /// Wall-clock time of the call, s.
     pub seconds: f64,
 }

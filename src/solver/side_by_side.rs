@@ -18,7 +18,7 @@ use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
 /// The most strands of a task: so many fill packs where kinds are mixed, and their states stay in a core's cache between substeps.
 pub(super) const MAX_TASK: usize = 256;
 
-/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds.
+/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; those that are held go another way (`holding`).
 pub(super) fn take(
     strands: &mut [Strand],
     setting: &Setting,
@@ -28,11 +28,11 @@ pub(super) fn take(
     scratch: &mut Scratch,
 ) {
     let width = packs::width(setting.options.precision, set);
-    for strand in strands.iter_mut() {
+    for strand in strands.iter_mut().filter(|strand| !strand.held) {
         strand.begin_root_way(h);
     }
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
-        for strand in strands.iter_mut() {
+        for strand in strands.iter_mut().filter(|strand| !strand.held) {
             take_one(strand, setting, h, tally, scratch);
         }
         return;
@@ -40,7 +40,7 @@ pub(super) fn take(
     let levels = subdivision::levels(setting.options);
     let mut order = [(Kind::default(), 0_u32, 0_u32); MAX_TASK];
     let mut count = 0;
-    for (index, strand) in strands.iter_mut().enumerate() {
+    for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.held) {
         if strand.state.subdivision.min(levels) > 0 {
             take_one(strand, setting, h, tally, scratch);
         } else {
@@ -98,13 +98,15 @@ fn take_pack(
     for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
         let strand = &mut strands[*index];
         let outcome = with_one(strand, |one| step::finish(setting, one, h, outcome, scratch));
-        ended(strand, outcome, setting, h, tally, scratch);
+        tally.add(&outcome);
+        strand.ended(outcome, setting, h, scratch);
     }
 }
 
 fn take_one(strand: &mut Strand, setting: &Setting, h: f64, tally: &mut Tally, scratch: &mut Scratch) {
     let outcome = with_one(strand, |one| step::take(setting, one, h, scratch));
-    ended(strand, outcome, setting, h, tally, scratch);
+    tally.add(&outcome);
+    strand.ended(outcome, setting, h, scratch);
 }
 
 fn with_one(strand: &mut Strand, work: impl FnOnce(&mut One) -> StrandOutcome) -> StrandOutcome {
@@ -112,18 +114,6 @@ fn with_one(strand: &mut Strand, work: impl FnOnce(&mut One) -> StrandOutcome) -
     let start = state.root;
     let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
     work(&mut One { model, state, root_at: &root_at })
-}
-
-fn ended(strand: &mut Strand, outcome: StrandOutcome, setting: &Setting, h: f64, tally: &mut Tally, scratch: &mut Scratch) {
-    strand.fared = (&outcome).into();
-    strand.advance_root(h);
-    tally.add(&outcome);
-    if outcome.quarantined || setting.options.integrator == Integrator::Reference {
-        let kinematics = &mut scratch.one.workspace.iterate.kinematics;
-        strand.update_energies(setting.surroundings.gravity.into(), setting.rules, kinematics);
-    } else {
-        strand.energies = outcome.energies;
-    }
 }
 
 /// Strands picked from a task's.

@@ -341,7 +341,19 @@ impl Reader<'_> {
         let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
         let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
         let model = StrandModel::of_section(lengths, natural, sections.of(&material, freedoms));
-        let mut strand = Strand { model, state, id, user_data, authored: None, root_move, energies, fared };
+        let mut strand = Strand {
+            model,
+            state,
+            id,
+            user_data,
+            authored: None,
+            root_move,
+            energies,
+            fared,
+            held: false,
+            touched: false,
+            contact: None,
+        };
         strand.shrink();
         Ok(strand)
     }

@@ -4,9 +4,12 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use super::Solver;
-use super::report::StepReport;
+use super::holding::{ContactTally, Holding, Scene};
+use super::id::BodyId;
+use super::report::{StepReport, Wrench};
 use super::side_by_side;
 use super::strand::Tally;
+use crate::contact::body::BodyAt;
 use crate::error::{Error, Result, check_positive};
 use crate::step::{Setting, Surroundings, packs};
 
@@ -36,6 +39,11 @@ impl Solver {
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
         let total = Mutex::new(Tally::default());
+        if self.holds_strands() {
+            let contact = self.step_holding(h, substeps, &total)?;
+            let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
+            return Ok(StepReport { contact, ..self.report(&total, substeps, started) });
+        }
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             for _ in 0..substeps {
@@ -45,6 +53,56 @@ impl Solver {
         });
         let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
         Ok(self.report(&total, substeps, started))
+    }
+
+    /// Whether something may hold strands.
+    fn holds_strands(&self) -> bool {
+        let touching = self.options.contact.hair || !self.bodies.is_empty();
+        !self.constraints.is_empty() || (touching && self.strands.iter().any(|strand| strand.contact.is_some()))
+    }
+
+    /// The substeps of a scene in which something may hold strands: all strands go through each before any begins the next.
+    fn step_holding(&mut self, h: f64, substeps: u32, total: &Mutex<Tally>) -> Result<ContactTally> {
+        let set = self.instruction_set();
+        let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
+        let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
+        let width = packs::width(self.options.step.precision, set);
+        let mut contact = ContactTally::default();
+        for body in &mut self.bodies {
+            body.wrench = Wrench::default();
+        }
+        for _ in 0..substeps {
+            for scene_body in &mut self.bodies {
+                scene_body.body.begin(h);
+            }
+            let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
+            let body_ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
+            let mut wrenches = vec![Wrench::default(); bodies.len()];
+            let mut scene = Scene {
+                strands: &mut self.strands,
+                slots: &self.slots,
+                constraints: &mut self.constraints,
+                bodies: &bodies,
+                body_ids: &body_ids,
+                options: &self.options.contact,
+                setting: &setting,
+                crew: &self.crew,
+            };
+            Holding::mark(&mut scene, h);
+            self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+                let mut tally = Tally::default();
+                side_by_side::take(strands, &setting, h, set, &mut tally, scratch);
+                total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
+            });
+            let mut tally = Tally::default();
+            self.holding.take(&mut scene, h, &mut tally, &mut contact, &mut wrenches);
+            total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
+            for (body, wrench) in self.bodies.iter_mut().zip(wrenches) {
+                body.wrench = wrench;
+                body.body.finish(h);
+            }
+        }
+        Ok(contact)
     }
 
     fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {

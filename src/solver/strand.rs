@@ -8,14 +8,17 @@ use super::definition::StrandDef;
 use super::id::StrandId;
 use super::report::{Energies, StrandStatus};
 use super::sections;
+use crate::contact::options::StrandContact;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::rotation::PoseMove;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::section::Section;
 use crate::rod::strand::StrandModel;
-use crate::step::StrandOutcome;
+use crate::step::options::Integrator;
+use crate::step::scratch::Scratch;
 use crate::step::state::{StrandState, rotation_matrix};
+use crate::step::{Setting, StrandOutcome};
 
 /// A strand and all that the solver keeps about it.
 #[derive(Debug, Clone)]
@@ -33,6 +36,12 @@ pub(super) struct Strand {
     pub energies: Energies,
     /// The last substep.
     pub fared: Fared,
+    /// Touches or constraints hold it in this substep.
+    pub held: bool,
+    /// It was near something in the last substep.
+    pub touched: bool,
+    /// What it is to contact; none: it touches nothing.
+    pub contact: Option<Box<StrandContact>>,
 }
 
 /// What is kept of how a substep went; the rest goes into the call's [`Tally`].
@@ -131,6 +140,9 @@ impl Strand {
             root_move: None,
             energies: Energies::default(),
             fared: Fared::well(),
+            held: false,
+            touched: false,
+            contact: None,
         }
     }
 
@@ -210,6 +222,18 @@ impl Strand {
         }
     }
 
+    /// Writes down how a substep of `h` seconds went.
+    pub fn ended(&mut self, outcome: StrandOutcome, setting: &Setting, h: f64, scratch: &mut Scratch) {
+        self.fared = (&outcome).into();
+        self.advance_root(h);
+        if outcome.quarantined || setting.options.integrator == Integrator::Reference {
+            let kinematics = &mut scratch.one.workspace.iterate.kinematics;
+            self.update_energies(setting.surroundings.gravity.into(), setting.rules, kinematics);
+        } else {
+            self.energies = outcome.energies;
+        }
+    }
+
     /// Computes the energies from the state; `kinematics` is scratch.
     pub fn update_energies(&mut self, gravity: Vector3<f64>, rules: &Rules, kinematics: &mut Kinematics<f64>) {
         let rule = rules.rule(self.state.rule);
@@ -234,7 +258,8 @@ impl Strand {
         let authored =
             self.authored.as_ref().map_or(0, |authored| size_of::<Authored>() + lists(&authored.lengths, &authored.natural));
         let root_move = self.root_move.as_ref().map_or(0, |_| size_of::<(PoseMove, f64)>());
-        let own = authored + root_move + lists(&self.model.lengths, &self.model.natural) + self.state.heap_bytes();
+        let contact = self.contact.as_ref().map_or(0, |_| size_of::<StrandContact>());
+        let own = contact + authored + root_move + lists(&self.model.lengths, &self.model.natural) + self.state.heap_bytes();
         own as f64 + sections::share(self.model.section())
     }
 }

@@ -3,6 +3,7 @@
 pub mod damping;
 pub mod dynamics;
 pub mod equilibrium;
+pub mod held;
 pub mod iterate;
 pub mod linearly_implicit;
 pub mod local_error;

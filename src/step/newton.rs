@@ -35,11 +35,11 @@ const STALLED: f64 = 0.5;
 /// How far rounding alone may leave an element of a strand of N elements, rad: this times N + 8 distances from 1 to the next number.
 const ROUNDING: f64 = 2.0;
 /// Dampings tried in an iteration: 4⁴⁰ spans all of f64 that matters.
-const MAX_DAMPINGS: u32 = 40;
+pub(super) const MAX_DAMPINGS: u32 = 40;
 /// Armijo's fraction of the promised descent.
-const ARMIJO: f64 = 1e-4;
+pub(super) const ARMIJO: f64 = 1e-4;
 /// Halvings of the way before an iteration is given up.
-const MAX_HALVINGS: u32 = 40;
+pub(super) const MAX_HALVINGS: u32 = 40;
 
 /// The potential and how far rounding may move it.
 #[derive(Debug, Clone, Copy, Default)]
@@ -342,13 +342,13 @@ fn stationary<T: Lane, S: LinearSolve<T>>(problem: &Problem<T>, it: &mut Iterate
 }
 
 /// The constant C of Newton's quadratic convergence, θₖ₊₁ ≤ C θₖ²: the usual one, or what the last two rotations show.
-fn constant(rotation: f64, before: Option<f64>) -> f64 {
+pub(super) fn constant(rotation: f64, before: Option<f64>) -> f64 {
     before.map_or(QUADRATIC, |before| QUADRATIC.max(QUADRATIC_SAFETY * rotation / (before * before)))
 }
 
 /// The damping to try first: a hundredth of what the points' springs hold the rotation of one element's share with.
 #[inline(always)]
-fn usual_damping<T: Lane>(it: &Iterate<T>) -> T {
+pub(super) fn usual_damping<T: Lane>(it: &Iterate<T>) -> T {
     let mut stiffness = T::zero();
     for value in &it.system.point_stiffness {
         stiffness += *value;

@@ -63,6 +63,23 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(
     solver: &mut S,
     outcomes: &mut [StrandOutcome; MAX_LANES],
 ) {
+    let (times, ratio) = start_backward_difference(members, setting, h, workspace);
+    *outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
+    let offset = solve_stage(times, h, members, setting, workspace, solver, outcomes);
+    if setting.options.error_tolerance > 0.0 {
+        let error = local_error::of_backward_differences(ratio, offset, workspace);
+        tell_error(error, members, workspace, outcomes);
+    }
+}
+
+/// What the stage of [`backward_difference`] starts from; its times, and ω.
+#[inline(always)]
+pub(super) fn start_backward_difference<T: Lane>(
+    members: &dyn Members,
+    setting: &Setting,
+    h: f64,
+    workspace: &mut Workspace<T>,
+) -> (StageTimes<T>, T) {
     let rule = setting.rules.rule(members.state(0).rule);
     workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: true });
     past_base(rule, workspace);
@@ -100,13 +117,22 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(
         }
     }
 
-    let times = StageTimes { index: 0, k: loaded.step * (one + ratio) * divisor, way: loaded.step };
-    *outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
-    let offset = solve_stage(times, h, members, setting, workspace, solver, outcomes);
-    if setting.options.error_tolerance > 0.0 {
-        let error = local_error::of_backward_differences(ratio, offset, workspace);
-        tell_error(error, members, workspace, outcomes);
-    }
+    (StageTimes { index: 0, k: loaded.step * (one + ratio) * divisor, way: loaded.step }, ratio)
+}
+
+/// What a step of implicit Euler starts from; its times.
+#[inline(always)]
+pub(super) fn start_euler<T: Lane>(
+    members: &dyn Members,
+    setting: &Setting,
+    h: f64,
+    workspace: &mut Workspace<T>,
+) -> StageTimes<T> {
+    let rule = setting.rules.rule(members.state(0).rule);
+    workspace.loaded.load(members, setting.surroundings, h, Reads { velocities: true, past: false });
+    base(rule, workspace);
+    displace(0, &tableau::IMPLICIT_EULER, workspace);
+    StageTimes { index: 0, k: workspace.loaded.step, way: workspace.loaded.step }
 }
 
 /// The second-order integrator: backward differences over the last two steps. The first step, and one after a jump of the step's size,
@@ -136,13 +162,13 @@ pub fn leans_on_past(state: &StrandState, h: f64) -> bool {
 const LARGEST_RATIO: f64 = 2.0;
 
 /// Which stage, and its times.
-#[derive(Clone, Copy)]
-struct StageTimes<T> {
-    index: usize,
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StageTimes<T> {
+    pub index: usize,
     /// The stage is an implicit Euler step of this.
-    k: T,
+    pub k: T,
     /// From the last stage's end, or the step's start, to this one's end.
-    way: T,
+    pub way: T,
 }
 
 /// Solves the stage that ends `seconds` after the step's start, for the strands that no stage before has lost; it is then the last. Gives
@@ -344,7 +370,7 @@ fn displace<T: Lane>(index: usize, tableau: &Tableau, workspace: &mut Workspace<
 
 /// What the stage's end says about velocities, accelerations and rates.
 #[inline(always)]
-fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], iterate: &Iterate<T>, stage: &mut Stage<T>) {
+pub(super) fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], iterate: &Iterate<T>, stage: &mut Stage<T>) {
     let inverse = T::one() / k;
     for (p, point) in iterate.kinematics.points.iter().enumerate() {
         let mut moved = point.position - iterate.point_base[p];
@@ -373,7 +399,7 @@ fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], iterate: &Iterat
 
 /// Newton's two starts: where it is, and, on trial, where the rates lead. Frozen curvatures are natural.
 #[inline(always)]
-fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, before: Option<&Stage<T>>, iterate: &mut Iterate<T>) {
+pub(super) fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, before: Option<&Stage<T>>, iterate: &mut Iterate<T>) {
     let rates = before.map_or(&loaded.rates, |stage| &stage.rates);
     let Iterate { curvatures, trial_curvatures, rests, trial_rests, .. } = iterate;
     trial_curvatures.resize(curvatures.len(), [T::zero(); 3]);
@@ -402,7 +428,7 @@ fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, before: Option<
 
 /// Sums the terms of every point and curvature into a stiffness and a target.
 #[inline(always)]
-fn assemble_terms<T: Lane>(
+pub(super) fn assemble_terms<T: Lane>(
     k: T,
     offset: Vec3<T>,
     weights: &[f64],

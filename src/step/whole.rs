@@ -55,7 +55,7 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for Take<'_, T, S> {
 
 /// Zero in the lanes in which all that would become a strand's state is finite; not a number in the others.
 #[inline(always)]
-fn finiteness<T: Lane>(workspace: &Workspace<T>) -> T {
+pub(super) fn finiteness<T: Lane>(workspace: &Workspace<T>) -> T {
     let stage = &workspace.stages[workspace.last_stage];
     let mut sum = T::zero();
     for (row, rate) in workspace.iterate.curvatures.iter().zip(&stage.rates) {
@@ -75,7 +75,7 @@ fn finiteness<T: Lane>(workspace: &Workspace<T>) -> T {
 
 /// The energies at the step's end.
 #[inline(always)]
-fn energies<T: Lane>(
+pub(super) fn energies<T: Lane>(
     members: &dyn Members,
     setting: &Setting,
     workspace: &Workspace<T>,

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
 use serde_json::Value;
+use superhelix::contact::options::ContactOptions;
 use superhelix::error::Error;
 use superhelix::math::frame::Frame;
 use superhelix::math::lane::Precision;
@@ -209,6 +210,7 @@ fn read_options(scene: &Entries) -> Result<SolverOptions, Complaint> {
         step,
         workers: if threads == 1 { Workers::Serial } else { Workers::Pool(threads) },
         instruction_set: None,
+        contact: ContactOptions::default(),
     };
     options.check("scene").map_err(in_words_of_the_scene)?;
     Ok(options)

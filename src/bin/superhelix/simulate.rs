@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
+use superhelix::contact::options::ContactOptions;
 use superhelix::files::curves::Curves;
 use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
@@ -225,6 +226,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         step: StepOptions { linear_solver: arguments.solver, ..fineness.step },
         workers: if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) },
         instruction_set: None,
+        contact: ContactOptions::default(),
     })?;
 
     let polylines: Vec<(usize, Vec<Vector3<f64>>)> = curves

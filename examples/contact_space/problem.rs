@@ -1,0 +1,203 @@
+//! A contact problem like that of a head that is shaken: strands over a head, their true responses, touches with the head and each other.
+
+use nalgebra::Vector3;
+use superhelix::chain::elimination::Elimination;
+use superhelix::chain::load::{Load, Station};
+use superhelix::chain::response::{Delassus, ResponseScratch};
+use superhelix::chain::system::ChainSystem;
+use superhelix::contact::contact_space::{ContactSpace, End, SpaceTouch};
+use superhelix::contact::law::Law;
+use superhelix::contact::law::coefficient::Coefficient;
+use superhelix::contact::law::contact::{Contact, Friction};
+use superhelix::contact::law::response::Response;
+use superhelix::math::quadrature::Rule;
+use superhelix::math::vector::{Mat3, Vec3};
+use superhelix::rod::kinematics::Kinematics;
+use superhelix::rod::material::Material;
+
+/// The head's radius, m.
+const HEAD: f64 = 0.09;
+/// The step, s.
+pub const STEP: f64 = 1.0 / 60.0;
+
+/// Numbers from 0 to 1, the same on every machine.
+pub struct Numbers(pub u64);
+
+impl Numbers {
+    /// The next.
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+}
+
+/// What the problem is like.
+#[derive(Debug, Clone, Copy)]
+pub struct Kind {
+    /// Strands.
+    pub strands: usize,
+    /// Elements of each.
+    pub elements: usize,
+    /// Touches of each with the head.
+    pub on_head: usize,
+    /// Pairs, a strand.
+    pub pairs: f64,
+    /// Coulomb's coefficient.
+    pub mu: f64,
+    /// Curvature beside that along the head, rad/m.
+    pub curl: f64,
+}
+
+struct Strand {
+    origin: Vector3<f64>,
+    kinematics: Kinematics<f64>,
+    stations: Vec<Station>,
+}
+
+/// Builds it. The second list is the free displacements of the next step, a little different: for warm starts.
+pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
+    let mut numbers = Numbers(7);
+    let rule = Rule::gauss_legendre(8);
+    let material = Material { youngs_modulus: 1e9, internal_friction: 1e-10, air_drag: 5e-6, ..Material::default() };
+    let length = 0.25 / kind.elements as f64;
+    let mut strands: Vec<Strand> = (0..kind.strands)
+        .map(|index| {
+            // A spiral over the upper half of the head; strands hang outwards and down along it.
+            let z = 1.0 - (index as f64 + 0.5) / kind.strands as f64;
+            let turn = 2.399963 * index as f64;
+            let out = Vector3::new((1.0 - z * z).sqrt() * turn.cos(), (1.0 - z * z).sqrt() * turn.sin(), z);
+            let down = (-Vector3::z() - out * -out.z).normalize();
+            let side = out.cross(&down);
+            let frame = Mat3([0, 1, 2].map(|i| [down[i], side[i], out[i]]));
+            let curvatures: Vec<[f64; 3]> = (0..kind.elements)
+                .map(|_| {
+                    let mut noise = || kind.curl * numbers.within(-1.0, 1.0);
+                    [noise(), 1.0 / HEAD + noise(), noise()]
+                })
+                .collect();
+            let mut kinematics = Kinematics::default();
+            kinematics.update(&frame, &vec![length; kind.elements], &curvatures, &rule);
+            Strand { origin: out * HEAD, kinematics, stations: Vec::new() }
+        })
+        .collect();
+
+    let station = |numbers: &mut Numbers| {
+        let place = numbers.within(0.05, 1.0) * kind.elements as f64 * 0.999_999;
+        Station::on(place as usize, place.fract() * length)
+    };
+    // (strand, station) of the two ends.
+    let mut pairs: Vec<((usize, usize), Option<(usize, usize)>)> = Vec::new();
+    for (index, strand) in strands.iter_mut().enumerate() {
+        for _ in 0..kind.on_head {
+            strand.stations.push(station(&mut numbers));
+            pairs.push(((index, strand.stations.len() - 1), None));
+        }
+    }
+    for _ in 0..(kind.pairs * kind.strands as f64) as usize {
+        let first = (numbers.next() * kind.strands as f64) as usize;
+        // Neighbours on the spiral: 1, 2, 3, 5, 8, 13, 21 further.
+        let away = [1, 2, 3, 5, 8, 13, 21][(numbers.next() * 7.0) as usize];
+        let second = (first + away) % kind.strands;
+        if second == first {
+            continue;
+        }
+        for strand in [first, second] {
+            let place = station(&mut numbers);
+            strands[strand].stations.push(place);
+        }
+        pairs.push(((first, strands[first].stations.len() - 1), Some((second, strands[second].stations.len() - 1))));
+    }
+
+    let mut space = ContactSpace::default();
+    space.reset(STEP).unwrap();
+    for strand in &mut strands {
+        // From root to tip, as the elimination wants them; the pairs keep their own order.
+        let mut order: Vec<usize> = (0..strand.stations.len()).collect();
+        order.sort_by(|a, b| {
+            let key = |k: &usize| (strand.stations[*k].element, strand.stations[*k].s);
+            key(a).partial_cmp(&key(b)).unwrap()
+        });
+        let loads: Vec<_> = order.iter().map(|k| Load::at(&strand.kinematics, &strand.stations[*k], Vec3::zero())).collect();
+        let mut system = ChainSystem { exact: false, ..ChainSystem::default() };
+        let n = rule.len();
+        system.resize(kind.elements, kind.elements * n);
+        for p in 0..kind.elements * n {
+            let weight = rule.weights[p % n] * length;
+            system.point_stiffness[p] = weight * (material.linear_density() / (STEP * STEP) + material.air_drag / STEP);
+            system.point_force[p] = Vec3::zero();
+        }
+        for element in 0..kind.elements {
+            for axis in 0..3 {
+                system.curvature_stiffness[element][axis] =
+                    length * (material.stiffness()[axis] + material.dissipation()[axis] / STEP);
+                system.curvature_force[element][axis] = 0.0;
+            }
+        }
+        let (mut elimination, mut change) = (Elimination::default(), Vec::new());
+        let (mut scratch, mut operator) = (ResponseScratch::default(), Delassus::default());
+        elimination.solve_loaded(&strand.kinematics, &system, &loads, &[0, 1, 2], &mut change);
+        elimination.delassus(&strand.kinematics, &loads, &[0, 1, 2], &mut scratch, &mut operator);
+        let m = loads.len();
+        let matrix = space.add_strand(m);
+        for (i, at_i) in order.iter().enumerate() {
+            for (j, at_j) in order.iter().enumerate() {
+                for a in 0..3 {
+                    for b in 0..3 {
+                        matrix[(3 * at_j + b) * 3 * m + 3 * at_i + a] = operator.blocks[i * m + j][a][b];
+                    }
+                }
+            }
+        }
+    }
+
+    // The head turns and sways: a strand lags behind, the more the further out, towards the head on one side of it.
+    let mut next = Vec::new();
+    for (first, second) in &pairs {
+        let way = |(strand, station): (usize, usize), sway: Vector3<f64>| {
+            let strand = &strands[strand];
+            let place = strand.stations[station];
+            let s = (place.element as f64 * length + place.s) / 0.25;
+            let at = strand.origin + Vector3::from(strand.kinematics.elements[place.element].point(place.s).position);
+            (sway + Vector3::z().cross(&at) * 0.05) * (s * s)
+        };
+        let tangent = |(strand, station): (usize, usize)| {
+            let place = strands[strand].stations[station];
+            let element = &strands[strand].kinematics.elements[place.element];
+            let (a, b) = (element.point(place.s - 1e-5), element.point(place.s + 1e-5));
+            (Vector3::from(b.position) - Vector3::from(a.position)).normalize()
+        };
+        let (normal, mu) = match second {
+            None => {
+                let strand = &strands[first.0];
+                let place = strand.stations[first.1];
+                let at = strand.origin + Vector3::from(strand.kinematics.elements[place.element].point(place.s).position);
+                (at.normalize(), Coefficient::of_scales(kind.mu, 1.5 * kind.mu, tangent(*first)))
+            }
+            Some(second) => {
+                let (a, b) = (tangent(*first), tangent(*second));
+                let across = a.cross(&b);
+                let normal = if across.norm() > 1e-3 { across.normalize() } else { a.cross(&Vector3::x()).normalize() };
+                let scales = |t| Coefficient::of_scales(kind.mu, 1.5 * kind.mu, t);
+                (normal, Coefficient::of_two(scales(a), scales(b)))
+            }
+        };
+        let gap = numbers.within(-2e-4, 5e-4);
+        let free = |sway| {
+            let mut u = way(*first, sway) + normal * gap;
+            if let Some(second) = second {
+                u -= way(*second, sway);
+            }
+            // Weight and curls press hair to the head all round.
+            if second.is_none() { u - normal * 5e-4 } else { u }
+        };
+        let end = |(strand, point): (usize, usize)| End { strand: strand as u32, point: point as u32 };
+        let law = Law::Contact(Contact { normal, response: Response::Hard, friction: Friction::Coulomb(mu) });
+        let touch = SpaceTouch { first: end(*first), second: second.map(end), law, free: free(Vector3::new(0.01, 0.004, 0.0)) };
+        space.add_touch(touch).unwrap();
+        next.push(free(Vector3::new(0.0105, 0.0043, 0.0)));
+    }
+    (space, next)
+}

@@ -1,0 +1,96 @@
+//! Forces on material points between the quadrature points, and on points held out from the strand by a rigid lever: what contact and
+//! constraints pull at. A lever turns with the frame of its place, so that the forces on two or three levers hold a direction or a frame.
+//!
+//! Symbols: s arclength on the element; x the loaded point, its lever l included, in the axes of the element's left end; J its
+//! variation by δκ, J = J_s + (Ψ_s ·)×l.
+
+use crate::math::entire::Stumpff;
+use crate::math::lane::Lane;
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::Kinematics;
+use crate::rod::segment;
+
+/// A material point that is not a quadrature point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Station {
+    /// Which element.
+    pub element: usize,
+    /// Arclength from its left end, m.
+    pub s: f64,
+    /// The lever, in the axes of the material frame there, m; zero: none.
+    pub lever: [f64; 3],
+}
+
+impl Station {
+    /// A point of the strand itself.
+    pub fn on(element: usize, s: f64) -> Self {
+        Self { element, s, lever: [0.0; 3] }
+    }
+
+    fn has_lever(&self) -> bool {
+        self.lever != [0.0; 3]
+    }
+}
+
+/// A station in the strand's present shape, in the axes of its element's left end, and the force that its tension is of.
+#[derive(Debug, Clone, Copy)]
+pub struct Load<T> {
+    /// Which element.
+    pub element: usize,
+    /// Arclength from its left end.
+    pub s: T,
+    /// Stumpff's functions there.
+    pub c: Stumpff<T>,
+    /// x.
+    pub local: Vec3<T>,
+    /// J, all three columns.
+    pub jacobian: Mat3<T>,
+    /// l; none where `turning` is none.
+    pub lever: Vec3<T>,
+    /// Ψ_s where there is a lever.
+    pub turning: Option<Mat3<T>>,
+    /// The force whose geometric terms the exact Hessian has.
+    pub tension: Vec3<T>,
+}
+
+impl Load<f64> {
+    /// The station in the shape of `kinematics`; `tension` in world axes.
+    pub fn at(kinematics: &Kinematics<f64>, station: &Station, tension: Vec3<f64>) -> Self {
+        let element = &kinematics.elements[station.element];
+        let point = element.point(station.s);
+        let (theta, z) = (element.kappa.scale(station.s), element.kappa_squared * (station.s * station.s));
+        let mut jacobian = segment::chord_gradient(theta, z, &point.c).scale(station.s * station.s);
+        let (mut lever, mut turning) = (Vec3::zero(), None);
+        if station.has_lever() {
+            lever = segment::frame(theta, z, &point.c).apply(Vec3(station.lever));
+            let psi = segment::mean_frame(theta, z, &point.c).scale(station.s);
+            // (Ψ δ)×l = −[l]× Ψ δ.
+            jacobian = jacobian.sub(&psi.crossed_from_left(lever));
+            turning = Some(psi);
+        }
+        Self {
+            element: station.element,
+            s: station.s,
+            c: point.c,
+            local: point.local + lever,
+            jacobian,
+            lever,
+            turning,
+            tension: element.frame_left.apply_transposed(tension),
+        }
+    }
+
+    /// Where the loaded point is, relative to the root's origin, world axes.
+    pub fn position(&self, kinematics: &Kinematics<f64>) -> Vec3<f64> {
+        let element = &kinematics.elements[self.element];
+        element.origin_left + element.frame_left.apply(self.local)
+    }
+}
+
+impl<T: Lane> Load<T> {
+    /// δr for a rotation and a displacement of the element's left end and a change of its curvatures, in the element's axes.
+    #[inline(always)]
+    pub fn moved(&self, psi: Vec3<T>, rho: Vec3<T>, delta: Vec3<T>) -> Vec3<T> {
+        rho + psi.cross(self.local) + self.jacobian.apply(delta)
+    }
+}

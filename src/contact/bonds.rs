@@ -1,0 +1,359 @@
+//! Bonds solved directly. Strands that bonds join are one block; in it the bonds are eliminated,
+//! G̃ = G − X W⁻¹ Xᵀ with X = G Eᵀ, W = E G Eᵀ + compliance, E the held directions; what is left answers to forces as the bonded strands
+//! do, so that the iteration over contacts never sees a bond and bonds hold to rounding whatever it does.
+//!
+//! W is factorised by Cholesky's method with pivots by size (rows scaled to a diagonal of one): held directions that depend on others, or
+//! that no force can move, are found, left without force, and reported with what they miss.
+
+use nalgebra::Vector3;
+
+use super::contact_space::{ContactSpace, SpaceTouch};
+use super::law::Law;
+use super::rank::{RankFactor, dependence};
+
+/// A held direction that is not independent of others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DependentBond {
+    /// The bond's touch.
+    pub touch: usize,
+    /// The held direction, world axes.
+    pub direction: Vector3<f64>,
+    /// The bonds (touches, ascending) that already decide it; empty: no force at the bond moves its points that way.
+    pub decided_by: Vec<usize>,
+    /// How far it is from holding, m (rad): rounding where the others happen to agree with it, else they contradict each other.
+    pub miss: f64,
+}
+
+/// A held direction.
+#[derive(Debug, Clone, Copy)]
+struct Held {
+    touch: usize,
+    direction: Vector3<f64>,
+    compliance: f64,
+    /// Coordinates of the ends in the group.
+    first: usize,
+    second: Option<usize>,
+    /// Displacement along the direction without any touch's force.
+    free: f64,
+}
+
+/// Strands that bonds join, as one block.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Group {
+    pub(super) base: usize,
+    pub(super) size: usize,
+    /// Place of its matrix among the reduced ones.
+    pub(super) matrix: usize,
+    /// Its held directions.
+    first_held: usize,
+    held: usize,
+    /// Places of X (size × held) and W (held × held).
+    x: usize,
+    w: usize,
+}
+
+/// What belongs to no group.
+const NONE: u32 = u32::MAX;
+
+/// The bonds of a problem, eliminated.
+#[derive(Debug, Clone, Default)]
+pub struct Bonds {
+    groups: Vec<Group>,
+    /// A strand's group; empty where the problem has no bonds.
+    group_of: Vec<u32>,
+    /// Where a strand's coordinates begin: those of a group stand together.
+    bases: Vec<usize>,
+    reduced: Vec<f64>,
+    held: Vec<Held>,
+    x: Vec<f64>,
+    w: Vec<f64>,
+    factors: Vec<RankFactor>,
+    /// Displacements of all coordinates by the bonds that answer the free displacement.
+    carried: Vec<f64>,
+}
+
+impl Bonds {
+    /// Eliminates the bonds of a problem.
+    pub(super) fn eliminate(&mut self, space: &ContactSpace) {
+        self.groups.clear();
+        self.group_of.clear();
+        self.bases.clear();
+        self.reduced.clear();
+        self.held.clear();
+        self.x.clear();
+        self.w.clear();
+        self.factors.clear();
+        self.carried.clear();
+        if space.touches().iter().all(|touch| !matches!(touch.law, Law::Bond(_))) {
+            return;
+        }
+        self.group(space);
+        self.carried.resize(space.coordinates(), 0.0);
+        for group in 0..self.groups.len() {
+            self.assemble(space, group);
+            self.reduce(group);
+        }
+    }
+
+    /// Joins the strands and gives every coordinate its place.
+    fn group(&mut self, space: &ContactSpace) {
+        let strands = space.strands();
+        let mut leader: Vec<u32> = (0..strands as u32).collect();
+        let mut bonded = vec![false; strands];
+        for touch in space.touches() {
+            if let Law::Bond(_) = touch.law {
+                let first = touch.first.strand;
+                let second = touch.second.map_or(first, |end| end.strand);
+                bonded[first as usize] = true;
+                bonded[second as usize] = true;
+                let (a, b) = (find(&mut leader, first), find(&mut leader, second));
+                leader[a.max(b) as usize] = a.min(b);
+            }
+        }
+        self.group_of.resize(strands, NONE);
+        self.bases.resize(strands, 0);
+        let mut base = 0;
+        // Leaders are the first of their groups: groups come in the order of their first strands.
+        for strand in 0..strands {
+            let (block, lead) = (space.block(strand), find(&mut leader, strand as u32) as usize);
+            if !bonded[strand] {
+                self.bases[strand] = base;
+                base += block.size;
+            } else if lead == strand {
+                let mut group = Group { base, size: 0, matrix: self.reduced.len(), first_held: 0, held: 0, x: 0, w: 0 };
+                for member in strand..strands {
+                    if bonded[member] && find(&mut leader, member as u32) as usize == strand {
+                        self.group_of[member] = self.groups.len() as u32;
+                        self.bases[member] = base;
+                        base += space.block(member).size;
+                        group.size += space.block(member).size;
+                    }
+                }
+                self.reduced.resize(group.matrix + group.size * group.size, 0.0);
+                self.groups.push(group);
+            }
+        }
+    }
+
+    /// G of a group, and its bonds' E, X and W.
+    fn assemble(&mut self, space: &ContactSpace, index: usize) {
+        let mut group = self.groups[index];
+        let size = group.size;
+        let g = &mut self.reduced[group.matrix..];
+        for strand in 0..space.strands() {
+            if self.group_of[strand] as usize == index {
+                let (block, own, at) = (space.block(strand), space.response(strand), self.bases[strand] - group.base);
+                for column in 0..block.size {
+                    let from = &own[column * block.size..(column + 1) * block.size];
+                    g[(at + column) * size + at..][..block.size].copy_from_slice(from);
+                }
+            }
+        }
+        group.first_held = self.held.len();
+        for (touch, SpaceTouch { first, second, law, free }) in space.touches().iter().enumerate() {
+            let Law::Bond(bond) = law else { continue };
+            if self.group_of[first.strand as usize] as usize != index {
+                continue;
+            }
+            let place = |end: &super::contact_space::End| self.bases[end.strand as usize] - group.base + 3 * end.point as usize;
+            for direction in bond.directions() {
+                self.held.push(Held {
+                    touch,
+                    direction,
+                    compliance: bond.compliance,
+                    first: place(first),
+                    second: second.as_ref().map(place),
+                    free: direction.dot(free),
+                });
+            }
+        }
+        group.held = self.held.len() - group.first_held;
+        (group.x, group.w) = (self.x.len(), self.w.len());
+        let held = &self.held[group.first_held..];
+        for row in held {
+            let at = self.x.len();
+            self.x.resize(at + size, 0.0);
+            let column = &mut self.x[at..];
+            for axis in 0..3 {
+                for i in 0..size {
+                    column[i] += g[(row.first + axis) * size + i] * row.direction[axis];
+                }
+            }
+            if let Some(second) = row.second {
+                for axis in 0..3 {
+                    for i in 0..size {
+                        column[i] -= g[(second + axis) * size + i] * row.direction[axis];
+                    }
+                }
+            }
+        }
+        let count = held.len();
+        for j in 0..count {
+            let column = &self.x[group.x + j * size..][..size];
+            for (i, row) in held.iter().enumerate() {
+                let w = row.project(column);
+                self.w.push(if i == j { w + row.compliance } else { w });
+            }
+        }
+        for j in 0..count {
+            for i in 0..j {
+                let (a, b) = (group.w + i * count + j, group.w + j * count + i);
+                let mean = 0.5 * (self.w[a] + self.w[b]);
+                (self.w[a], self.w[b]) = (mean, mean);
+            }
+        }
+        // What the largest of a bond's points' own mobilities lets one expect: below a rounding of that nothing moves.
+        let expected: Vec<f64> = held
+            .iter()
+            .map(|row| {
+                let own = |at: usize| (0..3).map(|axis| g[(at + axis) * size + at + axis]).sum::<f64>();
+                own(row.first) + row.second.map_or(0.0, own) + row.compliance
+            })
+            .collect();
+        self.factors.push(RankFactor::new(&self.w[group.w..], count, &expected));
+        self.groups[index] = group;
+    }
+
+    /// G̃, and where the points go without contacts.
+    fn reduce(&mut self, index: usize) {
+        let group = self.groups[index];
+        let (size, factor) = (group.size, &self.factors[index]);
+        let rank = factor.rank();
+        // Z = L⁻¹ P Xᵀ, a row of `size` a pivot: G̃ = G − ZᵀZ, symmetric to the bit.
+        let mut z = vec![0.0; rank * size];
+        for i in 0..size {
+            let row: Vec<f64> = (0..group.held).map(|j| self.x[group.x + j * size + i]).collect();
+            let solved = factor.forward(&row);
+            for (k, value) in solved.iter().enumerate() {
+                z[k * size + i] = *value;
+            }
+        }
+        let g = &mut self.reduced[group.matrix..group.matrix + size * size];
+        for k in 0..rank {
+            let row = &z[k * size..(k + 1) * size];
+            for j in 0..size {
+                let factor = row[j];
+                for (entry, value) in g[j * size..(j + 1) * size].iter_mut().zip(row) {
+                    *entry -= value * factor;
+                }
+            }
+        }
+        let free: Vec<f64> = self.held[group.first_held..].iter().take(group.held).map(|row| row.free).collect();
+        let forces = self.answer(index, &free);
+        let carried = &mut self.carried[group.base..group.base + size];
+        for (j, force) in forces.iter().enumerate() {
+            for (i, value) in carried.iter_mut().enumerate() {
+                *value += self.x[group.x + j * size + i] * force;
+            }
+        }
+    }
+
+    /// The forces that answer displacements along the held directions: −W⁻¹ `free`, once refined.
+    fn answer(&self, index: usize, free: &[f64]) -> Vec<f64> {
+        let (group, factor) = (self.groups[index], &self.factors[index]);
+        let mut forces: Vec<f64> = factor.solve(free).iter().map(|f| -f).collect();
+        let missed = self.missed(&group, free, &forces);
+        for (force, correction) in forces.iter_mut().zip(factor.solve(&missed)) {
+            *force -= correction;
+        }
+        forces
+    }
+
+    fn missed(&self, group: &Group, free: &[f64], forces: &[f64]) -> Vec<f64> {
+        (0..group.held)
+            .map(|i| {
+                let row = &self.w[group.w + i * group.held..][..group.held];
+                free[i] + row.iter().zip(forces).map(|(w, f)| w * f).sum::<f64>()
+            })
+            .collect()
+    }
+
+    /// Adds the bonds' forces to `forces` (a touch each; what stands there for bonds is replaced), when all others have theirs; and gives
+    /// the held directions that depend on others.
+    pub(super) fn finish(&self, space: &ContactSpace, forces: &mut [Vector3<f64>]) -> Vec<DependentBond> {
+        let mut dependent = Vec::new();
+        if self.groups.is_empty() {
+            return dependent;
+        }
+        let mut applied = vec![0.0; space.coordinates()];
+        for (touch, force) in space.touches().iter().zip(forces.iter_mut()) {
+            if matches!(touch.law, Law::Bond(_)) {
+                *force = Vector3::zeros();
+                continue;
+            }
+            for axis in 0..3 {
+                applied[self.bases[touch.first.strand as usize] + 3 * touch.first.point as usize + axis] += force[axis];
+                if let Some(second) = touch.second {
+                    applied[self.bases[second.strand as usize] + 3 * second.point as usize + axis] -= force[axis];
+                }
+            }
+        }
+        for (index, group) in self.groups.iter().enumerate() {
+            let held = &self.held[group.first_held..group.first_held + group.held];
+            let applied = &applied[group.base..group.base + group.size];
+            let free: Vec<f64> = held
+                .iter()
+                .enumerate()
+                .map(|(j, row)| {
+                    let x = &self.x[group.x + j * group.size..][..group.size];
+                    row.free + x.iter().zip(applied).map(|(x, f)| x * f).sum::<f64>()
+                })
+                .collect();
+            let answer = self.answer(index, &free);
+            for (row, force) in held.iter().zip(&answer) {
+                forces[row.touch] += row.direction * *force;
+            }
+            let missed = self.missed(group, &free, &answer);
+            for (row, on) in dependence(&self.factors[index]) {
+                let mut decided_by: Vec<usize> = on.iter().map(|other| held[*other].touch).collect();
+                decided_by.sort_unstable();
+                decided_by.dedup();
+                dependent.push(DependentBond {
+                    touch: held[row].touch,
+                    direction: held[row].direction,
+                    decided_by,
+                    miss: missed[row].abs(),
+                });
+            }
+        }
+        dependent
+    }
+
+    /// A strand's group, if bonds hold it.
+    pub(super) fn group_of(&self, strand: usize) -> Option<&Group> {
+        let group = *self.group_of.get(strand)?;
+        self.groups.get(group as usize)
+    }
+
+    /// Where a strand's coordinates begin, `own` in a problem without bonds.
+    pub(super) fn base(&self, strand: usize, own: usize) -> usize {
+        self.bases.get(strand).copied().unwrap_or(own)
+    }
+
+    /// The groups' matrices after the elimination.
+    pub(super) fn reduced(&self) -> &[f64] {
+        &self.reduced
+    }
+
+    /// Displacement of the point at a coordinate (in the bonds' order) by the bonds alone.
+    pub(super) fn carried(&self, at: usize) -> Vector3<f64> {
+        if self.carried.is_empty() { Vector3::zeros() } else { super::contact_space::read(&self.carried, at) }
+    }
+}
+
+impl Held {
+    /// Displacement along the direction where the group's coordinates are displaced so.
+    fn project(&self, displacements: &[f64]) -> f64 {
+        let at = |at: usize| (0..3).map(|axis| displacements[at + axis] * self.direction[axis]).sum::<f64>();
+        at(self.first) - self.second.map_or(0.0, at)
+    }
+}
+
+/// The leader of a strand's set, paths halved on the way.
+fn find(leader: &mut [u32], mut strand: u32) -> u32 {
+    while leader[strand as usize] != strand {
+        leader[strand as usize] = leader[leader[strand as usize] as usize];
+        strand = leader[strand as usize];
+    }
+    strand
+}

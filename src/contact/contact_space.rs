@@ -1,0 +1,209 @@
+//! The problem in contact space: how the touched points of every strand answer to forces, and which touches there are.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::law::Law;
+use crate::error::{Error, Result, check_finite, check_positive};
+
+/// A touched point of a strand: a place, or the rotation at a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct End {
+    /// Index of the strand in the problem.
+    pub strand: u32,
+    /// Index of the point among the strand's touched points.
+    pub point: u32,
+}
+
+/// One touch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpaceTouch {
+    /// Where +λ acts.
+    pub first: End,
+    /// Where −λ acts; none where the partner is a body or the world.
+    pub second: Option<End>,
+    /// What it obeys.
+    pub law: Law,
+    /// The relative displacement over the step that there would be without any touch's force, world axes, m (between rotations rad). Its
+    /// part along a contact's normal is the gap that there would be.
+    pub free: Vector3<f64>,
+}
+
+/// The strands' responses and the touches. Its memory is kept from one use to the next.
+#[derive(Debug, Clone, Default)]
+pub struct ContactSpace {
+    step: f64,
+    strands: Vec<StrandBlock>,
+    /// Strand after strand, each a symmetric matrix of (3 points)² numbers.
+    response: Vec<f64>,
+    coordinates: usize,
+    touches: Vec<SpaceTouch>,
+}
+
+/// Where a strand's numbers are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StrandBlock {
+    /// Coordinates: three times the points.
+    pub(super) size: usize,
+    /// Its first coordinate among all strands'.
+    pub(super) base: usize,
+    /// Its matrix's place.
+    pub(super) matrix: usize,
+}
+
+impl ContactSpace {
+    /// Begins a new problem for a step of `step` seconds (above zero), without strands or touches.
+    pub fn reset(&mut self, step: f64) -> Result<()> {
+        check_positive(|| "step".into(), step)?;
+        self.step = step;
+        self.strands.clear();
+        self.response.clear();
+        self.touches.clear();
+        self.coordinates = 0;
+        Ok(())
+    }
+
+    /// Adds a strand with that many touched points and gives its matrix G, all zero, to be filled in: displacement of coordinate i (three a
+    /// point, world axes, m or rad) per unit of force at coordinate j (N or N·m) at `i + j * 3 * points`. It must be symmetric up to rounding
+    /// and positive semidefinite.
+    pub fn add_strand(&mut self, points: usize) -> &mut [f64] {
+        let (size, matrix) = (3 * points, self.response.len());
+        self.strands.push(StrandBlock { size, base: self.coordinates, matrix });
+        self.coordinates += size;
+        self.response.resize(matrix + size * size, 0.0);
+        &mut self.response[matrix..]
+    }
+
+    /// Adds a touch. Errors: an end that is not among the strands' points, two ends that are the same, a free displacement that is not finite,
+    /// a law with a number out of its range.
+    pub fn add_touch(&mut self, touch: SpaceTouch) -> Result<()> {
+        let name = format!("touches[{}]", self.touches.len());
+        self.check_end(&format!("{name}.first"), touch.first)?;
+        if let Some(second) = touch.second {
+            self.check_end(&format!("{name}.second"), second)?;
+            if second == touch.first {
+                let value = format!("strand {} point {}", second.strand, second.point);
+                return Err(Error::invalid(format!("{name}.second"), value, "another point than the first"));
+            }
+        }
+        for i in 0..3 {
+            check_finite(|| format!("{name}.free[{i}]"), touch.free[i])?;
+        }
+        touch.law.check(&format!("{name}.law"))?;
+        self.touches.push(touch);
+        Ok(())
+    }
+
+    fn check_end(&self, argument: &str, end: End) -> Result<()> {
+        let Some(block) = self.strands.get(end.strand as usize) else {
+            let most = self.strands.len();
+            return Err(Error::invalid(format!("{argument}.strand"), end.strand, format!("less than the {most} strands")));
+        };
+        if 3 * end.point as usize >= block.size {
+            let most = block.size / 3;
+            return Err(Error::invalid(format!("{argument}.point"), end.point, format!("less than the strand's {most} points")));
+        }
+        Ok(())
+    }
+
+    /// The step's seconds.
+    pub fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// How many strands there are.
+    pub fn strands(&self) -> usize {
+        self.strands.len()
+    }
+
+    /// How many touched points a strand has.
+    pub fn points(&self, strand: usize) -> usize {
+        self.strands[strand].size / 3
+    }
+
+    /// A strand's matrix, laid out as [`ContactSpace::add_strand`] says.
+    pub fn response(&self, strand: usize) -> &[f64] {
+        let block = &self.strands[strand];
+        &self.response[block.matrix..block.matrix + block.size * block.size]
+    }
+
+    /// The touches in the order in which they were added.
+    pub fn touches(&self) -> &[SpaceTouch] {
+        &self.touches
+    }
+
+    /// Changes a touch's free displacement (finite), law and all else kept: the next Newton iteration's problem.
+    pub fn set_free(&mut self, touch: usize, free: Vector3<f64>) -> Result<()> {
+        for i in 0..3 {
+            check_finite(|| format!("free[{i}]"), free[i])?;
+        }
+        self.touches[touch].free = free;
+        Ok(())
+    }
+
+    pub(super) fn block(&self, strand: usize) -> &StrandBlock {
+        &self.strands[strand]
+    }
+
+    pub(super) fn responses(&self) -> &[f64] {
+        &self.response
+    }
+
+    /// Coordinates of all strands together.
+    pub(super) fn coordinates(&self) -> usize {
+        self.coordinates
+    }
+
+    /// The displacements of all touched points under the touches' forces `forces`, three coordinates a point, strand after strand: by the
+    /// whole matrices, without what a solver keeps up to date.
+    pub fn displacements(&self, forces: &[Vector3<f64>], out: &mut Vec<f64>) {
+        out.clear();
+        out.resize(self.coordinates, 0.0);
+        for (touch, force) in self.touches.iter().zip(forces) {
+            self.push(touch.first, force, out);
+            if let Some(second) = touch.second {
+                self.push(second, &-force, out);
+            }
+        }
+    }
+
+    fn push(&self, end: End, force: &Vector3<f64>, out: &mut [f64]) {
+        let block = self.block(end.strand as usize);
+        let columns = block.matrix + 3 * end.point as usize * block.size;
+        add_columns(&self.response[columns..], force, &mut out[block.base..block.base + block.size]);
+    }
+
+    /// The relative displacement of a touch where the points are displaced by `displacements`, its free one with it.
+    pub fn relative(&self, touch: usize, displacements: &[f64]) -> Vector3<f64> {
+        let touch = &self.touches[touch];
+        let at = |end: End| self.block(end.strand as usize).base + 3 * end.point as usize;
+        let mut u = touch.free + read(displacements, at(touch.first));
+        if let Some(second) = touch.second {
+            u -= read(displacements, at(second));
+        }
+        u
+    }
+}
+
+/// The vector at a place of a list of coordinates.
+#[inline(always)]
+pub(super) fn read(values: &[f64], at: usize) -> Vector3<f64> {
+    let v = &values[at..at + 3];
+    Vector3::new(v[0], v[1], v[2])
+}
+
+/// The 3×3 block at row and column of a symmetric matrix of `size` coordinates.
+pub(super) fn read_block(matrix: &[f64], size: usize, row: usize, column: usize) -> Matrix3<f64> {
+    Matrix3::from_fn(|i, j| matrix[(column + j) * size + row + i])
+}
+
+/// Adds three columns of a matrix, `out.len()` numbers each and one after the other, times the parts of `force`.
+#[inline(always)]
+pub(super) fn add_columns(columns: &[f64], force: &Vector3<f64>, out: &mut [f64]) {
+    let size = out.len();
+    let (x, rest) = columns.split_at(size);
+    let (y, z) = rest.split_at(size);
+    let z = &z[..size];
+    for i in 0..size {
+        out[i] += (x[i] * force.x + y[i] * force.y) + z[i] * force.z;
+    }
+}

@@ -1,0 +1,117 @@
+//! The contact-space problem solved by nonsmooth block Gauss–Seidel: touch after touch, each by its law's exact solve
+//! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables).
+
+use nalgebra::Vector3;
+
+use super::bonds::DependentBond;
+use super::contact_space::ContactSpace;
+use super::system::System;
+
+/// When to stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// The residual asked for, see [`Report::residual`].
+    pub tolerance: f64,
+    /// Most sweeps over all touches.
+    pub max_sweeps: u32,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { tolerance: 1e-6, max_sweeps: 2000 }
+    }
+}
+
+/// What came of a solve.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Report {
+    /// Sweeps made.
+    pub sweeps: u32,
+    /// The largest residual of any touch ([`super::law::Law::residual`]), forces measured in `force`, displacements in `length`.
+    pub residual: f64,
+    /// The largest force of any touch, N; where all are zero, what would move the most mobile touch by `length`.
+    pub force: f64,
+    /// The largest free displacement of any touch, m.
+    pub length: f64,
+    /// Held directions that depend on others.
+    pub dependent: Vec<DependentBond>,
+}
+
+/// The solver; keeps its memory.
+#[derive(Debug, Clone, Default)]
+pub struct GaussSeidel {
+    /// The problem, ready.
+    pub system: System,
+    forces: Vec<Vector3<f64>>,
+}
+
+impl GaussSeidel {
+    /// Solves. `forces`: one a touch, where to start from, replaced by the solution.
+    pub fn solve(&mut self, space: &ContactSpace, settings: &Settings, forces: &mut [Vector3<f64>]) -> Report {
+        self.system.prepare(space);
+        let system = &mut self.system;
+        self.forces.clear();
+        for index in 0..system.rows.len() {
+            let force = forces[system.rows[index].touch];
+            self.forces.push(force);
+            if force != Vector3::zeros() {
+                system.push(space, index, &force);
+            }
+        }
+        let mut report = Report::default();
+        loop {
+            scales(system, &self.forces, &mut report);
+            report.residual = residual(space, system, &self.forces, &report);
+            if report.residual <= settings.tolerance || report.sweeps >= settings.max_sweeps {
+                break;
+            }
+            for _ in 0..4 {
+                sweep(space, system, &mut self.forces);
+                report.sweeps += 1;
+            }
+        }
+        for (row, force) in system.rows.iter().zip(&self.forces) {
+            forces[row.touch] = *force;
+        }
+        report.dependent = system.bonds.finish(space, forces);
+        report
+    }
+}
+
+/// One sweep.
+pub fn sweep(space: &ContactSpace, system: &mut System, forces: &mut [Vector3<f64>]) {
+    for index in 0..system.rows.len() {
+        let old = forces[index];
+        let u = system.relative(&system.rows[index]);
+        let row = &mut system.rows[index];
+        let new = row.solve.solve(u - row.response * old);
+        let change = new - old;
+        if change != Vector3::zeros() {
+            forces[index] = new;
+            system.push(space, index, &change);
+        }
+    }
+}
+
+/// The scales of force and length.
+pub fn scales(system: &System, forces: &[Vector3<f64>], report: &mut Report) {
+    report.force = forces.iter().fold(0.0, |a: f64, f| a.max(f.norm()));
+    report.length = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.free.norm()));
+    if report.length == 0.0 {
+        report.length = 1.0;
+    }
+    if report.force == 0.0 {
+        let mobility = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.response.trace() / 3.0));
+        report.force = if mobility > 0.0 { report.length / mobility } else { 1.0 };
+    }
+}
+
+/// The largest residual of any row.
+pub fn residual(space: &ContactSpace, system: &System, forces: &[Vector3<f64>], report: &Report) -> f64 {
+    let mut worst = 0.0_f64;
+    for (row, force) in system.rows.iter().zip(forces) {
+        let law = &space.touches()[row.touch].law;
+        worst = worst.max(law.residual(system.relative(row), *force, space.step(), report.length, report.force));
+    }
+    worst
+}

@@ -1,0 +1,327 @@
+//! Hair against hair: which strands may touch, kept from step to step, and where they do.
+//!
+//! The search for pairs of pieces (`pieces.rs`, `grid.rs`) finds more than touch now: all that come within a margin of touching. What it found
+//! holds until a piece has moved by more than its margin, and that is asked at every iterate, so that no pair is ever missed. Motion that
+//! all strands share (a head that turns) does not count: it is measured against the motion that the roots share.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::grid::{Bounds, Grid};
+use super::pieces::{Pieces, Wisp};
+use super::segment_distance::closest_of_segments;
+use super::touch::{StrandCurve, StrandPath, Touch};
+use super::touches::{MovingPiece, TouchScratch, TwoStrands, relative_motion};
+use crate::error::{Error, Result, check_not_negative};
+
+/// How far to look.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairOptions {
+    /// Gaps up to this are touches, m, zero or above: as far as strands may approach between two looks at them.
+    pub activation: f64,
+    /// How far a piece may move against the rest before pairs are searched for again, m, zero or above. A larger one means fewer searches and
+    /// more candidates.
+    pub margin: f64,
+}
+
+/// What a search and its use came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct PairCounts {
+    /// Calls of [`HairPairs::update`].
+    pub updates: u64,
+    /// Those among them that searched.
+    pub searches: u64,
+    /// Pieces that strands are cut into now.
+    pub pieces: usize,
+    /// Pairs of pieces that may touch.
+    pub candidates: usize,
+    /// Pairs of strands that have such pieces.
+    pub groups: usize,
+}
+
+/// The candidates of two strands, a range of all candidates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Group {
+    /// Index of the first strand.
+    pub a: u32,
+    /// Index of the second; not less than the first.
+    pub b: u32,
+    from: u32,
+    to: u32,
+}
+
+/// Pairs of strands that may touch. Memory is kept: once it has grown, nothing is allocated.
+#[derive(Debug, Default)]
+pub struct HairPairs {
+    wisps: Vec<Wisp>,
+    activation: f64,
+    margin: f64,
+    pieces: Pieces,
+    grid: Grid,
+    boxes: Vec<Bounds>,
+    candidates: Vec<(u32, u32)>,
+    groups: Vec<Group>,
+    sagittas: [Vec<f64>; 2],
+    start: Vec<Vector3<f64>>,
+    now: Vec<Vector3<f64>>,
+    /// The start as the motion that all strands share has carried it along; that motion's turn.
+    carried: Vec<Vector3<f64>>,
+    turned: Matrix3<f64>,
+    /// The roots of the strands that take part, at the step's start and now.
+    roots: [Vec<Root>; 2],
+    /// Nodes, roots and sagittas when the candidates were found.
+    found_at: Vec<Vector3<f64>>,
+    found_roots: Vec<Root>,
+    found_sagittas: Vec<f64>,
+    /// The start is still to be looked at; it is the one that the candidates were found with.
+    begun: bool,
+    found_this_step: bool,
+    counts: PairCounts,
+    valid: bool,
+}
+
+impl HairPairs {
+    /// Says what the strands are to each other. The next [`update`](Self::update) searches.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for an option or a wisp that is out of range; nothing is changed then.
+    pub fn set(&mut self, wisps: &[Wisp], options: &PairOptions) -> Result<()> {
+        check_not_negative(|| "activation".into(), options.activation)?;
+        check_not_negative(|| "margin".into(), options.margin)?;
+        for (index, wisp) in wisps.iter().enumerate() {
+            wisp.check(|| format!("wisps[{index}]"))?;
+        }
+        self.wisps.clear();
+        self.wisps.extend_from_slice(wisps);
+        (self.activation, self.margin, self.valid) = (options.activation, options.margin, false);
+        Ok(())
+    }
+
+    /// Says that a step begins: the next [`update`](Self::update) has another start. Within a step its paths' starts are the same.
+    pub fn begin_step(&mut self) {
+        (self.begun, self.found_this_step) = (true, false);
+    }
+
+    /// Takes note of where the strands are, at every iterate, and searches where what was found may no longer be all. True if it searched.
+    /// Strands are paths in the order of the wisps; their numbers of elements and their lengths must be those of the last search
+    /// ([`set`](Self::set) otherwise). A strand that is not finite meets nothing until the next search.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for another number of strands than of wisps.
+    pub fn update(&mut self, strands: &[StrandPath]) -> Result<bool> {
+        if strands.len() != self.wisps.len() {
+            return Err(Error::invalid("strands", strands.len(), format!("{}, the number of wisps", self.wisps.len())));
+        }
+        self.counts.updates += 1;
+        let now = |strand: usize| strands[strand].now;
+        self.valid = self.valid && !self.pieces.outgrown(&self.wisps, now);
+        if self.valid {
+            if self.begun {
+                self.place_start(strands);
+            }
+            self.place(strands);
+            self.valid = self.still_within();
+        }
+        if self.valid {
+            return Ok(false);
+        }
+        self.pieces.cut(&self.wisps, now);
+        self.place_start(strands);
+        self.place(strands);
+        self.search();
+        (self.valid, self.found_this_step) = (true, true);
+        Ok(true)
+    }
+
+    /// Where everything was when the step began.
+    fn place_start(&mut self, strands: &[StrandPath]) {
+        let start = |strand: usize| -> StrandCurve { strands[strand].start };
+        self.pieces.place(start, &mut self.start);
+        self.pieces.sagittas(start, &mut self.sagittas[0]);
+        roots_of(strands, &self.wisps, |strand| strand.start, &mut self.roots[0]);
+        self.begun = false;
+    }
+
+    /// Where everything is.
+    fn place(&mut self, strands: &[StrandPath]) {
+        let now = |strand: usize| -> StrandCurve { strands[strand].now };
+        self.pieces.place(now, &mut self.now);
+        self.pieces.sagittas(now, &mut self.sagittas[1]);
+        let [then, sagittas] = &mut self.sagittas;
+        for (now, then) in sagittas.iter_mut().zip(then) {
+            *now = now.max(*then);
+        }
+        roots_of(strands, &self.wisps, |strand| strand.now, &mut self.roots[1]);
+        let shared = RigidMotion::shared(&self.roots[0], &self.roots[1]);
+        self.carried.clear();
+        self.carried.extend(self.start.iter().map(|node| shared.of(node)));
+        self.turned = shared.turn;
+    }
+
+    /// Whether no piece has left the room that the candidates were found for.
+    fn still_within(&self) -> bool {
+        // The start is the one of the search, and its way was looked at then, or within the margin like everything else.
+        let within = |nodes: &[Vector3<f64>], roots: &[Root]| {
+            let moved = RigidMotion::shared(&self.found_roots, roots);
+            self.pieces.pieces.iter().enumerate().all(|(index, piece)| {
+                let node = piece.node as usize;
+                let off = |node: usize| (nodes[node] - moved.of(&self.found_at[node])).norm();
+                off(node).max(off(node + 1)) + self.sagittas[1][index] <= self.margin + self.found_sagittas[index]
+            })
+        };
+        within(&self.now, &self.roots[1]) && (self.found_this_step || within(&self.start, &self.roots[0]))
+    }
+
+    fn search(&mut self) {
+        let Self { wisps, pieces, boxes, candidates, groups, now, carried, .. } = self;
+        let sagittas = &self.sagittas[1];
+        let pieces = &pieces.pieces;
+        boxes.clear();
+        boxes.extend(pieces.iter().zip(sagittas).map(|(piece, sagitta)| {
+            let node = piece.node as usize;
+            let room = wisps[piece.strand as usize].radius + self.margin + sagitta + 0.5 * self.activation;
+            let (mut low, mut high) = (now[node].inf(&now[node + 1]), now[node].sup(&now[node + 1]));
+            for from in &carried[node..node + 2] {
+                (low, high) = (low.inf(from), high.sup(from));
+            }
+            Bounds { low: low - Vector3::repeat(room), high: high + Vector3::repeat(room) }
+        }));
+        candidates.clear();
+        let ends = |index: usize| {
+            let node = pieces[index].node as usize;
+            [now[node], now[node + 1]]
+        };
+        let moved = |index: usize| {
+            let node = pieces[index].node as usize;
+            [now[node] - carried[node], now[node + 1] - carried[node + 1]]
+        };
+        self.grid.pairs(boxes, |i, j| {
+            let (a, b) = (i as usize, j as usize);
+            let (first, second) = (&pieces[a], &pieces[b]);
+            let (wisp, other) = (&wisps[first.strand as usize], &wisps[second.strand as usize]);
+            let may = if first.strand == second.strand {
+                wisp.meets_itself && second.element > first.element + 1
+            } else {
+                wisp.meets(other)
+            };
+            if may {
+                let room = wisp.radius + other.radius + sagittas[a] + sagittas[b] + self.activation + 2.0 * self.margin;
+                let (at_a, at_b) = (ends(a), ends(b));
+                let distance = closest_of_segments([&at_a[0], &at_a[1]], [&at_b[0], &at_b[1]]).distance;
+                if distance <= room + relative_motion(moved(a), moved(b)) {
+                    candidates.push((i, j));
+                }
+            }
+        });
+        candidates.sort_unstable_by_key(|(i, j)| (pieces[*i as usize].strand, pieces[*j as usize].strand, *i, *j));
+        groups.clear();
+        for (index, (i, j)) in candidates.iter().enumerate() {
+            let (a, b) = (pieces[*i as usize].strand, pieces[*j as usize].strand);
+            match groups.last_mut() {
+                Some(group) if (group.a, group.b) == (a, b) => group.to = index as u32 + 1,
+                _ => groups.push(Group { a, b, from: index as u32, to: index as u32 + 1 }),
+            }
+        }
+        self.found_at.clone_from(now);
+        self.found_roots.clone_from(&self.roots[1]);
+        self.found_sagittas.clone_from(sagittas);
+        self.counts.searches += 1;
+        (self.counts.pieces, self.counts.candidates, self.counts.groups) = (pieces.len(), candidates.len(), groups.len());
+    }
+
+    /// Pairs of strands that may touch, by first and second strand. Stays until the next search.
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// Writes the touches of a pair of strands after what `out` holds, by arclength of the first strand. `strands` as in the last
+    /// [`update`](Self::update). Any number of threads may do so for different groups; with the groups in their order, touches are in
+    /// theirs: by first strand, second strand, arclength of the first, of the second.
+    pub fn touches(&self, group: &Group, strands: &[StrandPath], scratch: &mut TouchScratch, out: &mut Vec<Touch>) {
+        let moving = |index: u32| {
+            let piece = &self.pieces.pieces[index as usize];
+            let node = piece.node as usize;
+            MovingPiece {
+                piece,
+                start: [self.carried[node], self.carried[node + 1]],
+                now: [self.now[node], self.now[node + 1]],
+                sagitta: self.sagittas[1][index as usize],
+            }
+        };
+        let two = TwoStrands {
+            a: &strands[group.a as usize],
+            b: &strands[group.b as usize],
+            wisp_a: &self.wisps[group.a as usize],
+            wisp_b: &self.wisps[group.b as usize],
+            activation: self.activation,
+            turned: self.turned,
+        };
+        let candidates = self.candidates[group.from as usize..group.to as usize].iter();
+        two.touches(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
+    }
+
+    /// What it came to so far.
+    pub fn counts(&self) -> PairCounts {
+        self.counts
+    }
+}
+
+/// The pose of a strand's root.
+#[derive(Debug, Clone, Copy)]
+struct Root {
+    origin: Vector3<f64>,
+    frame: Matrix3<f64>,
+}
+
+/// The roots of the strands that take part.
+fn roots_of<'a>(
+    strands: &[StrandPath<'a>],
+    wisps: &[Wisp],
+    curve: impl Fn(&StrandPath<'a>) -> StrandCurve<'a>,
+    roots: &mut Vec<Root>,
+) {
+    let taking_part = strands.iter().zip(wisps).filter(|(_, wisp)| wisp.radius > 0.0);
+    roots.clear();
+    roots.extend(taking_part.filter_map(|(strand, _)| {
+        let curve = curve(strand);
+        let first = curve.elements.first()?;
+        Some(Root { origin: curve.origin, frame: first.frame_left.into() })
+    }));
+}
+
+/// A turn and a shift.
+#[derive(Debug)]
+struct RigidMotion {
+    turn: Matrix3<f64>,
+    from: Vector3<f64>,
+    to: Vector3<f64>,
+}
+
+/// Roots that turn so differently that their mean turn is shorter than this (1 for those that turn alike) share no turn.
+const SHARED: f64 = 0.5;
+
+impl RigidMotion {
+    /// The motion that roots have in common: the mean of their turns, and of their origins. (Not that of the strands' points: two strands
+    /// that pass through each other may look like one body that turned.)
+    fn shared(roots: &[Root], later: &[Root]) -> Self {
+        let (mut from, mut to, mut turns, mut count) = (Vector3::zeros(), Vector3::zeros(), Matrix3::zeros(), 0.0);
+        for (then, now) in roots.iter().zip(later) {
+            let turn = now.frame * then.frame.transpose();
+            if (turn.norm_squared() + then.origin.norm_squared() + now.origin.norm_squared()).is_finite() {
+                (from, to, turns, count) = (from + then.origin, to + now.origin, turns + turn, count + 1.0);
+            }
+        }
+        if count == 0.0 {
+            return Self { turn: Matrix3::identity(), from, to };
+        }
+        let svd = (turns / count).svd(true, true);
+        let turn = match (svd.u, svd.v_t) {
+            (Some(u), Some(v_t)) if svd.singular_values.min() > SHARED && (u * v_t).determinant() > 0.0 => u * v_t,
+            _ => Matrix3::identity(),
+        };
+        Self { turn, from: from / count, to: to / count }
+    }
+
+    fn of(&self, point: &Vector3<f64>) -> Vector3<f64> {
+        self.to + self.turn * (point - self.from)
+    }
+}

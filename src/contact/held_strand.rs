@@ -1,0 +1,148 @@
+//! A strand in the course of a step in which touches or constraints hold it: its stations, and what the joints of its island make of
+//! them.
+
+use nalgebra::Vector3;
+
+use super::body::BodyAt;
+use super::island::Island;
+use super::joint::EndState;
+use super::options::StrandContact;
+use super::pieces::Wisp;
+use super::strand_body::{self, PathBounds, Span};
+use super::touch::{StrandCurve, StrandPath, Touch};
+use crate::chain::load::Station;
+use crate::math::vector::Vec3;
+use crate::step::Setting;
+use crate::step::held::Held;
+
+/// One end of a joint on a strand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attachment {
+    /// Index of the joint in the strand's island.
+    pub joint: u32,
+    /// Whether it is the joint's second end, on which −force acts.
+    pub second: bool,
+    /// Where.
+    pub station: Station,
+}
+
+/// A held strand.
+#[derive(Debug, Default)]
+pub struct HeldStrand {
+    /// Its index in the solver.
+    pub index: u32,
+    /// Its step.
+    pub held: Held,
+    /// What it is to contact.
+    pub contact: StrandContact,
+    /// Its island.
+    pub island: u32,
+    /// From root to tip; their places in this list are the points of the island's contact space.
+    pub attachments: Vec<Attachment>,
+    /// Whether its step is implicit Euler's, whatever the setting says, and whether it is to begin once more for that.
+    pub first_order: bool,
+    /// See `first_order`.
+    pub begins_again: bool,
+    /// Whether its island's iteration has ended well, and nothing new holds it since.
+    pub settled: bool,
+    /// How far an element may be from where the iteration ends, rad.
+    pub residual: f64,
+    /// Whether it takes part in contact at all.
+    pub touches: bool,
+    /// Touches with bodies that were found last.
+    pub found: Vec<Touch>,
+    stations: Vec<Station>,
+    forces: Vec<Vec3<f64>>,
+    bounds: PathBounds,
+    scratch: strand_body::Scratch,
+}
+
+impl HeldStrand {
+    /// Its curve as the step found it and at the present iterate.
+    pub fn path(&self) -> StrandPath<'_> {
+        let curve = |(origin, elements)| StrandCurve { origin, elements };
+        StrandPath { index: self.index, start: curve(self.held.start()), now: curve(self.held.now()) }
+    }
+
+    /// Finds the touches with bodies that are nearer than `within` (m) at the present iterate.
+    pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64) {
+        if !self.touches {
+            return;
+        }
+        let (mut bounds, mut scratch, mut found) =
+            (std::mem::take(&mut self.bounds), std::mem::take(&mut self.scratch), std::mem::take(&mut self.found));
+        let path = self.path();
+        bounds.update(&path);
+        let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
+        for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
+            strand_body::touches(&path, &bounds, Span { exempt }, radius, body, within, &mut scratch, &mut found);
+        }
+        (self.bounds, self.scratch, self.found) = (bounds, scratch, found);
+    }
+
+    /// What it is to other strands.
+    pub fn wisp(&self) -> Wisp {
+        let StrandContact { wisp_radius: radius, exempt_length: exempt, groups: group, mask, .. } = self.contact;
+        Wisp { radius, exempt, group, mask, meets_itself: false }
+    }
+
+    /// Arclength of a station from the root, m.
+    pub fn along(&self, station: &Station) -> f64 {
+        self.held.start().1[..station.element].iter().map(|element| element.length).sum::<f64>() + station.s
+    }
+
+    /// Its length, m.
+    pub fn length(&self) -> f64 {
+        self.held.start().1.iter().map(|element| element.length).sum()
+    }
+
+    /// Where a station is.
+    pub fn end_state(&self, station: &Station) -> EndState {
+        EndState {
+            start: Held::place(self.held.start(), station),
+            now: Held::place(self.held.now(), station),
+            tangent: self.path().now.tangent(station.element, station.s),
+        }
+    }
+
+    /// Takes the stations that the joints have now, and brings the attachments into order: from root to tip, those of a place by joint.
+    fn sort(&mut self, island: &Island) {
+        for attachment in &mut self.attachments {
+            let joint = &island.joints[attachment.joint as usize];
+            let end = if attachment.second { joint.second.unwrap_or(joint.first) } else { joint.first };
+            attachment.station = end.station;
+        }
+        self.attachments.sort_by(|a, b| {
+            let key = |x: &Attachment| (x.station.element, x.station.s);
+            key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then((a.joint, a.second).cmp(&(b.joint, b.second)))
+        });
+    }
+
+    fn pull(&mut self, island: &Island) {
+        self.forces.clear();
+        self.forces.extend(self.attachments.iter().map(|attachment| {
+            let force = island.joints[attachment.joint as usize].force;
+            Vec3::from(if attachment.second { -force } else { force })
+        }));
+    }
+
+    /// First half of a Newton iteration; the joints' forces are the last iteration's.
+    pub fn linearise(&mut self, island: &Island) {
+        self.sort(island);
+        self.stations.clear();
+        self.stations.extend(self.attachments.iter().map(|attachment| attachment.station));
+        self.pull(island);
+        self.held.linearise(&self.stations, &self.forces);
+    }
+
+    /// Second half, with the joints' new forces.
+    pub fn advance(&mut self, setting: &Setting, island: &Island) {
+        self.pull(island);
+        self.residual = self.held.advance(setting, &self.forces);
+    }
+
+    /// How far an attached point would go in this iteration without forces.
+    pub fn free(&self, point: u32) -> Vector3<f64> {
+        self.held.free[point as usize].into()
+    }
+}

@@ -1,0 +1,186 @@
+//! Strands that joints tie together, directly or through others, and the contact problem of one Newton iteration of theirs.
+
+use nalgebra::Vector3;
+
+use super::body::BodyAt;
+use super::contact_space::{ContactSpace, End, SpaceTouch};
+use super::gauss_seidel::{GaussSeidel, Report, Settings};
+use super::held_strand::HeldStrand;
+use super::joint::{Joint, JointKind};
+use super::law::Law;
+use super::nearest::nearest;
+use super::options::{ContactModel, ContactOptions};
+use crate::chain::load::Station;
+use crate::error::Result;
+
+/// How nearly a bond must hold at the end of a step, m.
+const BOND_TOLERANCE: f64 = 1e-10;
+/// The residual to which the contact problem is solved where friction need not be exact.
+const ROUGH: f64 = 1e-4;
+/// Where surfaces may sink into each other a strand is done when no element may be further than this from the end, rad.
+const SOFT_TOLERANCE: f64 = 1e-4;
+
+/// How far from a body's surface a touch is looked at again, m.
+const LOOK: f64 = 0.01;
+/// A surface is the same while its normal turns by no more than this cosine.
+const SAME_SURFACE: f64 = 0.7;
+
+/// Strands that hang together.
+#[derive(Debug, Default)]
+pub struct Island {
+    /// Indices among the held strands, ascending.
+    pub strands: Vec<u32>,
+    /// What holds them.
+    pub joints: Vec<Joint>,
+    /// The last contact problem's report.
+    pub report: Report,
+    /// Largest residual of the laws at the last check, see [`Report::residual`].
+    pub residual: f64,
+    /// Sweeps so far.
+    pub sweeps: u32,
+    /// Newton iterations so far.
+    pub iterations: u32,
+    /// Whether its strands' iterations have ended.
+    pub done: bool,
+    /// Whether they have ended where they should.
+    pub converged: bool,
+    space: ContactSpace,
+    solver: GaussSeidel,
+    forces: Vec<Vector3<f64>>,
+    ends: Vec<[End; 2]>,
+}
+
+impl Island {
+    /// Empties it.
+    pub fn clear(&mut self) {
+        self.strands.clear();
+        self.joints.clear();
+        (self.sweeps, self.iterations, self.done, self.converged, self.residual) = (0, 0, false, false, 0.0);
+    }
+
+    /// Finds every joint's ends among its strands' attachments, once they are in order.
+    pub fn find_ends(&mut self, strands: &[HeldStrand]) {
+        self.ends.clear();
+        self.ends.resize(self.joints.len(), [End { strand: 0, point: 0 }; 2]);
+        for (local, held) in self.strands.iter().enumerate() {
+            for (point, attachment) in strands[*held as usize].attachments.iter().enumerate() {
+                self.ends[attachment.joint as usize][usize::from(attachment.second)] =
+                    End { strand: local as u32, point: point as u32 };
+            }
+        }
+    }
+
+    /// Whether its iteration ended elsewhere than it should.
+    pub fn failed(&self) -> bool {
+        self.done && !self.converged
+    }
+
+    /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
+    pub fn refresh(&mut self, strands: &[HeldStrand], bodies: &[BodyAt]) {
+        for joint in &mut self.joints {
+            let strand = &strands[joint.first.held as usize];
+            match &mut joint.kind {
+                JointKind::Ring { target, .. } => {
+                    let Station { element, s, .. } = joint.first.station;
+                    let (element, s) = nearest(&strand.path().now, element, s, *target);
+                    joint.first.station = Station::on(element, s);
+                }
+                JointKind::Body { body, feature, normal, point, carried, .. } => {
+                    let (body, at) = (&bodies[*body as usize], strand.end_state(&joint.first.station).now);
+                    if let Some(surface) = body.closest_at_end(at, LOOK) {
+                        let new = body.to_world(&surface.normal);
+                        // Another side of an edge or a sheet is another surface.
+                        if new.dot(normal) > SAME_SURFACE {
+                            (*normal, *point) = (new, body.surface_at_end(&surface));
+                            (*feature, *carried) = (surface.feature, body.carried(&surface));
+                        }
+                    }
+                }
+                JointKind::Hair { .. } | JointKind::Pin { .. } | JointKind::Tie { .. } => {}
+            }
+        }
+    }
+
+    fn evaluate(&mut self, joint: usize, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> (Law, Vector3<f64>) {
+        let joint = &mut self.joints[joint];
+        let first = &strands[joint.first.held as usize];
+        let second = joint.second.map_or(first, |end| &strands[end.held as usize]);
+        let a = first.end_state(&joint.first.station);
+        let b = joint.second.map_or(a, |end| second.end_state(&end.station));
+        joint.evaluate([a, b], [&first.contact, &second.contact], options, step)
+    }
+
+    /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution.
+    ///
+    /// # Errors
+    /// Where a number has turned non-finite.
+    pub fn solve(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> Result<()> {
+        self.iterations += 1;
+        self.space.reset(step)?;
+        for held in &self.strands {
+            let operator = &strands[*held as usize].held.delassus;
+            let size = 3 * operator.stations;
+            let matrix = self.space.add_strand(operator.stations);
+            for (j, column) in operator.blocks.chunks_exact(operator.stations.max(1)).enumerate() {
+                // Symmetric: a row of blocks is the transpose of a column of blocks.
+                for (i, block) in column.iter().enumerate() {
+                    for b in 0..3 {
+                        matrix[(3 * j + b) * size + 3 * i..][..3].copy_from_slice(&block[b]);
+                    }
+                }
+            }
+        }
+        self.forces.clear();
+        for joint in 0..self.joints.len() {
+            let (law, mut free) = self.evaluate(joint, strands, options, step);
+            let [first, second] = self.ends[joint];
+            let at = |end: End| strands[self.strands[end.strand as usize] as usize].free(end.point);
+            free += at(first);
+            let second = self.joints[joint].second.map(|_| second);
+            if let Some(end) = second {
+                free -= at(end);
+            }
+            self.space.add_touch(SpaceTouch { first, second, law, free })?;
+            self.forces.push(self.joints[joint].force);
+        }
+        let tolerance = if options.model == ContactModel::Coulomb { 0.1 * options.residual } else { ROUGH };
+        let settings = Settings { tolerance, max_sweeps: options.max_sweeps };
+        self.report = self.solver.solve(&self.space, &settings, &mut self.forces);
+        self.sweeps += self.report.sweeps;
+        for (joint, force) in self.joints.iter_mut().zip(&self.forces) {
+            joint.force = *force;
+        }
+        Ok(())
+    }
+
+    /// After the second half: whether the iteration has ended, by the strands' residuals and by how far the laws are from holding where
+    /// the strands are now.
+    pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
+        let soft = options.model.is_soft();
+        let tolerance = if soft { tolerance.max(SOFT_TOLERANCE) } else { tolerance };
+        let mut good = self.strands.iter().all(|held| strands[*held as usize].residual <= tolerance);
+        let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
+        self.residual = 0.0;
+        for index in 0..self.joints.len() {
+            let (law, u) = self.evaluate(index, strands, options, step);
+            let joint = &self.joints[index];
+            let miss = law.residual(u, joint.force, step, length, force);
+            self.residual = self.residual.max(miss);
+            good &= match law {
+                Law::Bond(bond) => {
+                    let off = bond.directions().map(|d| (d.dot(&u) + bond.compliance * d.dot(&joint.force)).abs());
+                    off.fold(0.0, f64::max) <= BOND_TOLERANCE
+                }
+                Law::Ring(_) => joint.gap <= BOND_TOLERANCE,
+                Law::Contact(contact) if !soft => {
+                    let gap = u.dot(&contact.normal);
+                    gap >= -0.5 * options.tolerance && (options.model != ContactModel::Coulomb || miss <= options.residual)
+                }
+                Law::Contact(_) => true,
+            };
+        }
+        let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
+        self.converged = good;
+        self.done = good || lost || self.iterations >= options.max_iterations;
+    }
+}

@@ -1,0 +1,234 @@
+//! What holds strands at stations during a step: a touch with a body or another strand, a constraint's part. Each Newton iteration asks
+//! it for its law and for the relative displacement that there is at the present iterate.
+//!
+//! The displacement over the step has the gap at the step's end as its normal part and the slip over the step as its tangential part.
+
+use nalgebra::Vector3;
+
+use super::law::Law;
+use super::law::bond::{Bond, BondAxes};
+use super::law::coefficient::Coefficient;
+use super::law::contact::{Contact, Friction};
+use super::law::response::Response;
+use super::law::ring::Ring;
+use super::options::{self, ContactModel, ContactOptions, StrandContact};
+use crate::chain::load::Station;
+
+/// One end of a joint: which of the held strands, and where on it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointEnd {
+    /// Index among the strands held in this step.
+    pub held: u32,
+    /// Where.
+    pub station: Station,
+}
+
+/// Where an end is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EndState {
+    /// At the step's start, world, m.
+    pub start: Vector3<f64>,
+    /// At the present iterate for the step's end.
+    pub now: Vector3<f64>,
+    /// The tangent there now, unit, root to tip.
+    pub tangent: Vector3<f64>,
+}
+
+/// What a joint is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum JointKind {
+    /// A body's surface.
+    Body {
+        /// Index of the body.
+        body: u32,
+        /// Which triangle of a mesh.
+        feature: u32,
+        /// Unit normal at the step's end, towards the strand.
+        normal: Vector3<f64>,
+        /// The body's point at the step's end.
+        point: Vector3<f64>,
+        /// How far that point goes in the step.
+        carried: Vector3<f64>,
+        /// From centreline to surface: the strand's radius and the body's thickness, m.
+        margin: f64,
+        /// Multiplies the strand's friction: Coulomb's, viscous.
+        friction: [f64; 2],
+    },
+    /// Another strand's surface; the first end is the strand of the lower index.
+    Hair {
+        /// Unit normal, from the second end to the first.
+        normal: Vector3<f64>,
+        /// Sum of both radii, m.
+        margin: f64,
+    },
+    /// A point of the world.
+    Pin {
+        /// Which constraint.
+        constraint: u32,
+        /// Where the end is held at the step's end.
+        target: Vector3<f64>,
+        /// Along which axes.
+        axes: BondAxes,
+        /// m/N.
+        compliance: f64,
+    },
+    /// Two ends held together.
+    Tie {
+        /// Which constraint.
+        constraint: u32,
+        /// m/N.
+        compliance: f64,
+    },
+    /// A ring that the strand slides through.
+    Ring {
+        /// Which constraint.
+        constraint: u32,
+        /// Where it is at the step's end.
+        target: Vector3<f64>,
+        /// How far it goes in the step.
+        carried: Vector3<f64>,
+        /// Coulomb's coefficient.
+        friction: options::Friction,
+    },
+}
+
+/// A joint of the present step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joint {
+    /// Where +force acts.
+    pub first: JointEnd,
+    /// Where −force acts; none where the partner is not a strand.
+    pub second: Option<JointEnd>,
+    /// What it is.
+    pub kind: JointKind,
+    /// The force, N, world axes: the last iteration's.
+    pub force: Vector3<f64>,
+    /// Displacement over the step at the last evaluation.
+    pub slip: Vector3<f64>,
+    /// Gap at the last evaluation (touches), m, or how far a constraint was from holding.
+    pub gap: f64,
+}
+
+impl Joint {
+    /// Whether it is a touch, not a constraint.
+    pub fn is_touch(&self) -> bool {
+        matches!(self.kind, JointKind::Body { .. } | JointKind::Hair { .. })
+    }
+
+    /// Whether it is a touch with the same partner as another of the same strand.
+    pub fn is_with(&self, other: &Joint) -> bool {
+        match (self.kind, other.kind) {
+            (JointKind::Body { body: a, .. }, JointKind::Body { body: b, .. }) => a == b,
+            (JointKind::Hair { .. }, JointKind::Hair { .. }) => {
+                self.second.map(|end| end.held) == other.second.map(|end| end.held)
+            }
+            _ => false,
+        }
+    }
+
+    /// The constraint that it is of.
+    pub fn constraint(&self) -> Option<u32> {
+        match self.kind {
+            JointKind::Pin { constraint, .. } | JointKind::Tie { constraint, .. } | JointKind::Ring { constraint, .. } => {
+                Some(constraint)
+            }
+            JointKind::Body { .. } | JointKind::Hair { .. } => None,
+        }
+    }
+
+    /// The law, and the relative displacement at the present iterate. `contact`: what the ends' strands are to contact.
+    pub fn evaluate(
+        &mut self,
+        ends: [EndState; 2],
+        contact: [&StrandContact; 2],
+        options: &ContactOptions,
+        step: f64,
+    ) -> (Law, Vector3<f64>) {
+        let [a, b] = ends;
+        match self.kind {
+            JointKind::Body { normal, point, carried, margin, friction, .. } => {
+                let slip = a.now - a.start - carried;
+                let gap = normal.dot(&(a.now - point)) - margin;
+                let start_gap = gap - normal.dot(&slip);
+                let pick = |friction: &options::Friction| scales(friction, a.tangent);
+                let scaled = |c: Coefficient, by: f64| Coefficient { mean: c.mean * by, lean: c.lean * by };
+                let friction = if options.model.is_soft() {
+                    Friction::Viscous(scaled(pick(&contact[0].viscous_friction), friction[1]))
+                } else {
+                    Friction::Coulomb(scaled(pick(&contact[0].friction), friction[0]))
+                };
+                self.touch(normal, gap, start_gap, slip, friction, options, step)
+            }
+            JointKind::Hair { normal, margin } => {
+                let slip = (a.now - a.start) - (b.now - b.start);
+                let gap = normal.dot(&(a.now - b.now)) - margin;
+                let start_gap = gap - normal.dot(&slip);
+                let both = |first: &options::Friction, second: &options::Friction| {
+                    Coefficient::of_two(scales(first, a.tangent), scales(second, b.tangent))
+                };
+                let friction = if options.model.is_soft() {
+                    Friction::Viscous(both(&contact[0].viscous_friction, &contact[1].viscous_friction))
+                } else {
+                    Friction::Coulomb(both(&contact[0].hair_friction, &contact[1].hair_friction))
+                };
+                self.touch(normal, gap, start_gap, slip, friction, options, step)
+            }
+            JointKind::Pin { target, axes, compliance, .. } => {
+                let u = a.now - target;
+                let bond = Bond { axes, compliance };
+                self.slip = a.now - a.start;
+                self.gap = bond.directions().map(|d| d.dot(&u).powi(2)).sum::<f64>().sqrt();
+                (Law::Bond(bond), u)
+            }
+            JointKind::Tie { compliance, .. } => {
+                let u = a.now - b.now;
+                self.slip = (a.now - a.start) - (b.now - b.start);
+                self.gap = u.norm();
+                (Law::Bond(Bond { axes: BondAxes::All, compliance }), u)
+            }
+            JointKind::Ring { target, carried, friction, .. } => {
+                let off = a.now - target;
+                let slip = a.now - a.start - carried;
+                let across = off - a.tangent * a.tangent.dot(&off);
+                self.slip = slip;
+                self.gap = across.norm();
+                let u = across + a.tangent * a.tangent.dot(&slip);
+                (Law::Ring(Ring { tangent: a.tangent, friction: scales(&friction, a.tangent) }), u)
+            }
+        }
+    }
+
+    #[allow(clippy::too_many_arguments, reason = "the parts of one law")]
+    fn touch(
+        &mut self,
+        normal: Vector3<f64>,
+        gap: f64,
+        start_gap: f64,
+        slip: Vector3<f64>,
+        friction: Friction,
+        options: &ContactOptions,
+        step: f64,
+    ) -> (Law, Vector3<f64>) {
+        (self.gap, self.slip) = (gap, slip);
+        let (response, allowed) = match options.model {
+            ContactModel::Penalty => {
+                let damping = options.damping * options.stiffness;
+                let depth_at_start = (-start_gap).max(0.0);
+                (Response::Penalty { stiffness: options.stiffness, damping, depth_at_start }, 0.0)
+            }
+            ContactModel::RegularisedPenalty => {
+                (Response::Regularised { stiffness: options.stiffness, depth: options.regularisation_depth }, 0.0)
+            }
+            // What is in each other at the start is parted at a limited speed.
+            ContactModel::Hard | ContactModel::Coulomb => {
+                (Response::Hard, (start_gap + options.separation_speed * step).min(0.0))
+            }
+        };
+        let u = normal * (gap - allowed) + (slip - normal * normal.dot(&slip));
+        (Law::Contact(Contact { normal, response, friction }), u)
+    }
+}
+
+fn scales(friction: &options::Friction, tangent: Vector3<f64>) -> Coefficient {
+    Coefficient::of_scales(friction.along, friction.against, tangent)
+}

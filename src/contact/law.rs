@@ -1,0 +1,107 @@
+//! The laws that touches obey, each with its exact solve for one touch alone.
+//!
+//! A touch has a relative displacement `u` over the step (of the first point less that of its partner, m; between rotations rad) and a
+//! force `λ` that acts as +λ on the first and −λ on the partner (N; N·m). A law says which pairs (u, λ) may be. With implicit Euler's
+//! velocity, displacement over the step's seconds, this is the formulation of Daviet, Bertails-Descoubes and Boissieux (2011).
+
+pub mod bond;
+pub mod coefficient;
+pub mod contact;
+pub mod response;
+pub mod ring;
+pub mod secular;
+
+use nalgebra::{Matrix3, Vector3};
+
+use self::bond::Bond;
+use self::contact::{Contact, ContactSolve};
+use self::ring::{Ring, RingSolve};
+use crate::error::Result;
+
+/// What a touch obeys.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Law {
+    /// Two surfaces that may part but not pass through each other, with friction.
+    Contact(Contact),
+    /// Two points, or two rotations, held together along some axes.
+    Bond(Bond),
+    /// A ring that a strand slides through, with friction.
+    Ring(Ring),
+}
+
+impl Law {
+    /// Checks every number of the law; `argument` names it in errors.
+    pub fn check(&self, argument: &str) -> Result<()> {
+        match self {
+            Law::Contact(contact) => contact.check(argument),
+            Law::Bond(bond) => bond.check(argument),
+            Law::Ring(ring) => ring.check(argument),
+        }
+    }
+
+    /// How far (u, λ) is from obeying the law, without dimension: displacements are measured in `length` (m), forces in `force` (N), both
+    /// above zero. Zero exactly where the law holds. For inequalities and friction it is the natural map λ − P(λ − u) of Alart and Curnier
+    /// (1991), P the projection onto what λ may be; for equations it is how far they miss. `step` is the step's seconds.
+    pub fn residual(&self, u: Vector3<f64>, lambda: Vector3<f64>, step: f64, length: f64, force: f64) -> f64 {
+        match self {
+            Law::Contact(contact) => contact.residual(u, lambda, step, length, force),
+            Law::Bond(bond) => bond.residual(u, lambda, length, force),
+            Law::Ring(ring) => ring.residual(u, lambda, length, force),
+        }
+    }
+}
+
+/// A law with all that its solve for one touch alone needs of W, the displacement `u` per unit of `λ`, worked out beforehand.
+#[derive(Debug, Clone, Copy)]
+pub enum LawSolve {
+    /// See [`Law::Contact`].
+    Contact(ContactSolve),
+    /// See [`Law::Ring`].
+    Ring(RingSolve),
+    /// See [`Law::Bond`].
+    Bond(bond::BondSolve),
+}
+
+impl LawSolve {
+    /// Prepares the solve. `response` is W: symmetric, positive semidefinite up to rounding; `step` the step's seconds.
+    pub fn new(law: &Law, response: &Matrix3<f64>, step: f64) -> Self {
+        match law {
+            Law::Contact(contact) => LawSolve::Contact(ContactSolve::new(contact, response, step)),
+            Law::Ring(ring) => LawSolve::Ring(RingSolve::new(ring, response)),
+            Law::Bond(bond) => LawSolve::Bond(bond::BondSolve::new(bond, response)),
+        }
+    }
+
+    /// The force λ for which u = W λ + `free` and λ obey the law; exact to rounding.
+    #[inline]
+    pub fn solve(&mut self, free: Vector3<f64>) -> Vector3<f64> {
+        match self {
+            LawSolve::Contact(contact) => contact.solve(free),
+            LawSolve::Ring(ring) => ring.solve(free),
+            LawSolve::Bond(bond) => bond.solve(free),
+        }
+    }
+}
+
+/// Checks that a direction has length 1 within a millionth.
+fn check_unit(argument: impl Fn() -> String, v: &Vector3<f64>) -> Result<()> {
+    if (v.norm() - 1.0).abs() <= 1e-6 {
+        Ok(())
+    } else {
+        Err(crate::error::Error::invalid(argument(), format!("({}, {}, {})", v.x, v.y, v.z), "a direction of length 1"))
+    }
+}
+
+/// Two directions that with `n` (unit) make a right-handed frame; continuous in n but for the sign of its smallest component.
+pub(crate) fn across(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
+    let (x, y, z) = (n.x.abs(), n.y.abs(), n.z.abs());
+    let helper = if x <= y && x <= z {
+        Vector3::x()
+    } else if y <= z {
+        Vector3::y()
+    } else {
+        Vector3::z()
+    };
+    let first = helper.cross(n).normalize();
+    [first, n.cross(&first)]
+}

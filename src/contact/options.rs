@@ -1,0 +1,173 @@
+//! How contact is answered, and what strands and bodies are to it.
+
+use crate::error::{Error, Result, check_not_negative, check_positive};
+
+/// How touches answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[repr(u32)]
+pub enum ContactModel {
+    /// The papers' penalty: a spring and a damper along the normal, viscous friction along the surface (paper 000, section 5). The cheap
+    /// model: two Newton iterations, one search for touches, and surfaces that sink into each other by their force over
+    /// [`ContactOptions::stiffness`].
+    Penalty = 1,
+    /// The same with document 004's spring, which begins softly (section 4.2.10): k d²/(2 d_reg) down to the depth d_reg, then k (d − d_reg/2).
+    RegularisedPenalty = 2,
+    /// Hard: surfaces that do not pass through each other, to [`ContactOptions::tolerance`] at the end of every step; Coulomb friction
+    /// whose cones are those of the iteration, not iterated to the last digit.
+    #[default]
+    Hard = 3,
+    /// Exact Coulomb friction: touches as one complementarity problem, to [`ContactOptions::residual`] (Daviet et al. 2011).
+    Coulomb = 4,
+}
+
+impl ContactModel {
+    /// The model of that number, as the C ABI and snapshots have it.
+    pub fn from_u32(value: u32) -> Option<Self> {
+        [Self::Penalty, Self::RegularisedPenalty, Self::Hard, Self::Coulomb].into_iter().find(|model| *model as u32 == value)
+    }
+
+    /// Whether surfaces may sink into each other.
+    pub fn is_soft(self) -> bool {
+        matches!(self, Self::Penalty | Self::RegularisedPenalty)
+    }
+}
+
+/// How contact is answered in a solver.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactOptions {
+    /// Which model.
+    pub model: ContactModel,
+    /// Whether strands touch each other. False: only bodies, and costs nothing.
+    pub hair: bool,
+    /// Penalty: k of one touch, N/m; above zero.
+    pub stiffness: f64,
+    /// Penalty: what k is multiplied by to damp approach and parting, s; zero or above.
+    pub damping: f64,
+    /// Regularised penalty: d_reg, m; above zero.
+    pub regularisation_depth: f64,
+    /// Hard and Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero.
+    pub tolerance: f64,
+    /// Coulomb: what the laws of friction and contact may err by, relative; 1e-12 to 1.
+    pub residual: f64,
+    /// Hard and Coulomb: how fast surfaces that are in each other when a step begins (a groom that was given so) are parted, m/s; above
+    /// zero.
+    pub separation_speed: f64,
+    /// Newton iterations that strands may take together in a step; 1 to 10000.
+    pub max_iterations: u32,
+    /// Sweeps of the contact problem's solver in each of them; 1 to 1000000.
+    pub max_sweeps: u32,
+}
+
+impl Default for ContactOptions {
+    fn default() -> Self {
+        Self {
+            model: ContactModel::default(),
+            hair: false,
+            stiffness: 10.0,
+            damping: 1e-3,
+            regularisation_depth: 1e-4,
+            tolerance: 1e-5,
+            residual: 1e-6,
+            separation_speed: 0.5,
+            max_iterations: 50,
+            max_sweeps: 500,
+        }
+    }
+}
+
+impl ContactOptions {
+    /// Checks every value; `argument` is the name put before the field in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first value out of range.
+    pub fn check(&self, argument: &str) -> Result<()> {
+        check_positive(|| format!("{argument}.stiffness"), self.stiffness)?;
+        check_not_negative(|| format!("{argument}.damping"), self.damping)?;
+        check_positive(|| format!("{argument}.regularisation_depth"), self.regularisation_depth)?;
+        check_positive(|| format!("{argument}.tolerance"), self.tolerance)?;
+        check_positive(|| format!("{argument}.separation_speed"), self.separation_speed)?;
+        if !(1e-12..=1.0).contains(&self.residual) {
+            return Err(Error::invalid(format!("{argument}.residual"), self.residual, "1e-12 to 1"));
+        }
+        if !(1..=10_000).contains(&self.max_iterations) {
+            return Err(Error::invalid(format!("{argument}.max_iterations"), self.max_iterations, "1 to 10000"));
+        }
+        if !(1..=1_000_000).contains(&self.max_sweeps) {
+            return Err(Error::invalid(format!("{argument}.max_sweeps"), self.max_sweeps, "1 to 1000000"));
+        }
+        Ok(())
+    }
+}
+
+/// Friction of a surface that is rougher one way than the other, as hair is by its scales: `along` for what goes over it from root to tip,
+/// `against` from tip to root; between them by the cosine of the direction (paper 000, section 5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Friction {
+    /// Coefficient from root to tip, zero or above.
+    pub along: f64,
+    /// Coefficient from tip to root, zero or above.
+    pub against: f64,
+}
+
+impl Friction {
+    /// The same in all directions.
+    pub fn uniform(value: f64) -> Self {
+        Self { along: value, against: value }
+    }
+
+    fn check(&self, argument: &str) -> Result<()> {
+        check_not_negative(|| format!("{argument}.along"), self.along)?;
+        check_not_negative(|| format!("{argument}.against"), self.against)
+    }
+}
+
+/// What a strand is to contact. Strands have none unless it is given to them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StrandContact {
+    /// How far from the centreline the strand begins for bodies, m; zero or above. Its section's radius where nothing else is said.
+    pub radius: f64,
+    /// The same for other strands: the radius of the wisp that it stands for, m; zero: it touches no strand.
+    pub wisp_radius: f64,
+    /// Coulomb's coefficient against bodies, multiplied by the body's (hard and Coulomb models).
+    pub friction: Friction,
+    /// Coulomb's coefficient against strands: the mean of both (hard and Coulomb models).
+    pub hair_friction: Friction,
+    /// Viscous friction of a touch, N·s/m (penalty models), against bodies (multiplied by the body's) and strands (the mean of both).
+    pub viscous_friction: Friction,
+    /// The first so many metres from the follicle touch nothing; zero or above.
+    pub exempt_length: f64,
+    /// Bits of the groups that the strand is in.
+    pub groups: u32,
+    /// Bits of the groups that it touches: two things touch where each is in a group that the other touches.
+    pub mask: u32,
+}
+
+impl Default for StrandContact {
+    fn default() -> Self {
+        Self {
+            radius: 50e-6,
+            wisp_radius: 0.0,
+            friction: Friction { along: 0.2, against: 0.3 },
+            hair_friction: Friction { along: 0.2, against: 0.3 },
+            viscous_friction: Friction { along: 1e-4, against: 1.5e-4 },
+            exempt_length: 0.0,
+            groups: 1,
+            mask: u32::MAX,
+        }
+    }
+}
+
+impl StrandContact {
+    /// Checks every value; `argument` is the name put before the field in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first value out of range.
+    pub fn check(&self, argument: &str) -> Result<()> {
+        check_not_negative(|| format!("{argument}.radius"), self.radius)?;
+        check_not_negative(|| format!("{argument}.wisp_radius"), self.wisp_radius)?;
+        check_not_negative(|| format!("{argument}.exempt_length"), self.exempt_length)?;
+        self.friction.check(&format!("{argument}.friction"))?;
+        self.hair_friction.check(&format!("{argument}.hair_friction"))?;
+        self.viscous_friction.check(&format!("{argument}.viscous_friction"))
+    }
+}

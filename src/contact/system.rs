@@ -1,0 +1,133 @@
+//! The contact-space problem made ready for iteration: bonds eliminated, every touch's own response and law worked out, displacements kept
+//! up to date force by force.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::bonds::Bonds;
+use super::contact_space::{ContactSpace, End, add_columns, read, read_block};
+use super::law::{Law, LawSolve};
+
+/// An end of a touch, found in the matrices.
+#[derive(Debug, Clone, Copy)]
+pub struct Slot {
+    /// Its block's coordinates among all: first and how many.
+    pub base: usize,
+    /// See `base`.
+    pub size: usize,
+    /// Its own first coordinate among all.
+    pub at: usize,
+    /// The block's matrix is one of those left by the elimination of bonds, not a strand's own.
+    pub reduced: bool,
+    /// Where the block's matrix begins.
+    pub matrix: usize,
+}
+
+/// A contact or a ring, ready.
+#[derive(Debug, Clone, Copy)]
+pub struct Row {
+    /// Its index in the problem.
+    pub touch: usize,
+    /// Where +λ acts.
+    pub first: Slot,
+    /// Where −λ acts.
+    pub second: Option<Slot>,
+    /// Its law's solve.
+    pub solve: LawSolve,
+    /// Displacement without the forces of any contact or ring (bonds hold), m.
+    pub free: Vector3<f64>,
+    /// Its own response W, m/N.
+    pub response: Matrix3<f64>,
+}
+
+/// The problem, ready. Its memory is kept from one use to the next.
+#[derive(Debug, Clone, Default)]
+pub struct System {
+    /// Contacts and rings in the problem's order.
+    pub rows: Vec<Row>,
+    /// Displacements of all touched points under the rows' forces.
+    pub displacements: Vec<f64>,
+    /// The bonds' part.
+    pub bonds: Bonds,
+}
+
+/// A touch whose points bonds have fixed to this part of their own response is fixed.
+const FIXED: f64 = 1e-12;
+
+impl System {
+    /// Makes a problem ready.
+    pub fn prepare(&mut self, space: &ContactSpace) {
+        self.bonds.eliminate(space);
+        self.rows.clear();
+        self.displacements.clear();
+        self.displacements.resize(space.coordinates(), 0.0);
+        for (index, touch) in space.touches().iter().enumerate() {
+            if matches!(touch.law, Law::Bond(_)) {
+                continue;
+            }
+            let (first, second) = (self.slot(space, touch.first), touch.second.map(|end| self.slot(space, end)));
+            let own = |end: End| {
+                let block = space.block(end.strand as usize);
+                let at = 3 * end.point as usize;
+                read_block(&space.responses()[block.matrix..], block.size, at, at).trace()
+            };
+            let (mut response, mut unbonded) = (self.block(space, &first, &first), own(touch.first));
+            let mut free = touch.free + self.bonds.carried(first.at);
+            if let (Some(second), Some(end)) = (&second, touch.second) {
+                response += self.block(space, second, second);
+                unbonded += own(end);
+                free -= self.bonds.carried(second.at);
+                if second.base == first.base {
+                    response -= self.block(space, &first, second) + self.block(space, second, &first);
+                }
+            }
+            let bonded = first.reduced || second.is_some_and(|slot| slot.reduced);
+            if bonded && response.trace() <= FIXED * unbonded {
+                response = Matrix3::zeros();
+            }
+            let solve = LawSolve::new(&touch.law, &response, space.step());
+            self.rows.push(Row { touch: index, first, second, solve, free, response });
+        }
+    }
+
+    fn slot(&self, space: &ContactSpace, end: End) -> Slot {
+        let block = space.block(end.strand as usize);
+        let base = self.bonds.base(end.strand as usize, block.base);
+        let at = base + 3 * end.point as usize;
+        match self.bonds.group_of(end.strand as usize) {
+            Some(group) => Slot { base: group.base, size: group.size, at, reduced: true, matrix: group.matrix },
+            None => Slot { base, size: block.size, at, reduced: false, matrix: block.matrix },
+        }
+    }
+
+    fn block(&self, space: &ContactSpace, row: &Slot, column: &Slot) -> Matrix3<f64> {
+        let matrix = if row.reduced { self.bonds.reduced() } else { space.responses() };
+        read_block(&matrix[row.matrix..], row.size, row.at - row.base, column.at - column.base)
+    }
+
+    /// The relative displacement of a row now.
+    #[inline(always)]
+    pub fn relative(&self, row: &Row) -> Vector3<f64> {
+        let mut u = row.free + read(&self.displacements, row.first.at);
+        if let Some(second) = &row.second {
+            u -= read(&self.displacements, second.at);
+        }
+        u
+    }
+
+    /// Changes a row's force by `change`: displaces all points of its blocks.
+    #[inline(always)]
+    pub fn push(&mut self, space: &ContactSpace, index: usize, change: &Vector3<f64>) {
+        let row = &self.rows[index];
+        push_end(space, &self.bonds, &row.first, change, &mut self.displacements);
+        if let Some(second) = &row.second {
+            push_end(space, &self.bonds, second, &-change, &mut self.displacements);
+        }
+    }
+}
+
+#[inline(always)]
+fn push_end(space: &ContactSpace, bonds: &Bonds, slot: &Slot, change: &Vector3<f64>, displacements: &mut [f64]) {
+    let matrix = if slot.reduced { bonds.reduced() } else { space.responses() };
+    let columns = slot.matrix + (slot.at - slot.base) * slot.size;
+    add_columns(&matrix[columns..], change, &mut displacements[slot.base..slot.base + slot.size]);
+}

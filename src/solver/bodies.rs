@@ -1,0 +1,239 @@
+//! Bodies: what strands are kept out of.
+
+use nalgebra::Vector3;
+
+use super::Solver;
+use super::id::{self, BodyId, StrandId};
+use super::report::Wrench;
+use crate::contact::body::{Body, BodyDef};
+use crate::contact::options::{ContactOptions, StrandContact};
+use crate::error::{Error, Result, check_not_negative};
+use crate::math::frame::Frame;
+
+/// A body and all that the solver keeps about it.
+#[derive(Debug, Clone)]
+pub(super) struct SceneBody {
+    pub id: BodyId,
+    pub body: Body,
+    /// What strands did to it in the last substep.
+    pub wrench: Wrench,
+}
+
+/// Where something met a strand at the end of the last substep.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// The strand.
+    pub strand: StrandId,
+    /// Arclength on it, m.
+    pub arclength: f64,
+    /// What it met.
+    pub partner: ContactPartner,
+    /// On the strand's centreline, m, world.
+    pub position: Vector3<f64>,
+    /// Unit normal, world, from the partner to the strand.
+    pub normal: Vector3<f64>,
+    /// Force on the strand, N, world; on the partner it is the opposite.
+    pub force: Vector3<f64>,
+    /// Distance of the surfaces, m; negative where they overlap.
+    pub gap: f64,
+    /// How far the strand slid over its partner during the substep, m, world, along the surface.
+    pub slip: Vector3<f64>,
+}
+
+/// What a strand met.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ContactPartner {
+    /// A body.
+    Body {
+        /// Which.
+        body: BodyId,
+        /// Which triangle of a mesh; 0 else.
+        feature: u32,
+    },
+    /// Another strand, or the same one elsewhere.
+    Strand {
+        /// Which.
+        strand: StrandId,
+        /// Arclength on it, m.
+        arclength: f64,
+    },
+}
+
+impl Solver {
+    /// Adds bodies, all or none; their identifiers come in the order of the definitions. Strands touch them that have been made to
+    /// ([`Solver::set_contact`]).
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming `bodies[i].field`.
+    pub fn add_bodies(&mut self, bodies: Vec<BodyDef>) -> Result<Vec<BodyId>> {
+        if self.bodies.len() + bodies.len() > id::MAX_SLOTS {
+            return Err(Error::OutOfMemory { bytes: bodies.len().saturating_mul(size_of::<SceneBody>()) });
+        }
+        let made =
+            bodies.into_iter().enumerate().map(|(k, def)| Body::new(def).map_err(|error| error.inside(&format!("bodies[{k}]"))));
+        let made = made.collect::<Result<Vec<Body>>>()?;
+        let mut ids = Vec::with_capacity(made.len());
+        for body in made {
+            let Some(id) = self.body_slots.insert(self.bodies.len()) else {
+                self.reset_body_frames(&ids)?;
+                return Err(Error::OutOfMemory { bytes: size_of::<SceneBody>() });
+            };
+            self.bodies.push(SceneBody { id, body, wrench: Wrench::default() });
+            ids.push(id);
+        }
+        Ok(ids)
+    }
+
+    pub(super) fn body_index(&self, argument: impl FnOnce() -> String, id: BodyId) -> Result<usize> {
+        self.body_slots.index(id).ok_or_else(|| Error::InvalidId { argument: argument(), bits: id.bits() })
+    }
+
+    /// Removes bodies, all or none. The others keep their identifiers and their order.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for an identifier given twice.
+    pub fn reset_body_frames(&mut self, ids: &[BodyId]) -> Result<()> {
+        let mut gone = vec![false; self.bodies.len()];
+        for (k, id) in ids.iter().enumerate() {
+            let index = self.body_index(|| format!("ids[{k}]"), *id)?;
+            if std::mem::replace(&mut gone[index], true) {
+                return Err(Error::invalid(format!("ids[{k}]"), format!("0x{:016x}", id.bits()), "each body once"));
+            }
+        }
+        let mut index = 0;
+        let slots = &mut self.body_slots;
+        self.bodies.retain(|body| {
+            index += 1;
+            if gone[index - 1] {
+                slots.remove(body.id);
+            }
+            !gone[index - 1]
+        });
+        for (index, body) in self.bodies.iter().enumerate() {
+            self.body_slots.moved(body.id, index);
+        }
+        self.holding.forget();
+        Ok(())
+    }
+
+    /// Sends bodies to `frames` in `over_seconds` (0: within the next substep), as [`Solver::set_root_frames`] does roots.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for counts that differ or a time that is not finite and 0 or more; [`Error::InvalidId`].
+    pub fn set_body_frames(&mut self, ids: &[BodyId], frames: &[Frame], over_seconds: f64) -> Result<()> {
+        check_not_negative(|| "over_seconds".into(), over_seconds)?;
+        for (index, frame) in self.body_indices(ids, frames)?.into_iter().zip(frames) {
+            self.bodies[index].body.move_to(*frame, over_seconds)?;
+        }
+        Ok(())
+    }
+
+    /// Puts bodies at `frames` at once, at rest: they do not sweep what lies between.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for counts that differ; [`Error::InvalidId`].
+    pub fn teleport_bodies(&mut self, ids: &[BodyId], frames: &[Frame]) -> Result<()> {
+        for (index, frame) in self.body_indices(ids, frames)?.into_iter().zip(frames) {
+            self.bodies[index].body.place(*frame)?;
+        }
+        Ok(())
+    }
+
+    fn body_indices(&self, ids: &[BodyId], frames: &[Frame]) -> Result<Vec<usize>> {
+        if frames.len() != ids.len() {
+            return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a body", ids.len())));
+        }
+        ids.iter().enumerate().map(|(k, id)| self.body_index(|| format!("ids[{k}]"), *id)).collect()
+    }
+
+    /// Sends the vertices of a mesh (m, the body's axes) to new places in `over_seconds` (0: within the next substep), each straight and
+    /// evenly.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`]; [`Error::Unsupported`] for a body that is no mesh; [`Error::InvalidArgument`] for another count than the
+    /// mesh's, a number that is not finite, or a time that is not finite and 0 or more.
+    pub fn set_body_vertices(&mut self, id: BodyId, vertices: &[Vector3<f64>], over_seconds: f64) -> Result<()> {
+        let index = self.body_index(|| "id".into(), id)?;
+        check_not_negative(|| "over_seconds".into(), over_seconds)?;
+        self.bodies[index].body.set_vertices(vertices, over_seconds)
+    }
+
+    /// Changes a body's thickness (m) and its factors of friction.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`]; [`Error::InvalidArgument`] for a number that is not finite and 0 or more.
+    pub fn set_body_surface(&mut self, id: BodyId, thickness: f64, friction: f64, viscous_friction: f64) -> Result<()> {
+        let index = self.body_index(|| "id".into(), id)?;
+        self.bodies[index].body.set_surface(thickness, friction, viscous_friction)
+    }
+
+    /// Changes which groups a body is in and which it touches.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn set_body_filter(&mut self, id: BodyId, group: u32, mask: u32) -> Result<()> {
+        let index = self.body_index(|| "id".into(), id)?;
+        self.bodies[index].body.set_filter(group, mask);
+        Ok(())
+    }
+
+    /// A body: what it is made of, and where it is now.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn body(&self, id: BodyId) -> Result<&BodyDef> {
+        Ok(self.bodies[self.body_index(|| "id".into(), id)?].body.def())
+    }
+
+    /// What strands did to a body in the last substep: force (N) and torque about its origin (N·m), world axes.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn body_wrench(&self, id: BodyId) -> Result<Wrench> {
+        Ok(self.bodies[self.body_index(|| "id".into(), id)?].wrench)
+    }
+
+    /// All bodies' identifiers, in the order in which they were added.
+    pub fn body_ids(&self) -> Vec<BodyId> {
+        self.bodies.iter().map(|body| body.id).collect()
+    }
+
+    /// Says what strands are to contact (`None`: they touch nothing, which is how they begin).
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `contact.field`.
+    pub fn set_contact(&mut self, ids: &[StrandId], contact: Option<&StrandContact>) -> Result<()> {
+        if let Some(contact) = contact {
+            contact.check("contact")?;
+        }
+        for index in self.indices(ids)? {
+            self.strands[index].contact = contact.map(|contact| Box::new(*contact));
+        }
+        self.holding.forget_pairs();
+        Ok(())
+    }
+
+    /// What a strand is to contact.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn contact(&self, id: StrandId) -> Result<Option<&StrandContact>> {
+        Ok(self.strand("id", id)?.contact.as_deref())
+    }
+
+    /// Changes how contact is answered, from the next step on.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming `options.field`.
+    pub fn set_contact_options(&mut self, options: &ContactOptions) -> Result<()> {
+        options.check("options")?;
+        self.options.contact = *options;
+        self.holding.forget_pairs();
+        Ok(())
+    }
+
+    /// The touches at the end of the last substep that carried a force, by strand and arclength.
+    pub fn contacts(&self) -> &[Contact] {
+        self.holding.contacts()
+    }
+}

@@ -1,0 +1,376 @@
+//! Hard constraints: what pins, clamps, ties and rings strands, and what forces that takes.
+
+use nalgebra::Vector3;
+
+use super::Solver;
+use super::id::{self, ConstraintId, StrandId};
+use crate::chain::load::Station;
+use crate::contact::joint::{Joint, JointEnd, JointKind};
+use crate::contact::law::bond::BondAxes;
+use crate::contact::options::Friction;
+use crate::contact::touch::StrandCurve;
+use crate::error::{Error, Result, check_finite, check_not_negative};
+use crate::math::frame::Frame;
+use crate::math::way::Way;
+use crate::rod::strand::StrandModel;
+
+/// How a constraint holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Hold {
+    /// The material point stays at the target's origin.
+    Point,
+    /// The point, and the strand's tangent stays along the target's first axis; the strand may turn about it.
+    Direction,
+    /// The point, and the material frame stays that of the target.
+    Frame,
+    /// The strand passes through a ring at the target's origin, with Coulomb friction; once its tip has gone through it is free. The
+    /// point's arclength changes as it slides.
+    Ring {
+        /// Friction of the ring on the strand.
+        friction: Friction,
+    },
+    /// The point stays at a material point of another strand, or of the same one (a closed loop).
+    Tie {
+        /// The other strand.
+        other: StrandId,
+        /// Arclength on it, m; 0 to its length.
+        arclength: f64,
+    },
+}
+
+/// What a constraint is made from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConstraintDef {
+    /// The strand that is held.
+    pub strand: StrandId,
+    /// Where on it, arclength from the root, m; 0 to its length. A ring begins at the nearest point to it that is nearest to the target.
+    pub arclength: f64,
+    /// How.
+    pub hold: Hold,
+    /// Where it is held, world; not read by a tie.
+    pub target: Frame,
+    /// How far the point gives way for a unit of force, m/N; zero or above; 0: not at all. Not for rings.
+    pub compliance: f64,
+}
+
+/// How a constraint fared in the last substep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ConstraintStatus {
+    /// It holds.
+    #[default]
+    Holds,
+    /// What it asks is decided by other constraints already, and agrees with them; its force is shared out arbitrarily.
+    Dependent,
+    /// It does not hold: other constraints, or the strand's length, contradict it.
+    Violated,
+    /// A ring that the strand has slipped out of.
+    Released,
+}
+
+/// What a constraint did in the last substep.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ConstraintState {
+    /// Force on the (first) strand, N, world.
+    pub force: Vector3<f64>,
+    /// Torque on the strand about the held point, N·m, world; zero but for directions and frames.
+    pub torque: Vector3<f64>,
+    /// How far the held point is from where it should be, m.
+    pub error: f64,
+    /// Where on the strand it holds, arclength, m: a ring's changes.
+    pub arclength: f64,
+    /// How it fared.
+    pub status: ConstraintStatus,
+}
+
+/// Where the levers are that hold a direction or a frame, in units of the element's length: as stiff as the point's own bond.
+const LEVER: f64 = 1.0;
+/// How far from holding a constraint may be and still be said to hold, m.
+const HOLDS: f64 = 1e-8;
+
+/// A constraint and all that the solver keeps about it.
+#[derive(Debug, Clone)]
+pub(super) struct Constraint {
+    pub id: ConstraintId,
+    pub def: ConstraintDef,
+    /// The target's way; `def.target` is where it was given.
+    pub way: Way,
+    pub state: ConstraintState,
+    /// Forces of its parts in the last substep, to begin the next with.
+    pub forces: [Vector3<f64>; 3],
+    /// How many parts the report has so far, and where the strand is held.
+    pub parts: usize,
+    pub held_at: Vector3<f64>,
+}
+
+impl Constraint {
+    /// The other strand of a tie.
+    pub fn other(&self) -> Option<StrandId> {
+        match self.def.hold {
+            Hold::Tie { other, .. } => Some(other),
+            _ => None,
+        }
+    }
+
+    /// Empties the report of the last substep.
+    pub fn begin_report(&mut self) {
+        if self.state.status != ConstraintStatus::Released {
+            let ConstraintState { arclength, .. } = self.state;
+            self.state = ConstraintState { arclength, ..ConstraintState::default() };
+        }
+        self.parts = 0;
+    }
+
+    /// What it asks is decided by others.
+    pub fn depends(&mut self) {
+        if self.state.status == ConstraintStatus::Holds {
+            self.state.status = ConstraintStatus::Dependent;
+        }
+    }
+
+    /// Takes down what one of its joints came to, in their order; `curve` is the first strand's at the substep's end.
+    pub fn add_report(&mut self, joint: &Joint, curve: &StrandCurve) {
+        let Station { element, s, .. } = joint.first.station;
+        self.state.force += joint.force;
+        if self.parts == 0 {
+            self.held_at = curve.position(element, s);
+        } else if let JointKind::Pin { target, .. } = joint.kind {
+            self.state.torque += (target - self.held_at).cross(&joint.force);
+        }
+        if let JointKind::Ring { target, .. } = joint.kind {
+            self.state.arclength = curve.elements[..element].iter().map(|element| element.length).sum::<f64>() + s;
+            let tip = element + 1 == curve.elements.len() && s >= curve.elements[element].length;
+            if tip && (target - self.held_at).dot(&curve.tangent(element, s)) >= 0.0 {
+                self.state = ConstraintState {
+                    arclength: self.state.arclength,
+                    status: ConstraintStatus::Released,
+                    ..ConstraintState::default()
+                };
+                self.forces = [Vector3::zeros(); 3];
+                return;
+            }
+        }
+        self.state.error = self.state.error.max(joint.gap);
+        if joint.gap > HOLDS && self.def.compliance == 0.0 {
+            self.state.status = ConstraintStatus::Violated;
+        }
+        if let Some(force) = self.forces.get_mut(self.parts) {
+            *force = joint.force;
+        }
+        self.parts += 1;
+    }
+
+    /// Its joints in a substep of `h` seconds: `first` and `second` are the held strands' indices and constants.
+    pub fn joints(
+        &self,
+        index: u32,
+        h: f64,
+        first: (u32, &StrandModel),
+        second: Option<(u32, &StrandModel)>,
+        mut emit: impl FnMut(Joint),
+    ) {
+        let target = self.way.after(h);
+        let station = station_at(first.1, self.state.arclength);
+        let mut part = 0;
+        let mut joint = |station: Station, second: Option<JointEnd>, kind: JointKind| {
+            emit(Joint {
+                first: JointEnd { held: first.0, station },
+                second,
+                kind,
+                force: self.forces[part],
+                slip: Vector3::zeros(),
+                gap: 0.0,
+            });
+            part += 1;
+        };
+        let pin = |target: Vector3<f64>, axes: BondAxes| JointKind::Pin {
+            constraint: index,
+            target,
+            axes,
+            compliance: self.def.compliance,
+        };
+        match self.def.hold {
+            Hold::Point | Hold::Direction | Hold::Frame => {
+                joint(station, None, pin(target.origin, BondAxes::All));
+                let lever = LEVER * first.1.lengths[station.element];
+                let axis = |k: usize| target.rotation * Vector3::ith(k, 1.0);
+                if self.def.hold != Hold::Point {
+                    let held = Station { lever: [lever, 0.0, 0.0], ..station };
+                    joint(held, None, pin(target.origin + axis(0) * lever, BondAxes::Across(axis(0))));
+                }
+                if self.def.hold == Hold::Frame {
+                    let held = Station { lever: [0.0, lever, 0.0], ..station };
+                    joint(held, None, pin(target.origin + axis(1) * lever, BondAxes::Along(axis(2))));
+                }
+            }
+            Hold::Ring { friction } => {
+                let carried = target.origin - self.way.pose.origin;
+                joint(station, None, JointKind::Ring { constraint: index, target: target.origin, carried, friction });
+            }
+            Hold::Tie { arclength, .. } => {
+                if let Some((held, model)) = second {
+                    let end = JointEnd { held, station: station_at(model, arclength) };
+                    joint(station, Some(end), JointKind::Tie { constraint: index, compliance: self.def.compliance });
+                }
+            }
+        }
+    }
+}
+
+/// The station at an arclength.
+pub(super) fn station_at(model: &StrandModel, arclength: f64) -> Station {
+    let mut rest = arclength;
+    for (element, length) in model.lengths.iter().enumerate() {
+        if rest <= *length || element + 1 == model.element_count() {
+            return Station::on(element, rest.clamp(0.0, *length));
+        }
+        rest -= length;
+    }
+    Station::on(0, 0.0)
+}
+
+impl Solver {
+    /// Adds constraints, all or none; their identifiers come in the order of the definitions. They hold from the end of the next substep
+    /// on: where a point is far from its target it is drawn there within that substep.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming `constraints[i].field`; [`Error::InvalidId`] for a strand that is not there.
+    pub fn add_constraints(&mut self, constraints: &[ConstraintDef]) -> Result<Vec<ConstraintId>> {
+        for (k, def) in constraints.iter().enumerate() {
+            self.check_constraint(&format!("constraints[{k}]"), def)?;
+        }
+        if self.constraints.len() + constraints.len() > id::MAX_SLOTS {
+            return Err(Error::OutOfMemory { bytes: constraints.len().saturating_mul(size_of::<Constraint>()) });
+        }
+        let mut ids = Vec::with_capacity(constraints.len());
+        for def in constraints {
+            let Some(id) = self.constraint_slots.insert(self.constraints.len()) else {
+                self.reset_constraint_targets(&ids)?;
+                return Err(Error::OutOfMemory { bytes: size_of::<Constraint>() });
+            };
+            let state = ConstraintState { arclength: def.arclength, ..ConstraintState::default() };
+            self.constraints.push(Constraint {
+                id,
+                def: *def,
+                way: Way::at(def.target),
+                state,
+                forces: [Vector3::zeros(); 3],
+                parts: 0,
+                held_at: Vector3::zeros(),
+            });
+            ids.push(id);
+        }
+        Ok(ids)
+    }
+
+    fn check_constraint(&self, argument: &str, def: &ConstraintDef) -> Result<()> {
+        let on = |name: &str, id: StrandId, arclength: f64| {
+            let strand = self.strand(&format!("{argument}.{name}"), id)?;
+            let length = strand.model.length();
+            if (0.0..=length * (1.0 + 1e-9)).contains(&arclength) {
+                return Ok(());
+            }
+            let what = if name == "strand" { "arclength" } else { "other_arclength" };
+            Err(Error::invalid(format!("{argument}.{what}"), arclength, format!("0 to the strand's length, {length} m")))
+        };
+        on("strand", def.strand, def.arclength)?;
+        check_not_negative(|| format!("{argument}.compliance"), def.compliance)?;
+        for axis in 0..3 {
+            check_finite(|| format!("{argument}.target.origin[{axis}]"), def.target.origin[axis])?;
+        }
+        match def.hold {
+            Hold::Tie { other, arclength } => {
+                on("other", other, arclength)?;
+                if other == def.strand && arclength == def.arclength {
+                    return Err(Error::invalid(format!("{argument}.other_arclength"), arclength, "another point than the first"));
+                }
+            }
+            Hold::Ring { friction } => {
+                check_not_negative(|| format!("{argument}.friction.along"), friction.along)?;
+                check_not_negative(|| format!("{argument}.friction.against"), friction.against)?;
+                if def.compliance != 0.0 {
+                    return Err(Error::invalid(format!("{argument}.compliance"), def.compliance, "0: rings do not give way"));
+                }
+            }
+            Hold::Point | Hold::Direction | Hold::Frame => {}
+        }
+        Ok(())
+    }
+
+    fn constraint_index(&self, argument: impl FnOnce() -> String, id: ConstraintId) -> Result<usize> {
+        self.constraint_slots.index(id).ok_or_else(|| Error::InvalidId { argument: argument(), bits: id.bits() })
+    }
+
+    /// Removes constraints, all or none.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`, also for an identifier given twice.
+    pub fn reset_constraint_targets(&mut self, ids: &[ConstraintId]) -> Result<()> {
+        let mut gone = vec![false; self.constraints.len()];
+        for (k, id) in ids.iter().enumerate() {
+            let index = self.constraint_index(|| format!("ids[{k}]"), *id)?;
+            if std::mem::replace(&mut gone[index], true) {
+                return Err(Error::invalid(format!("ids[{k}]"), format!("0x{:016x}", id.bits()), "each constraint once"));
+            }
+        }
+        self.drop_constraints(&gone);
+        Ok(())
+    }
+
+    /// Removes those that are marked.
+    pub(super) fn drop_constraints(&mut self, gone: &[bool]) {
+        let mut index = 0;
+        let slots = &mut self.constraint_slots;
+        self.constraints.retain(|constraint| {
+            index += 1;
+            if gone[index - 1] {
+                slots.remove(constraint.id);
+            }
+            !gone[index - 1]
+        });
+        for (index, constraint) in self.constraints.iter().enumerate() {
+            self.constraint_slots.moved(constraint.id, index);
+        }
+    }
+
+    /// Sends the targets of constraints to `frames` in `over_seconds` (0: within the next substep), as [`Solver::set_root_frames`] does roots.
+    /// Ties have none: theirs are not read.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for counts that differ or a time that is not finite and 0 or more; [`Error::InvalidId`].
+    pub fn set_constraint_targets(&mut self, ids: &[ConstraintId], frames: &[Frame], over_seconds: f64) -> Result<()> {
+        check_not_negative(|| "over_seconds".into(), over_seconds)?;
+        if frames.len() != ids.len() {
+            return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a constraint", ids.len())));
+        }
+        let mut indices = Vec::with_capacity(ids.len());
+        for (k, id) in ids.iter().enumerate() {
+            indices.push(self.constraint_index(|| format!("ids[{k}]"), *id)?);
+        }
+        for (index, frame) in indices.into_iter().zip(frames) {
+            self.constraints[index].way.send(*frame, over_seconds);
+        }
+        Ok(())
+    }
+
+    /// What a constraint did in the last substep.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn constraint_state(&self, id: ConstraintId) -> Result<ConstraintState> {
+        Ok(self.constraints[self.constraint_index(|| "id".into(), id)?].state)
+    }
+
+    /// What a constraint is made from; its target is where it is now.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn constraint(&self, id: ConstraintId) -> Result<ConstraintDef> {
+        let Constraint { def, way, .. } = &self.constraints[self.constraint_index(|| "id".into(), id)?];
+        Ok(ConstraintDef { target: way.pose, ..*def })
+    }
+
+    /// All constraints' identifiers, in the order in which they were added.
+    pub fn constraint_ids(&self) -> Vec<ConstraintId> {
+        self.constraints.iter().map(|constraint| constraint.id).collect()
+    }
+}

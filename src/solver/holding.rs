@@ -1,0 +1,394 @@
+//! The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton
+//! iteration. Strands do the two halves of an iteration on any thread, islands solve their contact problems between them; who runs
+//! which changes no result.
+
+use std::collections::HashMap;
+
+use nalgebra::Vector3;
+
+use super::bodies::{Contact, ContactPartner};
+use super::constraints::{Constraint, ConstraintStatus};
+use super::id::{BodyId, SlotMap, StrandId};
+use super::report::Wrench;
+use super::strand::{self, Strand, Tally};
+use super::touching::Touching;
+use super::workers::Crew;
+use crate::chain::load::Station;
+use crate::contact::body::BodyAt;
+use crate::contact::held_strand::{Attachment, HeldStrand};
+use crate::contact::island::Island;
+use crate::contact::joint::{Joint, JointKind};
+use crate::contact::options::ContactOptions;
+use crate::contact::shape::Bounds;
+use crate::step::Setting;
+use crate::step::members::One;
+use crate::step::options::Integrator;
+
+/// How often strands are searched for touches that the last search did not know of.
+const MOST_SEARCHES: u32 = 8;
+
+/// What the solver keeps for held strands between substeps.
+#[derive(Debug, Default)]
+pub(super) struct Holding {
+    /// The strands held in the last substep; more may be kept for their memory.
+    strands: Vec<HeldStrand>,
+    count: usize,
+    islands: Vec<Island>,
+    island_count: usize,
+    joints: Vec<Joint>,
+    parents: Vec<u32>,
+    touching: Touching,
+    contacts: Vec<Contact>,
+}
+
+/// What contact came to in a call.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactTally {
+    /// Touches that carried a force at the end of the last substep.
+    pub touches: u32,
+    /// Searches that found touches which the one at a substep's start had not.
+    pub searches: u32,
+    /// Newton iterations of the island that took most.
+    pub iterations: u32,
+    /// Sweeps of the contact problem's solver, all islands and substeps together.
+    pub sweeps: u64,
+    /// Islands whose iteration ended elsewhere than it should.
+    pub unconverged: u32,
+    /// Largest residual of the laws, relative, see `docs/contact.md`.
+    pub residual: f64,
+    /// How deep surfaces were in each other at the end of a substep at most, m.
+    pub penetration: f64,
+    /// The largest distance of a constraint from holding at the end of a substep, m.
+    pub constraint_error: f64,
+}
+
+/// What a held substep works on.
+pub(super) struct Scene<'a> {
+    pub strands: &'a mut [Strand],
+    pub slots: &'a SlotMap<StrandId>,
+    pub constraints: &'a mut [Constraint],
+    pub bodies: &'a [BodyAt<'a>],
+    pub body_ids: &'a [BodyId],
+    pub options: &'a ContactOptions,
+    pub setting: &'a Setting<'a>,
+    pub crew: &'a Crew,
+}
+
+impl Holding {
+    /// The touches that carried a force at the end of the last substep.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// Forgets who touched whom: strands or bodies have other indices now.
+    pub fn forget(&mut self) {
+        self.touching.forget();
+        self.contacts.clear();
+    }
+
+    /// Forgets which strands are near each other.
+    pub fn forget_pairs(&mut self) {
+        self.touching.forget_pairs();
+    }
+
+    /// Marks the strands that this substep of `h` seconds holds.
+    pub fn mark(scene: &mut Scene, h: f64) {
+        let hair = scene.options.hair;
+        for strand in scene.strands.iter_mut() {
+            strand.held = strand.contact.as_deref().is_some_and(|contact| {
+                if hair && contact.wisp_radius > 0.0 {
+                    return true;
+                }
+                let reach = Vector3::repeat(strand.model.length() + contact.radius);
+                let end = strand::root_after(&strand.root_move, &strand.state.root, h).origin;
+                let around = Bounds::around(strand.state.root.origin, reach).union(&Bounds::around(end, reach));
+                let near = |body: &BodyAt| body.bounds.grown(body.thickness).meets(&around);
+                scene.bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && near(body))
+            });
+        }
+        for constraint in scene.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
+            let ends = [Some(constraint.def.strand), constraint.other()];
+            for index in ends.into_iter().flatten().filter_map(|id| scene.slots.index(id)) {
+                scene.strands[index].held = true;
+            }
+        }
+    }
+
+    /// Takes the marked strands through a substep of `h` seconds.
+    pub fn take(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally, wrenches: &mut [Wrench]) {
+        let held: Vec<usize> = (0..scene.strands.len()).filter(|index| scene.strands[*index].held).collect();
+        if held.is_empty() {
+            return;
+        }
+        self.count = held.len();
+        self.strands.resize_with(self.strands.len().max(held.len()), HeldStrand::default);
+        for constraint in scene.constraints.iter_mut() {
+            constraint.way.begin(h);
+        }
+        self.begin(scene, h);
+        self.joints.clear();
+        self.touching.begin_step();
+        self.touching.find(scene, &mut self.strands[..self.count]);
+        self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
+        self.begin_again(scene, h);
+        self.hold_constraints(scene, &held, h);
+        self.tie();
+        self.iterate(scene, h);
+        if !scene.options.model.is_soft() && self.touching.is_possible(scene) {
+            for _ in 0..MOST_SEARCHES {
+                self.touching.find(scene, &mut self.strands[..self.count]);
+                let islands = &mut self.islands[..self.island_count];
+                if !self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
+                    break;
+                }
+                contact.searches += 1;
+                self.tie();
+                self.iterate(scene, h);
+            }
+        }
+        self.end(scene, h, tally, contact, wrenches);
+    }
+
+    /// The marked strands, each with its place in `strands`.
+    fn pairs<'a>(strands: &'a mut [Strand], held: &'a mut [HeldStrand]) -> Vec<(&'a mut Strand, &'a mut HeldStrand)> {
+        strands.iter_mut().filter(|strand| strand.held).zip(held).collect()
+    }
+
+    /// Strands that may touch something take the step by implicit Euler: a two-step formula makes an impact ring.
+    fn begin_again(&mut self, scene: &mut Scene, h: f64) {
+        if scene.setting.options.integrator == Integrator::ImplicitEuler {
+            return;
+        }
+        let mut again = false;
+        for end in self.joints.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
+            let held = &mut self.strands[end.held as usize];
+            held.begins_again = !held.first_order;
+            again |= held.begins_again;
+        }
+        if !again {
+            return;
+        }
+        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        scene.crew.for_each(&mut pairs, |(strand, held), _| {
+            if held.begins_again {
+                (held.begins_again, held.first_order) = (false, true);
+                with_one(strand, |one| held.held.begin(one, scene.setting, h, true));
+            }
+        });
+    }
+
+    fn begin(&mut self, scene: &mut Scene, h: f64) {
+        let mut index = 0;
+        for (k, strand) in scene.strands.iter().enumerate().filter(|(_, strand)| strand.held) {
+            let held = &mut self.strands[index];
+            held.index = k as u32;
+            held.touches = strand.contact.is_some();
+            held.contact = strand.contact.as_deref().copied().unwrap_or_default();
+            (held.first_order, held.settled) = (strand.touched, false);
+            index += 1;
+        }
+        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        scene.crew.for_each(&mut pairs, |(strand, held), _| {
+            strand.begin_root_way(h);
+            with_one(strand, |one| held.held.begin(one, scene.setting, h, held.first_order));
+        });
+    }
+
+    /// The constraints' joints.
+    fn hold_constraints(&mut self, scene: &mut Scene, held: &[usize], h: f64) {
+        let place: HashMap<usize, u32> = held.iter().enumerate().map(|(k, index)| (*index, k as u32)).collect();
+        let joints = &mut self.joints;
+        for (k, constraint) in scene.constraints.iter_mut().enumerate() {
+            let find = |id| scene.slots.index(id).map(|index| (place[&index], &scene.strands[index].model));
+            if constraint.state.status == ConstraintStatus::Released {
+                continue;
+            }
+            let Some(first) = find(constraint.def.strand) else { continue };
+            let second = constraint.other().and_then(find);
+            constraint.joints(k as u32, h, first, second, |joint| joints.push(joint));
+        }
+    }
+
+    /// Ties the joints' strands into islands.
+    fn tie(&mut self) {
+        self.parents.clear();
+        self.parents.extend(0..self.count as u32);
+        for joint in &self.joints {
+            if let Some(second) = joint.second {
+                let (a, b) = (root(&mut self.parents, joint.first.held), root(&mut self.parents, second.held));
+                let (low, high) = (a.min(b), a.max(b));
+                self.parents[high as usize] = low;
+            }
+        }
+        for held in &mut self.strands[..self.count] {
+            held.attachments.clear();
+        }
+        self.island_count = 0;
+        for k in 0..self.count {
+            let lowest = root(&mut self.parents, k as u32) as usize;
+            let island = if lowest == k {
+                self.island_count += 1;
+                self.islands.resize_with(self.islands.len().max(self.island_count), Island::default);
+                self.islands[self.island_count - 1].clear();
+                self.island_count - 1
+            } else {
+                self.strands[lowest].island as usize
+            };
+            self.strands[k].island = island as u32;
+            self.islands[island].strands.push(k as u32);
+        }
+        for island in &mut self.islands[..self.island_count] {
+            if island.strands.iter().all(|held| self.strands[*held as usize].settled) {
+                (island.done, island.converged) = (true, true);
+            }
+        }
+        for joint in self.joints.drain(..) {
+            let island = &mut self.islands[self.strands[joint.first.held as usize].island as usize];
+            let number = island.joints.len() as u32;
+            island.joints.push(joint);
+            let ends = [Some(joint.first), joint.second];
+            for (second, end) in ends.into_iter().enumerate().filter_map(|(k, end)| end.map(|end| (k == 1, end))) {
+                let attachment = Attachment { joint: number, second, station: end.station };
+                self.strands[end.held as usize].attachments.push(attachment);
+            }
+        }
+    }
+
+    /// Newton's iterations of all islands.
+    fn iterate(&mut self, scene: &mut Scene, h: f64) {
+        let (setting, options) = (scene.setting, scene.options);
+        let Self { strands, islands, count, island_count, .. } = self;
+        let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
+        loop {
+            if islands.iter().all(|island| island.done) {
+                break;
+            }
+            scene.crew.for_each(islands, |island, _| {
+                if !island.done {
+                    island.refresh(strands, scene.bodies);
+                }
+            });
+            scene.crew.for_each(strands, |held, _| {
+                let island = &islands[held.island as usize];
+                if !island.done {
+                    held.linearise(island);
+                }
+            });
+            scene.crew.for_each(islands, |island, _| {
+                if !island.done {
+                    island.find_ends(strands);
+                    // A number that is not finite: the strand that it comes from is told apart at the end.
+                    if island.solve(strands, options, h).is_err() {
+                        island.done = true;
+                    }
+                }
+            });
+            scene.crew.for_each(strands, |held, _| {
+                let island = &islands[held.island as usize];
+                if !island.done {
+                    held.advance(setting, island);
+                }
+            });
+            scene.crew.for_each(islands, |island, _| {
+                if !island.done {
+                    island.check(strands, options, setting.options.tolerance, h);
+                }
+            });
+        }
+    }
+
+    /// Makes the ends the strands' states, and writes down what the joints came to.
+    fn end(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally, wrenches: &mut [Wrench]) {
+        let islands = &self.islands[..self.island_count];
+        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        let setting = scene.setting;
+        scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
+            held.held.outcome.converged = islands[held.island as usize].converged;
+            with_one(strand, |one| held.held.end(one, setting, h, &mut scratch.rule));
+            let outcome = held.held.outcome;
+            strand.ended(outcome, setting, h, scratch);
+            strand.touched =
+                held.attachments.iter().any(|end| islands[held.island as usize].joints[end.joint as usize].is_touch());
+        });
+        for held in &self.strands[..self.count] {
+            tally.add(&held.held.outcome);
+        }
+        contact.touches = 0;
+        self.contacts.clear();
+        for constraint in scene.constraints.iter_mut() {
+            constraint.begin_report();
+        }
+        let place = |held: u32, station: &Station| {
+            let strand = &self.strands[held as usize];
+            (scene.strands[strand.index as usize].id, strand.along(station))
+        };
+        for island in islands {
+            contact.iterations = contact.iterations.max(island.iterations);
+            contact.sweeps += u64::from(island.sweeps);
+            contact.unconverged += u32::from(!island.converged);
+            contact.residual = contact.residual.max(island.residual);
+            for joint in &island.joints {
+                match joint.constraint() {
+                    Some(index) => {
+                        contact.constraint_error = contact.constraint_error.max(joint.gap);
+                        let strand = &self.strands[joint.first.held as usize];
+                        scene.constraints[index as usize].add_report(joint, &strand.path().now);
+                    }
+                    None => {
+                        contact.penetration = contact.penetration.max(-joint.gap);
+                        if joint.force == Vector3::zeros() {
+                            continue;
+                        }
+                        contact.touches += 1;
+                        let (strand, arclength) = place(joint.first.held, &joint.first.station);
+                        let position = self.strands[joint.first.held as usize].end_state(&joint.first.station).now;
+                        let (normal, partner) = match (joint.kind, joint.second) {
+                            (JointKind::Hair { normal, .. }, Some(end)) => {
+                                let (strand, arclength) = place(end.held, &end.station);
+                                (normal, ContactPartner::Strand { strand, arclength })
+                            }
+                            (JointKind::Body { body, feature, normal, point, .. }, _) => {
+                                let origin = scene.bodies[body as usize].end.origin;
+                                let wrench = &mut wrenches[body as usize];
+                                wrench.force -= joint.force;
+                                wrench.torque -= (point - origin).cross(&joint.force);
+                                (normal, ContactPartner::Body { body: scene.body_ids[body as usize], feature })
+                            }
+                            _ => continue,
+                        };
+                        let slip = joint.slip - normal * normal.dot(&joint.slip);
+                        let (force, gap) = (joint.force, joint.gap);
+                        self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
+                    }
+                }
+            }
+        }
+        self.touching.remember(islands, &self.strands);
+        for island in islands {
+            for dependent in &island.report.dependent {
+                if let Some(index) = island.joints[dependent.touch].constraint() {
+                    scene.constraints[index as usize].depends();
+                }
+            }
+        }
+        for constraint in scene.constraints.iter_mut() {
+            constraint.way.advance(h);
+        }
+    }
+}
+
+/// The lowest strand of a strand's island so far.
+fn root(parents: &mut [u32], mut k: u32) -> u32 {
+    while parents[k as usize] != k {
+        parents[k as usize] = parents[parents[k as usize] as usize];
+        k = parents[k as usize];
+    }
+    k
+}
+
+fn with_one<R>(strand: &mut Strand, work: impl FnOnce(&mut One) -> R) -> R {
+    let Strand { model, state, root_move, .. } = strand;
+    let start = state.root;
+    let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
+    work(&mut One { model, state, root_at: &root_at })
+}

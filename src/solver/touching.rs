@@ -1,0 +1,240 @@
+//! Who touches whom in a substep: bodies and strands found near held strands, as joints.
+
+use nalgebra::Vector3;
+
+use super::holding::Scene;
+use crate::chain::load::Station;
+use crate::contact::hair_pairs::{HairPairs, PairOptions};
+use crate::contact::held_strand::HeldStrand;
+use crate::contact::island::Island;
+use crate::contact::joint::{Joint, JointEnd, JointKind};
+use crate::contact::law::Law;
+use crate::contact::pieces::Wisp;
+use crate::contact::touch::{Partner, Place, StrandPath, Touch};
+use crate::contact::touches::TouchScratch;
+
+/// Surfaces nearer than this at the present iterate are touches, m; nearer than this share of a wisp's radius for strands.
+const NEAR: f64 = 1e-3;
+/// Pairs of strands are searched anew when one has moved by this share of the largest wisp's radius.
+const MARGIN: f64 = 0.5;
+/// A touch is one that was known if along the strand it is no further from it than this share of the strand's length.
+const SAME: f64 = 0.02;
+
+/// What a touch is with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum With {
+    Body(u32),
+    Strand(u32),
+}
+
+/// A touch of the last substep.
+#[derive(Debug, Clone, Copy)]
+struct Remembered {
+    strand: u32,
+    with: With,
+    along: f64,
+    force: Vector3<f64>,
+}
+
+/// The search and its memory.
+#[derive(Debug, Default)]
+pub(super) struct Touching {
+    pairs: HairPairs,
+    /// What `pairs` was set for: a wisp a held strand, and which strands these are.
+    wisps: Vec<Wisp>,
+    of: Vec<u32>,
+    ready: bool,
+    hair: Vec<Touch>,
+    scratch: TouchScratch,
+    remembered: Vec<Remembered>,
+}
+
+impl Touching {
+    /// Forgets the last substep's touches and pairs.
+    pub fn forget(&mut self) {
+        self.remembered.clear();
+        self.ready = false;
+    }
+
+    /// Forgets which strands are near each other.
+    pub fn forget_pairs(&mut self) {
+        self.ready = false;
+    }
+
+    /// Whether anything can touch at all.
+    pub fn is_possible(&self, scene: &Scene) -> bool {
+        !scene.bodies.is_empty() || scene.options.hair
+    }
+
+    /// Begins a substep.
+    pub fn begin_step(&mut self) {
+        self.pairs.begin_step();
+    }
+
+    /// Finds all touches at the present iterate.
+    pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand]) {
+        self.hair.clear();
+        for held in strands.iter_mut() {
+            held.found.clear();
+        }
+        if !scene.bodies.is_empty() {
+            scene.crew.for_each(strands, |held, _| held.find_bodies(scene.bodies, NEAR));
+        }
+        if scene.options.hair {
+            self.find_hair(strands);
+        }
+    }
+
+    fn find_hair(&mut self, strands: &[HeldStrand]) {
+        let wisps = || strands.iter().enumerate().filter(|(_, held)| held.touches && held.contact.wisp_radius > 0.0);
+        let paths: Vec<StrandPath> = wisps().map(|(k, held)| StrandPath { index: k as u32, ..held.path() }).collect();
+        let same = self.of.len() == paths.len() && wisps().zip(&self.of).all(|((_, held), of)| held.index == *of);
+        if !(self.ready && same) {
+            self.of = wisps().map(|(_, held)| held.index).collect();
+            self.wisps = wisps().map(|(_, held)| held.wisp()).collect();
+            let largest = self.wisps.iter().fold(0.0_f64, |a, wisp| a.max(wisp.radius));
+            let options = PairOptions { activation: NEAR.min(0.25 * largest), margin: MARGIN * largest };
+            self.ready = self.pairs.set(&self.wisps, &options).is_ok();
+        }
+        if self.pairs.update(&paths).is_err() {
+            self.ready = false;
+            return;
+        }
+        for group in self.pairs.groups() {
+            self.pairs.touches(group, &paths, &mut self.scratch, &mut self.hair);
+        }
+    }
+
+    /// The joints of all touches found.
+    pub fn joints(&mut self, scene: &Scene, strands: &[HeldStrand], joints: &mut Vec<Joint>) {
+        for (k, held) in strands.iter().enumerate() {
+            for touch in &held.found {
+                joints.push(self.joint(scene, strands, k as u32, touch));
+            }
+        }
+        for touch in &self.hair {
+            joints.push(self.joint(scene, strands, touch.place.strand, touch));
+        }
+    }
+
+    fn joint(&self, scene: &Scene, strands: &[HeldStrand], held: u32, touch: &Touch) -> Joint {
+        let strand = &strands[held as usize];
+        let first = end(held, &touch.place);
+        let (second, kind, with) = match touch.partner {
+            Partner::Body { body, feature } => {
+                let at = &scene.bodies[body as usize];
+                let margin = strand.contact.radius + at.thickness;
+                let point = strand.end_state(&first.station).now - touch.normal * (touch.gap + margin);
+                let (normal, carried) = (touch.normal, touch.carried);
+                let kind = JointKind::Body {
+                    body,
+                    feature,
+                    normal,
+                    point,
+                    carried,
+                    margin,
+                    friction: [at.friction, at.viscous_friction],
+                };
+                (None, kind, With::Body(body))
+            }
+            Partner::Strand(place) => {
+                let other = &strands[place.strand as usize];
+                let margin = strand.contact.wisp_radius + other.contact.wisp_radius;
+                let kind = JointKind::Hair { normal: touch.normal, margin };
+                (Some(end(place.strand, &place)), kind, With::Strand(other.index))
+            }
+        };
+        let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
+        // A force that draws is none of a touch.
+        let force = if force.dot(&touch.normal) > 0.0 { force } else { Vector3::zeros() };
+        Joint { first, second, kind, force, slip: Vector3::zeros(), gap: touch.gap }
+    }
+
+    /// The force that such a touch had in the last substep.
+    fn recall(&self, strand: u32, with: With, along: f64, length: f64) -> Vector3<f64> {
+        let from = self.remembered.partition_point(|seen| (seen.strand, seen.with) < (strand, with));
+        let mut best = (SAME * length, Vector3::zeros());
+        for seen in self.remembered[from..].iter().take_while(|seen| (seen.strand, seen.with) == (strand, with)) {
+            let off = (seen.along - along).abs();
+            if off <= best.0 {
+                best = (off, seen.force);
+            }
+        }
+        best.1
+    }
+
+    /// Of the touches found last, adds those to the islands' joints that do not hold where the strands are now: true if there are any. All
+    /// joints are then in `joints`, for islands to be made anew.
+    pub fn add_missed(
+        &mut self,
+        scene: &Scene,
+        strands: &mut [HeldStrand],
+        islands: &mut [Island],
+        joints: &mut Vec<Joint>,
+        h: f64,
+    ) -> bool {
+        joints.clear();
+        let mut missed = Vec::new();
+        let bodies = strands.iter().enumerate().flat_map(|(k, held)| held.found.iter().map(move |touch| (k as u32, touch)));
+        for (held, touch) in bodies.chain(self.hair.iter().map(|touch| (touch.place.strand, touch))) {
+            if touch.gap >= -scene.options.tolerance || islands[strands[held as usize].island as usize].failed() {
+                continue;
+            }
+            let mut joint = self.joint(scene, strands, held, touch);
+            let first = &strands[held as usize];
+            let a = first.end_state(&joint.first.station);
+            let other = joint.second.map(|end| (&strands[end.held as usize], end.station));
+            let (b, contact) =
+                other.map_or((a, &first.contact), |(strand, station)| (strand.end_state(&station), &strand.contact));
+            let (law, u) = joint.evaluate([a, b], [&first.contact, contact], scene.options, h);
+            if matches!(law, Law::Contact(law) if law.normal.dot(&u) < -scene.options.tolerance) {
+                missed.push(joint);
+            }
+        }
+        if missed.is_empty() {
+            return false;
+        }
+        for held in strands.iter_mut() {
+            held.settled = islands[held.island as usize].converged;
+        }
+        for end in missed.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
+            strands[end.held as usize].settled = false;
+        }
+        for island in islands.iter_mut() {
+            joints.append(&mut island.joints);
+        }
+        for joint in missed {
+            // One that is known moves to where it is deepest; any other is new.
+            let strand = &strands[joint.first.held as usize];
+            let along = strand.along(&joint.first.station);
+            let known = joints.iter_mut().filter(|known| known.first.held == joint.first.held && known.is_with(&joint));
+            let near = known.map(|known| ((strand.along(&known.first.station) - along).abs(), known));
+            let nearest = near.min_by(|a, b| a.0.total_cmp(&b.0));
+            match nearest {
+                Some((off, known)) if off <= 1e-6 * strand.length() => *known = Joint { force: known.force, ..joint },
+                _ => joints.push(joint),
+            }
+        }
+        true
+    }
+
+    /// Keeps the touches' forces for the next substep.
+    pub fn remember(&mut self, islands: &[Island], strands: &[HeldStrand]) {
+        self.remembered.clear();
+        for joint in islands.iter().flat_map(|island| &island.joints).filter(|joint| joint.force != Vector3::zeros()) {
+            let with = match (joint.kind, joint.second) {
+                (JointKind::Body { body, .. }, _) => With::Body(body),
+                (JointKind::Hair { .. }, Some(second)) => With::Strand(strands[second.held as usize].index),
+                _ => continue,
+            };
+            let strand = &strands[joint.first.held as usize];
+            let along = strand.along(&joint.first.station);
+            self.remembered.push(Remembered { strand: strand.index, with, along, force: joint.force });
+        }
+        self.remembered.sort_by(|a, b| (a.strand, a.with).cmp(&(b.strand, b.with)).then(a.along.total_cmp(&b.along)));
+    }
+}
+
+fn end(held: u32, place: &Place) -> JointEnd {
+    JointEnd { held, station: Station::on(place.element as usize, place.s) }
+}

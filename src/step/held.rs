@@ -1,0 +1,300 @@
+//! The step of a strand that forces from outside hold at stations, one Newton iteration at a time, so that between iterations somebody
+//! else can say what the forces are: contact and constraints, which may tie many strands together.
+//!
+//! Each iteration has two halves. [`Held::linearise`] gives what the stations would do without forces, and their Delassus operator;
+//! [`Held::advance`] goes the way that the forces lead to, a descent of the Lagrangian Φ(q) − Σ λ·r(q) with the forces λ as they are
+//! then. The step ends where neither the forces nor the shape change any more. It is of implicit Euler, or of second order where that
+//! is asked for and the strand has a past.
+
+use nalgebra::Vector3;
+
+use super::damping::Damping;
+use super::iterate::{Problem, choose_start, forces, foresee, place_trial, wrench};
+use super::members::One;
+use super::options::Integrator;
+use super::scratch::Bench;
+use super::stages::{self, StageTimes};
+use super::state::RuleScratch;
+use super::{Setting, StrandOutcome, keep, newton, whole};
+use crate::chain::load::{Load, Station};
+use crate::chain::response::{Delassus, ResponseScratch};
+use crate::chain::system::LinearSolve;
+use crate::math::lane::MAX_LANES;
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::freedoms::Freedoms;
+use crate::rod::kinematics::{ElementState, Kinematics, element_state};
+
+/// One strand in the course of its step.
+#[derive(Debug)]
+pub struct Held {
+    bench: Bench<f64>,
+    /// The strand's elements as the step found them, from where the root was then.
+    start: Vec<ElementState<f64>>,
+    start_origin: Vector3<f64>,
+    origin: Vector3<f64>,
+    rotation: Mat3<f64>,
+    offset: Vec3<f64>,
+    times: StageTimes<f64>,
+    freedoms: Freedoms,
+    rule: usize,
+    potential: (f64, f64),
+    damping: Damping,
+    before: Option<f64>,
+    stations: Vec<Station>,
+    loads: Vec<Load<f64>>,
+    forces: Vec<Vec3<f64>>,
+    /// How far each station would go in this iteration without forces, world axes, m.
+    pub free: Vec<Vec3<f64>>,
+    /// What forces at the stations add to that.
+    pub delassus: Delassus,
+    scratch: ResponseScratch,
+    /// How it goes.
+    pub outcome: StrandOutcome,
+}
+
+impl Default for Held {
+    fn default() -> Self {
+        Self {
+            bench: Bench::default(),
+            start: Vec::new(),
+            start_origin: Vector3::zeros(),
+            origin: Vector3::zeros(),
+            rotation: Mat3::zero(),
+            offset: Vec3::zero(),
+            times: StageTimes { index: 0, k: 0.0, way: 0.0 },
+            freedoms: Freedoms::default(),
+            rule: 0,
+            potential: (0.0, 0.0),
+            damping: Damping::new(0.0),
+            before: None,
+            stations: Vec::new(),
+            loads: Vec::new(),
+            forces: Vec::new(),
+            free: Vec::new(),
+            delassus: Delassus::default(),
+            scratch: ResponseScratch::default(),
+            outcome: StrandOutcome::default(),
+        }
+    }
+}
+
+impl Held {
+    /// Begins a step of `h` seconds; `first_order`: by implicit Euler whatever the setting says.
+    pub fn begin(&mut self, one: &One, setting: &Setting, h: f64, first_order: bool) {
+        let workspace = &mut self.bench.workspace;
+        let two_step = setting.options.integrator == Integrator::SecondOrder && stages::leans_on_past(one.state, h);
+        self.times = if two_step && !first_order {
+            stages::start_backward_difference(one, setting, h, workspace).0
+        } else {
+            stages::start_euler(one, setting, h, workspace)
+        };
+        self.start.clear();
+        let (mut frame, mut origin) = (workspace.loaded.rotation, Vec3::zero());
+        for (length, row) in workspace.loaded.lengths.iter().zip(&workspace.loaded.curvatures) {
+            let element = element_state(Vec3(*row), *length, frame, origin);
+            (frame, origin) = (element.frame_right(), element.origin_right());
+            self.start.push(element);
+        }
+        self.start_origin = one.state.root.origin;
+        (self.rotation, self.offset) = stages::move_roots(h, one, workspace);
+        self.origin = workspace.roots[0].origin;
+        (self.freedoms, self.rule) = (one.model.freedoms, one.state.rule);
+        workspace.last_stage = 0;
+
+        let rule = setting.rules.rule(self.rule);
+        let axes = self.freedoms.axes();
+        let super::workspace::Workspace { loaded, iterate, stages, .. } = workspace;
+        stages::assemble_terms(self.times.k, self.offset, &rule.weights, loaded, &stages[0], iterate);
+        stages::lead(self.times.way, self.freedoms, loaded, None, iterate);
+        let problem = Problem {
+            root: &self.rotation,
+            lengths: &loaded.lengths,
+            axes: &axes[..self.freedoms.count()],
+            rule,
+            tension_at_start: false,
+        };
+        self.potential = choose_start(&problem, iterate);
+        iterate.system.point_tension.clear();
+        iterate.system.exact = false;
+        self.damping = Damping::new(newton::usual_damping(iterate));
+        self.before = None;
+        self.outcome = StrandOutcome { converged: false, quarantined: !self.potential.0.is_finite(), ..StrandOutcome::default() };
+        self.stations.clear();
+        self.loads.clear();
+        self.forces.clear();
+    }
+
+    /// The strand as the step found it: where its root was, and its elements from there.
+    pub fn start(&self) -> (Vector3<f64>, &[ElementState<f64>]) {
+        (self.start_origin, &self.start)
+    }
+
+    /// The same at the present iterate for the step's end.
+    pub fn now(&self) -> (Vector3<f64>, &[ElementState<f64>]) {
+        (self.origin, &self.bench.workspace.iterate.kinematics.elements)
+    }
+
+    /// Where a station is in a strand whose root's origin and elements are given.
+    pub fn place((origin, elements): (Vector3<f64>, &[ElementState<f64>]), station: &Station) -> Vector3<f64> {
+        origin + Vector3::from(position(elements, station))
+    }
+
+    /// First half of an iteration: forces will act at `stations` (from root to tip); `guess` are those that the iteration before came
+    /// to, which bend the matrix.
+    pub fn linearise(&mut self, stations: &[Station], guess: &[Vec3<f64>]) {
+        let Self { bench: Bench { workspace, elimination }, loads, .. } = self;
+        let iterate = &mut workspace.iterate;
+        self.stations.clear();
+        self.stations.extend_from_slice(stations);
+        loads.clear();
+        loads.extend(stations.iter().zip(guess).map(|(station, force)| Load::at(&iterate.kinematics, station, *force)));
+        forces(iterate);
+        let axes = self.freedoms.axes();
+        let axes = &axes[..self.freedoms.count()];
+        self.damping.begin();
+        for tries in 0..=newton::MAX_DAMPINGS {
+            iterate.system.rotation_stiffness = self.damping.value;
+            let found = elimination.solve_loaded(&iterate.kinematics, &iterate.system, loads, axes, &mut iterate.change);
+            if found.repaired == 0.0 || tries == newton::MAX_DAMPINGS {
+                break;
+            }
+            self.damping.grow();
+        }
+        elimination.delassus(&iterate.kinematics, loads, axes, &mut self.scratch, &mut self.delassus);
+        self.forces.clear();
+        self.forces.resize(stations.len(), Vec3::zero());
+        elimination.direction(
+            &iterate.kinematics,
+            loads,
+            &self.forces,
+            axes,
+            &mut self.scratch,
+            &mut iterate.change,
+            &mut self.free,
+        );
+    }
+
+    /// Second half: goes the way that `forces` on the stations lead to. Gives how far an element may still be from where the iteration
+    /// would end with such forces, rad; infinite where the strand is lost.
+    pub fn advance(&mut self, setting: &Setting, forces: &[Vec3<f64>]) -> f64 {
+        let Self { bench: Bench { workspace, elimination }, loads, .. } = self;
+        let axes = self.freedoms.axes();
+        let axes = &axes[..self.freedoms.count()];
+        let super::workspace::Workspace { loaded, iterate, .. } = workspace;
+        self.forces.clear();
+        self.forces.extend_from_slice(forces);
+        let moved = &mut self.free;
+        let found =
+            elimination.direction(&iterate.kinematics, loads, forces, axes, &mut self.scratch, &mut iterate.change, moved);
+        self.outcome.iterations += 1;
+        let rotation = found.rotation_squared.sqrt();
+        if !(rotation.is_finite() && found.descent.is_finite()) {
+            self.outcome.quarantined = true;
+            return f64::INFINITY;
+        }
+        let limit = crate::chain::elimination::Elimination::<f64>::ROTATION_LIMIT;
+        let problem = Problem {
+            root: &self.rotation,
+            lengths: &loaded.lengths,
+            axes,
+            rule: setting.rules.rule(self.rule),
+            tension_at_start: false,
+        };
+        let from = less_work(self.potential, &iterate.kinematics, &self.stations, forces);
+        let mut part = if rotation > limit { limit / rotation } else { 1.0 };
+        let mut next = None;
+        for _ in 0..newton::MAX_HALVINGS {
+            iterate.trial_curvatures.clone_from(&iterate.curvatures);
+            for (row, change) in iterate.trial_curvatures.iter_mut().zip(&iterate.change) {
+                for axis in 0..3 {
+                    row[axis] += part * change[axis];
+                }
+            }
+            let potential = place_trial(&problem, iterate);
+            let trial = less_work(potential, &iterate.trial, &self.stations, forces);
+            if trial.0 <= from.0 - newton::ARMIJO * part * found.descent + from.1 {
+                next = Some((potential, trial));
+                break;
+            }
+            part *= 0.5;
+        }
+        let Some((potential, trial)) = next else {
+            // No way down that rounding lets us see: as good as the potential can tell.
+            self.outcome.residual = rotation;
+            return rotation;
+        };
+        std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
+        std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
+        let promised = 0.5 * (found.descent + self.damping.value * found.rotation_sum);
+        self.damping.learn(if promised >= 8.0 * from.1 { (from.0 - trial.0) / promised } else { 1.0 });
+        self.potential = potential;
+        let newton = self.damping.value == 0.0 && part == 1.0;
+        let left = newton::constant(rotation, self.before) * rotation;
+        self.outcome.residual = if newton && iterate.system.exact { rotation * left.min(1.0) } else { rotation };
+        self.before = newton.then_some(rotation);
+        if setting.options.exact_hessian {
+            let mut gone = [0.0; MAX_LANES];
+            gone[0] = part;
+            foresee(iterate, &gone);
+            iterate.system.exact = true;
+        }
+        self.outcome.residual
+    }
+
+    /// Ends the step: its end becomes the strand's state, unless it is not finite.
+    pub fn end(&mut self, one: &mut One, setting: &Setting, h: f64, scratch: &mut RuleScratch) -> StrandOutcome {
+        let workspace = &mut self.bench.workspace;
+        let axes = self.freedoms.axes();
+        forces(&mut workspace.iterate);
+        let super::workspace::Workspace { iterate, stages, .. } = &mut *workspace;
+        stages::finish_stage(self.times.k, self.offset, &axes[..self.freedoms.count()], iterate, &mut stages[0]);
+        let (mut force, mut torque) = wrench(&iterate.kinematics, &iterate.system.point_force);
+        for (station, pull) in self.stations.iter().zip(&self.forces) {
+            force += *pull;
+            torque += position(&iterate.kinematics.elements, station).cross(*pull);
+        }
+        (workspace.wrench_force, workspace.wrench_torque) = (force, torque);
+        whole::measure_roots(one, h, workspace);
+        let mut outcomes = [self.outcome; MAX_LANES];
+        whole::energies(one, setting, workspace, &mut outcomes);
+        self.outcome = outcomes[0];
+        self.outcome.quarantined |= whole::finiteness(workspace) != 0.0;
+        if self.outcome.quarantined {
+            self.outcome.converged = false;
+        } else {
+            keep(one, 0, setting, h, workspace, scratch);
+        }
+        self.outcome
+    }
+
+    /// Bytes on the heap.
+    pub fn kinematics(&self) -> &Kinematics<f64> {
+        &self.bench.workspace.iterate.kinematics
+    }
+}
+
+fn position(elements: &[ElementState<f64>], station: &Station) -> Vec3<f64> {
+    let element = &elements[station.element];
+    let point = element.point(station.s);
+    let mut local = point.local;
+    if station.lever != [0.0; 3] {
+        let (theta, z) = (element.kappa.scale(station.s), element.kappa_squared * (station.s * station.s));
+        local += crate::rod::segment::frame(theta, z, &point.c).apply(Vec3(station.lever));
+    }
+    element.origin_left + element.frame_left.apply(local)
+}
+
+/// A potential and its rounding, less the forces' work.
+fn less_work(
+    (mut value, mut noise): (f64, f64),
+    kinematics: &Kinematics<f64>,
+    stations: &[Station],
+    forces: &[Vec3<f64>],
+) -> (f64, f64) {
+    for (station, force) in stations.iter().zip(forces) {
+        let at = position(&kinematics.elements, station);
+        value -= at.dot(*force);
+        noise += 8.0 * f64::EPSILON * (at.norm_squared() * force.norm_squared()).sqrt();
+    }
+    (value, noise)
+}
