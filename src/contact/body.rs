@@ -268,6 +268,21 @@ impl<'a> BodyAt<'a> {
         self.group & mask != 0 && group & self.mask != 0
     }
 
+    /// Whether all that goes straight (in the body's axes) from place to place within a box of the world stays farther than `margin` (m)
+    /// from the shape. False where that is not plain at once. `slack` (m): how far such ways may leave the box.
+    pub(super) fn is_clear_of(&self, region: &Bounds, margin: f64, slack: f64) -> bool {
+        match self.shape.plane() {
+            Some(normal) => {
+                let (middle, half) = (0.5 * (region.low + region.high), 0.5 * (region.high - region.low));
+                [(&self.start, &self.axes_start), (&self.end, &self.axes_end)].into_iter().all(|(frame, axes)| {
+                    let normal = axes * normal;
+                    normal.dot(&(middle - frame.origin)) - normal.abs().dot(&half) > margin
+                })
+            }
+            None => !region.meets(&self.bounds.grown(margin + slack)),
+        }
+    }
+
     /// How far the body's material point at a place of its surface goes during the substep, world, m.
     pub fn carried(&self, surface: &Surface) -> Vector3<f64> {
         let mut before = surface.point;

@@ -1,25 +1,13 @@
-//! Nearest points of a mesh, over all of it or over a few triangles picked beforehand.
+//! Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`mesh_patch.rs`).
 
 use nalgebra::Vector3;
-use parry3d_f64::partitioning::{BvhNode, TraversalAction};
+use parry3d_f64::partitioning::BvhNode;
 
-use super::bounds::Bounds;
 use super::mesh::{Mesh, Sides};
+use super::mesh_normals::Normals;
+use super::mesh_patch::{Candidate, Patch};
 use super::surface::Surface;
 use super::triangle::{self, Part};
-
-/// A triangle picked for queries nearby.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::contact) struct Candidate {
-    /// Its index.
-    pub index: u32,
-    /// Its corners at the step's end.
-    pub corners: [Vector3<f64>; 3],
-    /// How far they go during the step; zero for meshes at rest.
-    pub travel: [Vector3<f64>; 3],
-    centre: Vector3<f64>,
-    radius: f64,
-}
 
 /// The nearest place of a mesh, before its side is told.
 #[derive(Debug, Clone, Copy)]
@@ -51,62 +39,72 @@ impl Mesh {
         nearest.and_then(|nearest| self.told(point, &nearest, f64::INFINITY)).map_or(f64::INFINITY, |surface| surface.distance)
     }
 
-    /// Picks the triangles whose boxes over the step meet `bounds`.
-    pub(in crate::contact) fn gather(&self, bounds: &Bounds, out: &mut Vec<Candidate>) {
-        out.clear();
-        let (low, high) = (bounds.low, bounds.high);
-        self.bvh.traverse(|node: &BvhNode| {
-            let (mins, maxs) = (node.mins(), node.maxs());
-            if mins.x > high.x || maxs.x < low.x || mins.y > high.y || maxs.y < low.y || mins.z > high.z || maxs.z < low.z {
-                return TraversalAction::Prune;
-            }
-            if let Some(index) = node.leaf_data() {
-                let corners = self.corners(index);
-                let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
-                let radius = corners.iter().map(|corner| (corner - centre).norm_squared()).fold(0.0, f64::max).sqrt();
-                let mut travel = [Vector3::zeros(); 3];
-                if self.is_moving() {
-                    let before = self.corners_before(index);
-                    travel = std::array::from_fn(|corner| corners[corner] - before[corner]);
-                }
-                out.push(Candidate { index, corners, travel, centre, radius });
-            }
-            TraversalAction::Continue
-        });
-        // In the order of the mesh, so that of equally near triangles the first is found whatever the tree looks like.
-        out.sort_unstable_by_key(|candidate| candidate.index);
-    }
-
-    /// [`Mesh::closest`] for a point near triangles that were picked with a box that holds the point and reaches at least `reach`
-    /// farther on all sides. `inside`, where it is known, tells the side of a point of a solid that none of them is near to.
+    /// [`Mesh::closest`] for a point near triangles that were picked so that all that are nearer to it than `reach` are among them.
+    /// `inside`, where it is known, tells the side of a point of a solid that none of them is near to.
     pub(in crate::contact) fn closest_among(
         &self,
-        candidates: &[Candidate],
+        patch: &Patch,
         reach: f64,
         inside: Option<bool>,
         point: Vector3<f64>,
     ) -> Option<Surface> {
         let mut best = Nearest { triangle: 0, weights: [0.0; 3], part: Part::Face, point, squared: f64::INFINITY };
         let mut distance = f64::INFINITY;
-        for candidate in candidates {
-            let far = candidate.radius + distance;
-            if (point - candidate.centre).norm_squared() > far * far {
-                continue;
-            }
+        let mut look = |candidate: &Candidate| {
             let found = nearest_of(candidate.index, &candidate.corners, &point);
-            if found.squared < best.squared {
+            // Of equally near triangles the first.
+            if found.squared < best.squared || found.squared == best.squared && found.triangle < best.triangle {
                 best = found;
                 distance = best.squared.sqrt();
             }
+            distance
+        };
+        // The nearest triangle of the last point bounds the search.
+        let hint = patch.hint.get() as usize;
+        let mut bound = patch.candidates.get(hint).map_or(f64::INFINITY, &mut look);
+        for ball in &patch.near {
+            let far = ball.radius + bound;
+            if (point - ball.centre).norm_squared() <= far * far && ball.candidate as usize != hint {
+                let before = bound;
+                bound = look(&patch.candidates[ball.candidate as usize]);
+                if bound < before {
+                    patch.hint.set(ball.candidate);
+                }
+            }
         }
-        if distance > reach {
+        if bound > reach {
             // Another triangle may be nearer. It matters from inside a solid only; what was found bounds the search.
             if self.sides != Sides::Solid || inside == Some(false) || !self.bounds().holds(&point) {
                 return None;
             }
-            best = self.nearest(&point, distance * (1.0 + 1e-9)).unwrap_or(best);
+            best = self.nearest(&point, bound * (1.0 + 1e-9)).unwrap_or(best);
         }
         self.told(&point, &best, reach)
+    }
+
+    /// The surface that is nearest at the step's start to a point then, as it is at the step's end, with the distance at the start; None if
+    /// it is farther than `reach`.
+    pub(in crate::contact) fn closest_at_start(&self, patch: &Patch, reach: f64, point: &Vector3<f64>) -> Option<Surface> {
+        let mut best: Option<Nearest> = None;
+        let mut most = reach * reach;
+        for candidate in &patch.candidates {
+            if candidate.bounds.distance_squared(point) < most {
+                let found = nearest_of(candidate.index, &candidate.before(), point);
+                if found.squared < most {
+                    (best, most) = (Some(found), found.squared);
+                }
+            }
+        }
+        let nearest = best?;
+        if !self.is_moving() {
+            return self.told(point, &nearest, reach);
+        }
+        let surface = self.told_by(&self.normals_before, point, &nearest, reach)?;
+        let index = nearest.triangle as usize;
+        let (side, _) = self.normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
+        let corners = self.corners(nearest.triangle);
+        let now = (0..3).map(|corner| corners[corner] * nearest.weights[corner]).sum();
+        Some(Surface { point: now, normal: side.try_normalize(0.0).unwrap_or(surface.normal), ..surface })
     }
 
     /// The nearest place no farther than `reach`.
@@ -133,9 +131,13 @@ impl Mesh {
 
     /// Tells the side of a point at its nearest place.
     fn told(&self, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
+        self.told_by(&self.normals, point, nearest, within)
+    }
+
+    fn told_by(&self, normals: &Normals, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
         let out = point - nearest.point;
         let index = nearest.triangle as usize;
-        let (side, rim) = self.normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
+        let (side, rim) = normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
         // Over a face its own normal keeps its digits however near the point is.
         let height = if nearest.part == Part::Face { side.dot(&out).abs() } else { nearest.squared.sqrt() };
         let below = side.dot(&out) < 0.0;
@@ -163,30 +165,6 @@ impl Mesh {
             side.try_normalize(0.0).unwrap_or_else(Vector3::x)
         };
         Some(Surface { point: nearest.point, normal, distance, feature: nearest.triangle, weights: nearest.weights })
-    }
-
-    /// Whether the way from `from` to `to` goes through an odd number of the picked triangles.
-    pub(in crate::contact) fn crosses(candidates: &[Candidate], from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
-        let mut odd = false;
-        for candidate in candidates {
-            let [a, b, c] = &candidate.corners;
-            let normal = (b - a).cross(&(c - a));
-            // As seen from the triangle, which may move itself.
-            let [p, q, r] = candidate.travel;
-            let from = &(from + (p + q + r) / 3.0);
-            let way = to - from;
-            let (start, end) = (normal.dot(&(from - a)), normal.dot(&(to - a)));
-            if (start < 0.0) == (end < 0.0) {
-                continue;
-            }
-            // The signed volumes of the way with the edges: all of one sign when it passes between them.
-            let volume = |p: &Vector3<f64>, q: &Vector3<f64>| way.dot(&(p - from).cross(&(q - from)));
-            let volumes = [volume(a, b), volume(b, c), volume(c, a)];
-            if volumes.iter().all(|volume| *volume >= 0.0) || volumes.iter().all(|volume| *volume < 0.0) {
-                odd = !odd;
-            }
-        }
-        odd
     }
 
     /// Weights of the corners in the point of a triangle that is nearest to `point`, that point, and the way from it to `point`.

@@ -9,6 +9,7 @@ mod half_space;
 mod hull;
 mod mesh;
 mod mesh_normals;
+mod mesh_patch;
 mod mesh_query;
 mod sphere;
 mod surface;
@@ -20,7 +21,7 @@ pub use bounds::Bounds;
 pub(crate) use grid::node_count;
 pub use grid::{DistanceGrid, NODE_LIMIT};
 pub use mesh::{Mesh, Sides};
-pub(in crate::contact) use mesh_query::Candidate;
+pub(in crate::contact) use mesh_patch::{Candidate, Patch, Region, Tube};
 pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};
@@ -194,6 +195,14 @@ impl Shape {
             Kind::HalfSpace { .. } => Bounds::EVERYTHING,
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds(),
             Kind::Grid(grid) => grid.bounds(),
+        }
+    }
+
+    /// The normal of a half-space's plane, out of it.
+    pub(in crate::contact) fn plane(&self) -> Option<&Vector3<f64>> {
+        match &self.0 {
+            Kind::HalfSpace { normal } => Some(normal),
+            _ => None,
         }
     }
 

@@ -1,0 +1,108 @@
+//! Where an element of a strand runs into a body on its way through a step (`sweep.rs`, piece by piece).
+
+use nalgebra::Vector3;
+
+use super::ground::{Ground, Node};
+use super::shape::{Bounds, Candidate, Kind, Mesh, Patch, Sides, Surface};
+use super::sweep::{Hit, MovingChord, Near, along_nodes, first_hit};
+
+/// Finds where the element's pieces run into the body on their way: arclength and the surface there, as it is at the end.
+pub(super) fn sweep(ground: &Ground, thickness: f64, nodes: &[Node], hits: &mut Vec<(f64, Surface)>) {
+    let level = (0.5 * thickness).max(1e-6);
+    for pair in nodes.windows(2) {
+        let chord = MovingChord { before: [pair[0].before, pair[1].before], after: [pair[0].now, pair[1].now] };
+        if let Some(hit) = sweep_chord(ground, &chord, level) {
+            let s = pair[0].s + (pair[1].s - pair[0].s) * hit.place;
+            // Pieces share their ends.
+            if hits.last().is_none_or(|(last, _)| (s - last).abs() > 1e-6) {
+                hits.push((s, hit.near.what));
+            }
+        }
+    }
+    // What is flat may be hit all along: where a piece is hit, its ends are seen to as well.
+    let chord_hits = hits.len();
+    for (k, node) in nodes.iter().enumerate() {
+        let beside = |s: f64| s >= nodes[k.saturating_sub(1)].s && s <= nodes[(k + 1).min(nodes.len() - 1)].s;
+        if hits[..chord_hits].iter().any(|(s, _)| beside(*s)) && hits.iter().all(|(s, _)| (s - node.s).abs() > 1e-6) {
+            let point = MovingChord { before: [node.before; 2], after: [node.now; 2] };
+            if let Some(hit) = sweep_chord(ground, &point, level) {
+                hits.push((node.s, hit.near.what));
+            }
+        }
+    }
+    // Pieces that start within a solid mesh come from where they are nearest to its surface then.
+    if let Some(mesh) = ground.mesh.filter(|mesh| mesh.sides() == Sides::Solid) {
+        for node in nodes {
+            let start = mesh.closest_at_start(ground.patch, ground.reach, &node.before);
+            if let Some(surface) = start.filter(|surface| surface.distance <= level) {
+                hits.push((node.s, surface));
+            }
+        }
+    }
+    if let Kind::Grid(grid) = &ground.body.shape.0 {
+        along_nodes(
+            nodes.iter().map(|node| (node.s, node.before, node.now)),
+            level,
+            0.5 * grid.cell(),
+            |point| grid.closest(point).ok_or_else(|| grid.clearance(&point)),
+            hits,
+        );
+    }
+}
+
+/// Where a piece that goes straight runs into the body. A half-space has no other side, and a grid is swept by nodes.
+fn sweep_chord(ground: &Ground, chord: &MovingChord, level: f64) -> Option<Hit<Surface>> {
+    match (&ground.body.shape.0, ground.mesh) {
+        (_, Some(mesh)) => sweep_mesh(mesh, ground.patch, chord, level),
+        (Kind::Grid(_) | Kind::HalfSpace { .. }, _) => None,
+        _ => first_hit(chord, level, |point, _| {
+            let surface = ground.body.shape.closest_smooth(*point);
+            Near { normal: surface.normal, distance: surface.distance, coming: 0.0, what: surface }
+        }),
+    }
+}
+
+fn sweep_mesh(mesh: &Mesh, patch: &Patch, chord: &MovingChord, level: f64) -> Option<Hit<Surface>> {
+    let one_sided = mesh.sides() != Sides::Both;
+    let swept = Bounds::of_points(chord.before.into_iter().chain(chord.after)).grown(1.1 * level);
+    let mut earliest: Option<Hit<Surface>> = None;
+    for candidate in &patch.candidates {
+        if !swept.meets(&candidate.bounds) || !mesh.is_moving() && is_passed(candidate, chord, level, one_sided) {
+            continue;
+        }
+        let before = candidate.before();
+        let hit = first_hit(chord, level, |point, time| {
+            let corners: [Vector3<f64>; 3] = std::array::from_fn(|corner| before[corner] + candidate.travel[corner] * time);
+            let (weights, on, out) = Mesh::closest_on(&corners, point);
+            let distance = out.norm();
+            let normal = if distance > 0.0 { out / distance } else { candidate.normal };
+            let coming = if mesh.is_moving() {
+                candidate.travel.iter().map(|travel| travel.dot(&normal)).fold(f64::NEG_INFINITY, f64::max)
+            } else {
+                0.0
+            };
+            let what = Surface { point: on, normal, distance, feature: candidate.index, weights };
+            Near { normal, distance, coming, what }
+        });
+        let Some(mut hit) = hit else { continue };
+        // A one-sided mesh stops nothing that comes from behind.
+        if one_sided && hit.near.normal.dot(&candidate.normal) <= 0.0 {
+            continue;
+        }
+        if earliest.is_none_or(|earliest| hit.time < earliest.time) {
+            let surface = &mut hit.near.what;
+            surface.point = (0..3).map(|corner| candidate.corners[corner] * surface.weights[corner]).sum();
+            earliest = Some(hit);
+        }
+    }
+    earliest
+}
+
+/// Whether a piece never comes to a triangle at rest, since it stays on one side of its plane. All of the piece's ways lie in the hull of
+/// its ends' places.
+fn is_passed(triangle: &Candidate, chord: &MovingChord, level: f64, one_sided: bool) -> bool {
+    let heights = [0, 1].map(|end| [triangle.height(&chord.before[end]), triangle.height(&chord.after[end])]);
+    let low = heights[0][0].min(heights[0][1]).min(heights[1][0]).min(heights[1][1]);
+    let high = heights[0][0].max(heights[0][1]).max(heights[1][0]).max(heights[1][1]);
+    low > 1.1 * level || high < if one_sided { 0.0 } else { -1.1 * level }
+}
