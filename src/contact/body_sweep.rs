@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::ground::{Ground, Node};
-use super::shape::{Bounds, Candidate, Kind, Mesh, Patch, Sides, Surface};
+use super::shape::{Bounds, Kind, Mesh, Patch, Sides, Surface};
 use super::sweep::{Hit, MovingChord, Near, along_nodes, first_hit};
 
 /// Finds where the element's pieces run into the body on their way: arclength and the surface there, as it is at the end.
@@ -55,7 +55,7 @@ fn sweep_chord(ground: &Ground, chord: &MovingChord, level: f64) -> Option<Hit<S
     match (&ground.body.shape.0, ground.mesh) {
         (_, Some(mesh)) => sweep_mesh(mesh, ground.patch, chord, level),
         (Kind::Grid(_) | Kind::HalfSpace { .. }, _) => None,
-        _ => first_hit(chord, level, |point, _| {
+        _ => first_hit(chord, level, 1.0, |point, _| {
             let surface = ground.body.shape.closest_smooth(*point);
             Near { normal: surface.normal, distance: surface.distance, coming: 0.0, what: surface }
         }),
@@ -64,14 +64,17 @@ fn sweep_chord(ground: &Ground, chord: &MovingChord, level: f64) -> Option<Hit<S
 
 fn sweep_mesh(mesh: &Mesh, patch: &Patch, chord: &MovingChord, level: f64) -> Option<Hit<Surface>> {
     let one_sided = mesh.sides() != Sides::Both;
-    let swept = Bounds::of_points(chord.before.into_iter().chain(chord.after)).grown(1.1 * level);
+    // All of the piece's ways lie in the hull of its ends' places.
+    let places = [chord.before[0], chord.before[1], chord.after[0], chord.after[1]];
+    let swept = Bounds::of_points(places).grown(1.1 * level);
     let mut earliest: Option<Hit<Surface>> = None;
     for candidate in &patch.candidates {
-        if !swept.meets(&candidate.bounds) || !mesh.is_moving() && is_passed(candidate, chord, level, one_sided) {
+        if !swept.meets(&candidate.bounds) || !mesh.is_moving() && candidate.flat.is_beside(&places, 1.1 * level) {
             continue;
         }
         let before = candidate.before();
-        let hit = first_hit(chord, level, |point, time| {
+        let latest = earliest.map_or(1.0, |earliest| earliest.time);
+        let hit = first_hit(chord, level, latest, |point, time| {
             let corners: [Vector3<f64>; 3] = std::array::from_fn(|corner| before[corner] + candidate.travel[corner] * time);
             let (weights, on, out) = Mesh::closest_on(&corners, point);
             let distance = out.norm();
@@ -96,13 +99,4 @@ fn sweep_mesh(mesh: &Mesh, patch: &Patch, chord: &MovingChord, level: f64) -> Op
         }
     }
     earliest
-}
-
-/// Whether a piece never comes to a triangle at rest, since it stays on one side of its plane. All of the piece's ways lie in the hull of
-/// its ends' places.
-fn is_passed(triangle: &Candidate, chord: &MovingChord, level: f64, one_sided: bool) -> bool {
-    let heights = [0, 1].map(|end| [triangle.height(&chord.before[end]), triangle.height(&chord.after[end])]);
-    let low = heights[0][0].min(heights[0][1]).min(heights[1][0]).min(heights[1][1]);
-    let high = heights[0][0].max(heights[0][1]).max(heights[1][0]).max(heights[1][1]);
-    low > 1.1 * level || high < if one_sided { 0.0 } else { -1.1 * level }
 }

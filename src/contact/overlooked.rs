@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
 use super::ground::{Ground, Node, sample};
-use super::shape::{Mesh, Surface, Tube};
+use super::shape::{Surface, Tube};
 
 /// What overlaps by less is left, m: half of what a step may leave.
 pub(super) const TOLERANCE: f64 = 5e-6;
@@ -43,7 +43,7 @@ pub(super) fn overlooked(
             continue;
         }
         let alone = |s: f64, at: &Vector3<f64>, tangent: &Vector3<f64>| {
-            let (_, _, out) = Mesh::closest_on(&triangle.corners, at);
+            let out = triangle.flat.way_to(at);
             let value = out.norm();
             Sample { s, value, slope: if value > 0.0 { out.dot(tangent) / value } else { 0.0 }, found: () }
         };

@@ -17,7 +17,7 @@ use super::touch::{Partner, Place, StrandPath, Touch};
 
 /// How much deeper than an element's end or its neighbour a minimum must be to count as a touch of its own, and to what it is found, m:
 /// once the touches are resolved, nothing in between is deeper than about twice this.
-const PROMINENCE: f64 = 2e-7;
+const PROMINENCE: f64 = 1e-6;
 
 /// Most pieces into which an element is cut.
 const MOST_PIECES: usize = 64;

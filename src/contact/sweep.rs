@@ -45,12 +45,13 @@ pub(super) struct Hit<T> {
 /// The most advances; one that has come so far without an end grazes, and is taken for a hit.
 const ADVANCES: usize = 64;
 
-/// The first time that the piece comes within `level` of a convex thing. `ask(point, time)` tells the nearest place of it. Distances may be
+/// The first time up to `latest` that the piece comes within `level` of a convex thing. `ask(point, time)` tells the nearest place of it. Distances may be
 /// negative inside; where the piece lies inside from the start, that place is the hit. None if it never comes near, or if it starts at no
 /// distance at all and no side is told.
 pub(super) fn first_hit<T: Copy>(
     chord: &MovingChord,
     level: f64,
+    latest: f64,
     mut ask: impl FnMut(&Vector3<f64>, f64) -> Near<T>,
 ) -> Option<Hit<T>> {
     let mut time = 0.0;
@@ -79,7 +80,7 @@ pub(super) fn first_hit<T: Copy>(
             }
         }
         time += next;
-        if time > 1.0 {
+        if time > latest {
             return None;
         }
     }

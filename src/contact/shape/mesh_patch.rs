@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use parry3d_f64::partitioning::{BvhNode, TraversalAction};
 
 use super::bounds::Bounds;
+use super::flat_triangle::FlatTriangle;
 use super::mesh::Mesh;
 
 /// Triangles whose boxes over the step meet a box.
@@ -61,6 +62,8 @@ pub(in crate::contact) struct Candidate {
     pub travel: [Vector3<f64>; 3],
     /// The face's unit normal at the end; zero where it has lost its area.
     pub normal: Vector3<f64>,
+    /// The same triangle at the end, for its distance.
+    pub flat: FlatTriangle,
     /// A box around it over the step.
     pub bounds: Bounds,
 }
@@ -140,7 +143,9 @@ impl Patch {
                 travel = std::array::from_fn(|corner| corners[corner] - before[corner]);
                 before.into_iter().for_each(|corner| bounds.take(corner));
             }
-            self.candidates.push(Candidate { index: *index, corners, travel, normal: mesh.face_normal(*index), bounds });
+            let normal = mesh.face_normal(*index);
+            let flat = FlatTriangle::new(&corners, &normal);
+            self.candidates.push(Candidate { index: *index, corners, travel, normal, flat, bounds });
         }
     }
 

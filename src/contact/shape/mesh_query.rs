@@ -48,30 +48,24 @@ impl Mesh {
         inside: Option<bool>,
         point: Vector3<f64>,
     ) -> Option<Surface> {
-        let mut best = Nearest { triangle: 0, weights: [0.0; 3], part: Part::Face, point, squared: f64::INFINITY };
-        let mut distance = f64::INFINITY;
-        let mut look = |candidate: &Candidate| {
-            let found = nearest_of(candidate.index, &candidate.corners, &point);
-            // Of equally near triangles the first.
-            if found.squared < best.squared || found.squared == best.squared && found.triangle < best.triangle {
-                best = found;
-                distance = best.squared.sqrt();
-            }
-            distance
-        };
         // The nearest triangle of the last point bounds the search.
-        let hint = patch.hint.get() as usize;
-        let mut bound = patch.candidates.get(hint).map_or(f64::INFINITY, &mut look);
+        let hint = patch.hint.get();
+        let mut squared = patch.candidates.get(hint as usize).map_or(f64::INFINITY, |near| near.flat.distance_squared(&point));
+        let (mut best, mut bound) = (hint, squared.sqrt());
         for ball in &patch.near {
             let far = ball.radius + bound;
-            if (point - ball.centre).norm_squared() <= far * far && ball.candidate as usize != hint {
-                let before = bound;
-                bound = look(&patch.candidates[ball.candidate as usize]);
-                if bound < before {
-                    patch.hint.set(ball.candidate);
-                }
+            if ball.candidate == hint || (point - ball.centre).norm_squared() > far * far {
+                continue;
+            }
+            let here = patch.candidates[ball.candidate as usize].flat.distance_squared(&point);
+            // Of equally near triangles the first.
+            if here < squared || here == squared && ball.candidate < best {
+                (best, squared, bound) = (ball.candidate, here, here.sqrt());
             }
         }
+        patch.hint.set(best);
+        let found = patch.candidates.get(best as usize).map(|near| nearest_of(near.index, &near.corners, &point));
+        let mut best = found.unwrap_or(Nearest { triangle: 0, weights: [0.0; 3], part: Part::Face, point, squared });
         if bound > reach {
             // Another triangle may be nearer. It matters from inside a solid only; what was found bounds the search.
             if self.sides != Sides::Solid || inside == Some(false) || !self.bounds().holds(&point) {

@@ -4,6 +4,7 @@ mod bounds;
 mod capsule;
 mod cuboid;
 mod ellipsoid;
+mod flat_triangle;
 mod grid;
 mod half_space;
 mod hull;
