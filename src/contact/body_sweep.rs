@@ -68,34 +68,47 @@ fn sweep_mesh(mesh: &Mesh, patch: &Patch, chord: &MovingChord, level: f64) -> Op
     let places = [chord.before[0], chord.before[1], chord.after[0], chord.after[1]];
     let swept = Bounds::of_points(places).grown(1.1 * level);
     let mut earliest: Option<Hit<Surface>> = None;
-    for candidate in &patch.candidates {
-        if !swept.meets(&candidate.bounds) || !mesh.is_moving() && candidate.flat.is_beside(&places, 1.1 * level) {
+    for index in &patch.triangles {
+        let triangle = mesh.flat(*index);
+        let travel = mesh.travel_of(*index);
+        let before: [Vector3<f64>; 3] = std::array::from_fn(|corner| triangle.corners[corner] - travel[corner]);
+        let apart = if mesh.is_moving() {
+            !swept.meets(&Bounds::of_points(triangle.corners.into_iter().chain(before)))
+        } else {
+            !swept.meets(&Bounds::of_points(before)) || triangle.is_beside(&places, 1.1 * level)
+        };
+        if apart {
             continue;
         }
-        let before = candidate.before();
         let latest = earliest.map_or(1.0, |earliest| earliest.time);
         let hit = first_hit(chord, level, latest, |point, time| {
-            let corners: [Vector3<f64>; 3] = std::array::from_fn(|corner| before[corner] + candidate.travel[corner] * time);
-            let (weights, on, out) = Mesh::closest_on(&corners, point);
-            let distance = out.norm();
-            let normal = if distance > 0.0 { out / distance } else { candidate.normal };
+            let way = if mesh.is_moving() {
+                let corners: [Vector3<f64>; 3] = std::array::from_fn(|corner| before[corner] + travel[corner] * time);
+                Mesh::closest_on(&corners, point).1
+            } else {
+                triangle.way_to(point)
+            };
+            let distance = way.norm();
+            let normal = if distance > 0.0 { way / distance } else { *triangle.normal() };
             let coming = if mesh.is_moving() {
-                candidate.travel.iter().map(|travel| travel.dot(&normal)).fold(f64::NEG_INFINITY, f64::max)
+                travel.iter().map(|travel| travel.dot(&normal)).fold(f64::NEG_INFINITY, f64::max)
             } else {
                 0.0
             };
-            let what = Surface { point: on, normal, distance, feature: candidate.index, weights };
-            Near { normal, distance, coming, what }
+            Near { normal, distance, coming, what: *point }
         });
-        let Some(mut hit) = hit else { continue };
+        let Some(Hit { time, place, near }) = hit else { continue };
         // A one-sided mesh stops nothing that comes from behind.
-        if one_sided && hit.near.normal.dot(&candidate.normal) <= 0.0 {
+        if one_sided && near.normal.dot(triangle.normal()) <= 0.0 {
             continue;
         }
-        if earliest.is_none_or(|earliest| hit.time < earliest.time) {
-            let surface = &mut hit.near.what;
-            surface.point = (0..3).map(|corner| candidate.corners[corner] * surface.weights[corner]).sum();
-            earliest = Some(hit);
+        if earliest.is_none_or(|earliest| time < earliest.time) {
+            let corners: [Vector3<f64>; 3] = std::array::from_fn(|corner| before[corner] + travel[corner] * time);
+            let (weights, _) = Mesh::closest_on(&corners, &near.what);
+            let point = (0..3).map(|corner| triangle.corners[corner] * weights[corner]).sum();
+            let what = Surface { point, normal: near.normal, distance: near.distance, feature: *index, weights };
+            earliest =
+                Some(Hit { time, place, near: Near { normal: near.normal, distance: near.distance, coming: near.coming, what } });
         }
     }
     earliest

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::body::BodyAt;
 use super::descent::Sample;
-use super::shape::{Kind, Mesh, Patch, Sides, Surface};
+use super::shape::{Ball, Kind, Mesh, Patch, Sides, Surface};
 
 /// A node of an element: the element is looked at there first.
 #[derive(Debug, Clone, Copy)]
@@ -36,18 +36,29 @@ pub(super) struct Ground<'a> {
 impl Ground<'_> {
     /// The surface nearest to `now`, for a point that was at `before`; None if it is farther than the reach.
     pub fn ask(&self, before: impl FnOnce() -> Vector3<f64>, now: Vector3<f64>, inside: Option<bool>) -> Option<Surface> {
+        self.ask_among(&self.patch.near, before, now, inside)
+    }
+
+    /// [`Ground::ask`] where of a mesh's triangles only some can be nearest.
+    pub fn ask_among(
+        &self,
+        balls: &[Ball],
+        before: impl FnOnce() -> Vector3<f64>,
+        now: Vector3<f64>,
+        inside: Option<bool>,
+    ) -> Option<Surface> {
         let Some(mesh) = self.mesh else {
             return match &self.body.shape.0 {
                 Kind::Grid(grid) => grid.closest(now),
                 _ => Some(self.body.shape.closest_smooth(now)),
             };
         };
-        let mut surface = mesh.closest_among(self.patch, self.reach, inside, now)?;
+        let mut surface = mesh.closest_among(balls, &self.patch.hint, self.reach, inside, now)?;
         if mesh.sides() == Sides::Both {
             let before = before();
             // A way shorter than the distance at its end crosses nothing that is at rest.
             let short = !mesh.is_moving() && (now - before).norm_squared() < surface.distance * surface.distance;
-            if !short && self.patch.is_crossed(&before, &now) {
+            if !short && self.patch.is_crossed(mesh, &before, &now) {
                 surface.distance = -surface.distance;
                 surface.normal = -surface.normal;
             }

@@ -23,6 +23,7 @@ pub(super) fn overlooked(
     thickness: f64,
     mut found: impl FnMut(&Sample<Surface>),
 ) {
+    let Some(mesh) = ground.mesh else { return };
     let bar = thickness - TOLERANCE;
     let [left, right] = nodes;
     let value = |node: &Node| node.sample.map_or(ground.reach, |sample| sample.value);
@@ -37,13 +38,13 @@ pub(super) fn overlooked(
         if !tube.meets(&ball.centre, ball.radius) {
             continue;
         }
-        let triangle = &ground.patch.candidates[ball.candidate as usize];
+        let triangle = mesh.flat(ball.triangle);
         let heights = [triangle.height(&left.now), triangle.height(&right.now)];
         if heights[0] * heights[1] > 0.0 && heights[0].abs().min(heights[1].abs()) - sagitta >= bar {
             continue;
         }
         let alone = |s: f64, at: &Vector3<f64>, tangent: &Vector3<f64>| {
-            let out = triangle.flat.way_to(at);
+            let out = triangle.way_to(at);
             let value = out.norm();
             Sample { s, value, slope: if value > 0.0 { out.dot(tangent) / value } else { 0.0 }, found: () }
         };

@@ -12,7 +12,7 @@ use super::descent::{self, Sample};
 use super::element_path::ElementPath;
 use super::ground::{Ground, Node, sample};
 use super::overlooked::{self, overlooked};
-use super::shape::{Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
+use super::shape::{Ball, Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
 use super::touch::{Partner, Place, StrandPath, Touch};
 
 /// How much deeper than an element's end or its neighbour a minimum must be to count as a touch of its own, and to what it is found, m:
@@ -77,6 +77,7 @@ pub struct Scratch {
     nodes: Vec<Node>,
     hits: Vec<(f64, Surface)>,
     pieces: Vec<Piece>,
+    close: Vec<Ball>,
 }
 
 /// A piece between two places, with what was found there, if the surface is near there, and how often it was halved.
@@ -196,7 +197,7 @@ impl Search<'_, '_> {
         let swept = travel > 0.5 * self.thickness + shape.thinness();
         if let Some(mesh) = mesh {
             self.gather(mesh, index, piece, reach, 0.125 * piece * piece * path.now.bend().max(path.start.bend()), swept);
-            if self.scratch.patch.candidates.is_empty() {
+            if self.scratch.patch.triangles.is_empty() {
                 if mesh.sides() != Sides::Solid || self.inside == Some(false) {
                     return;
                 }
@@ -279,12 +280,14 @@ impl Search<'_, '_> {
         let mut before = left.sample.map_or(f64::INFINITY, |sample| sample.value);
         let mut crest = before;
         let mut added = 0;
-        let ask = |s: f64| {
-            let (now, tangent) = path.now.at(s);
-            ground.ask(|| path.start.at(s).0, now, None).map(|surface| sample(s, surface, &tangent))
-        };
         let mut pieces = std::mem::take(&mut self.scratch.pieces);
+        let mut close = std::mem::take(&mut self.scratch.close);
         for pair in nodes.windows(2) {
+            close_to(ground, path, pair, limit, &mut close);
+            let ask = |s: f64| {
+                let (now, tangent) = path.now.at(s);
+                ground.ask_among(&close, || path.start.at(s).0, now, None).map(|surface| sample(s, surface, &tangent))
+            };
             pieces.clear();
             pieces.push(Piece { ends: [pair[0].s, pair[1].s], samples: [pair[0].sample, pair[1].sample], depth: 0 });
             while let Some(Piece { ends, samples, depth }) = pieces.pop() {
@@ -322,7 +325,7 @@ impl Search<'_, '_> {
                 }
             }
         }
-        self.scratch.pieces = pieces;
+        (self.scratch.pieces, self.scratch.close) = (pieces, close);
         if let Some(sample) = right.sample.filter(|sample| sample.value < limit) {
             // A minimum from which it rises to the end by nothing that counts is the end's own.
             if added > 0 && crest.max(sample.value) - before < PROMINENCE {
@@ -395,4 +398,25 @@ impl Search<'_, '_> {
             self.push(index, s, hit, gap);
         }
     }
+}
+
+/// Picks the triangles of a mesh that can be nearest to a place between two nodes.
+fn close_to(ground: &Ground, path: &ElementPath, nodes: &[Node], limit: f64, close: &mut Vec<Ball>) {
+    close.clear();
+    let Some(mesh) = ground.mesh else { return };
+    let (left, right) = (&nodes[0], &nodes[1]);
+    let length = right.s - left.s;
+    let value = |node: &Node| node.sample.map_or(ground.reach, |sample| sample.value.abs());
+    if 0.5 * (value(left) + value(right) - length) >= limit {
+        return;
+    }
+    // Along the chord the distance to one triangle is convex, so that it is nowhere farther than at the farther end.
+    let at_most = |here: &Node, there: &Node| {
+        here.sample.map_or(ground.reach, |sample| {
+            sample.value.abs().max(mesh.flat(sample.found.feature).distance_squared(&there.now).sqrt())
+        })
+    };
+    let sagitta = 0.125 * path.now.bend() * length * length;
+    let radius = at_most(left, right).min(at_most(right, left)).min(ground.reach) + 2.0 * sagitta;
+    ground.patch.pick(&Tube { ends: [left.now, right.now], radius }, close);
 }

@@ -7,7 +7,8 @@ use super::triangle;
 /// A triangle as seen along its normal: its first corner at the origin, the second on the x axis, the third above it.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) struct FlatTriangle {
-    corners: [Vector3<f64>; 3],
+    /// Its corners, m.
+    pub corners: [Vector3<f64>; 3],
     axes: [Vector3<f64>; 3],
     second: f64,
     third: [f64; 2],
@@ -31,6 +32,18 @@ impl FlatTriangle {
             third,
             inverse_squares: [length * length, p * p + q * q, ac.norm_squared()].map(|square| 1.0 / square),
         }
+    }
+
+    /// Its unit normal; zero where it has lost its area.
+    #[inline]
+    pub fn normal(&self) -> &Vector3<f64> {
+        &self.axes[2]
+    }
+
+    /// Height of a point over its plane, m.
+    #[inline]
+    pub fn height(&self, point: &Vector3<f64>) -> f64 {
+        self.axes[2].dot(&(point - self.corners[0]))
     }
 
     /// The way from its nearest point to `point`, m.
@@ -68,8 +81,7 @@ impl FlatTriangle {
             let to = point - self.corners[0];
             let (x, y) = (self.axes[0].dot(&to), self.axes[1].dot(&to));
             // Heights over the plane, and inward of the edges.
-            let heights =
-                [self.axes[2].dot(&to), y, ((c - b) * y - d * (x - b)) * sides[0], (d * x - c * y) * sides[1]];
+            let heights = [self.axes[2].dot(&to), y, ((c - b) * y - d * (x - b)) * sides[0], (d * x - c * y) * sides[1]];
             for k in 0..4 {
                 most[k] = most[k].max(heights[k]);
                 least[k] = least[k].min(heights[k]);

@@ -6,6 +6,7 @@ use parry3d_f64::math::Vector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
 use super::bounds::Bounds;
+use super::flat_triangle::FlatTriangle;
 use super::mesh_normals::Normals;
 use crate::error::{Error, Result, check_finite, check_positive};
 
@@ -43,6 +44,8 @@ pub struct Mesh {
     pub(super) bvh: Bvh,
     /// A ball around each triangle over the step: its centre and radius.
     pub(super) balls: Vec<(Vector3<f64>, f64)>,
+    /// Each triangle at the step's end.
+    pub(super) flats: Vec<FlatTriangle>,
     /// Of the vertices' bits: what was gathered from a mesh holds for all meshes of this stamp.
     stamp: u64,
     bounds: Bounds,
@@ -109,6 +112,7 @@ impl Mesh {
             moving: false,
             travel: 0.0,
             balls: Vec::new(),
+            flats: Vec::new(),
             stamp: 0,
             neighbours,
         };
@@ -216,16 +220,18 @@ impl Mesh {
         self.edge_length = self.mean_edge();
     }
 
-    /// Brings balls and stamp to the vertices.
+    /// Brings balls, flat triangles and stamp to the vertices.
     fn mark(&mut self) {
         self.balls.clear();
-        for triangle in &self.triangles {
+        self.flats.clear();
+        for (index, triangle) in self.triangles.iter().enumerate() {
             let after = triangle.map(|vertex| self.vertices[vertex as usize]);
             let before = triangle.map(|vertex| self.before[vertex as usize]);
             let both = || after.iter().chain(&before);
             let centre = both().sum::<Vector3<f64>>() / 6.0;
             let radius = both().map(|corner| (corner - centre).norm_squared()).fold(0.0, f64::max).sqrt();
             self.balls.push((centre, radius));
+            self.flats.push(FlatTriangle::new(&after, &self.normals.face(index as u32)));
         }
         let mix = |stamp: u64, bits: u64| (stamp ^ bits).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
         let coordinates = self.before.iter().chain(&self.vertices).flat_map(|vertex| [vertex.x, vertex.y, vertex.z]);
@@ -271,6 +277,7 @@ impl Mesh {
         size_of_val::<[[u32; 3]]>(&self.triangles)
             + size_of_val::<[[u32; 3]]>(&self.neighbours)
             + (self.before.capacity() + self.vertices.capacity()) * size_of::<Vector3<f64>>()
+            + self.flats.capacity() * size_of::<FlatTriangle>()
             + self.balls.capacity() * size_of::<(Vector3<f64>, f64)>()
             + self.normals.heap_bytes()
             + self.normals_before.heap_bytes()

@@ -51,42 +51,12 @@ impl Region {
     }
 }
 
-/// A triangle near a piece of strand.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::contact) struct Candidate {
-    /// Its index.
-    pub index: u32,
-    /// Its corners at the step's end.
-    pub corners: [Vector3<f64>; 3],
-    /// How far they go during the step; zero for meshes at rest.
-    pub travel: [Vector3<f64>; 3],
-    /// The face's unit normal at the end; zero where it has lost its area.
-    pub normal: Vector3<f64>,
-    /// The same triangle at the end, for its distance.
-    pub flat: FlatTriangle,
-    /// A box around it over the step.
-    pub bounds: Bounds,
-}
-
-impl Candidate {
-    /// Its corners at the step's start.
-    pub fn before(&self) -> [Vector3<f64>; 3] {
-        std::array::from_fn(|corner| self.corners[corner] - self.travel[corner])
-    }
-
-    /// Height of a point over its plane at the step's end, m.
-    #[inline]
-    pub fn height(&self, point: &Vector3<f64>) -> f64 {
-        self.normal.dot(&(point - self.corners[0]))
-    }
-}
-
-/// A ball around a candidate.
+/// A ball around a triangle.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact) struct Ball {
     pub centre: Vector3<f64>,
     pub radius: f64,
-    pub candidate: u32,
+    pub triangle: u32,
 }
 
 /// A capsule: all within `radius` of a segment, m.
@@ -114,50 +84,45 @@ impl Tube {
 #[derive(Debug, Clone, Default)]
 pub(in crate::contact) struct Patch {
     /// In the order of the mesh.
-    pub candidates: Vec<Candidate>,
-    /// Those that are near the piece as it is now.
+    pub triangles: Vec<u32>,
+    /// Those of them that are near the piece as it is now.
     pub near: Vec<Ball>,
-    /// The candidate found nearest last.
-    pub hint: Cell<u32>,
+    /// The triangle found nearest last.
+    pub hint: Cell<Option<u32>>,
 }
 
 impl Patch {
-    /// Takes the triangles of a region that reach into the tube, and, with a box, those that meet it: they are candidates, but not near.
+    /// Takes the triangles of a region that reach into the tube, and, with a box, those that meet it: these are not near.
     pub fn take(&mut self, mesh: &Mesh, region: &Region, tube: &Tube, wide: Option<&Bounds>) {
-        self.candidates.clear();
+        self.triangles.clear();
         self.near.clear();
-        self.hint.set(u32::MAX);
+        self.hint.set(None);
         for index in &region.triangles {
             let (centre, radius) = mesh.balls[*index as usize];
-            let near = tube.meets(&centre, radius);
-            if near {
-                self.near.push(Ball { centre, radius, candidate: self.candidates.len() as u32 });
+            if tube.meets(&centre, radius) {
+                self.near.push(Ball { centre, radius, triangle: *index });
             } else if wide.is_none_or(|wide| wide.distance_squared(&centre) > radius * radius) {
                 continue;
             }
-            let corners = mesh.corners(*index);
-            let mut bounds = Bounds::of_points(corners);
-            let mut travel = [Vector3::zeros(); 3];
-            if mesh.is_moving() {
-                let before = mesh.corners_before(*index);
-                travel = std::array::from_fn(|corner| corners[corner] - before[corner]);
-                before.into_iter().for_each(|corner| bounds.take(corner));
-            }
-            let normal = mesh.face_normal(*index);
-            let flat = FlatTriangle::new(&corners, &normal);
-            self.candidates.push(Candidate { index: *index, corners, travel, normal, flat, bounds });
+            self.triangles.push(*index);
         }
     }
 
-    /// Whether the way from `from` to `to` goes through an odd number of the candidates.
-    pub fn is_crossed(&self, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
+    /// Picks those of the near triangles that reach into a tube.
+    pub fn pick(&self, tube: &Tube, out: &mut Vec<Ball>) {
+        out.clear();
+        out.extend(self.near.iter().filter(|ball| tube.meets(&ball.centre, ball.radius)));
+    }
+
+    /// Whether the way from `from` to `to` goes through an odd number of the triangles.
+    pub fn is_crossed(&self, mesh: &Mesh, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
         let mut odd = false;
-        for candidate in &self.candidates {
-            let [a, b, c] = &candidate.corners;
+        for index in &self.triangles {
+            let triangle = mesh.flat(*index);
+            let [a, b, c] = &triangle.corners;
             // As seen from the triangle, which may move itself.
-            let [p, q, r] = candidate.travel;
-            let from = &(from + (p + q + r) / 3.0);
-            if (candidate.height(from) < 0.0) == (candidate.height(to) < 0.0) {
+            let from = &(from + mesh.travel_of(*index).iter().sum::<Vector3<f64>>() / 3.0);
+            if (triangle.height(from) < 0.0) == (triangle.height(to) < 0.0) {
                 continue;
             }
             let way = to - from;
@@ -169,5 +134,23 @@ impl Patch {
             }
         }
         odd
+    }
+}
+
+impl Mesh {
+    /// A triangle at the step's end.
+    #[inline]
+    pub(in crate::contact) fn flat(&self, triangle: u32) -> &FlatTriangle {
+        &self.flats[triangle as usize]
+    }
+
+    /// How far its corners go during the step, m.
+    #[inline]
+    pub(in crate::contact) fn travel_of(&self, triangle: u32) -> [Vector3<f64>; 3] {
+        if !self.is_moving() {
+            return [Vector3::zeros(); 3];
+        }
+        let (before, after) = (self.corners_before(triangle), self.corners(triangle));
+        std::array::from_fn(|corner| after[corner] - before[corner])
     }
 }

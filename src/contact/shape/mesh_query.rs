@@ -1,11 +1,13 @@
 //! Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`mesh_patch.rs`).
 
+use std::cell::Cell;
+
 use nalgebra::Vector3;
 use parry3d_f64::partitioning::BvhNode;
 
 use super::mesh::{Mesh, Sides};
 use super::mesh_normals::Normals;
-use super::mesh_patch::{Candidate, Patch};
+use super::mesh_patch::{Ball, Patch};
 use super::surface::Surface;
 use super::triangle::{self, Part};
 
@@ -39,33 +41,36 @@ impl Mesh {
         nearest.and_then(|nearest| self.told(point, &nearest, f64::INFINITY)).map_or(f64::INFINITY, |surface| surface.distance)
     }
 
-    /// [`Mesh::closest`] for a point near triangles that were picked so that all that are nearer to it than `reach` are among them.
-    /// `inside`, where it is known, tells the side of a point of a solid that none of them is near to.
+    /// [`Mesh::closest`] for a point, among triangles so picked that all that are nearer to it than `reach` are among them. `hint`, a
+    /// triangle that may be near, bounds the search. `inside`, where it is known, tells the side of a point of a solid that none is near to.
     pub(in crate::contact) fn closest_among(
         &self,
-        patch: &Patch,
+        balls: &[Ball],
+        hint: &Cell<Option<u32>>,
         reach: f64,
         inside: Option<bool>,
         point: Vector3<f64>,
     ) -> Option<Surface> {
-        // The nearest triangle of the last point bounds the search.
-        let hint = patch.hint.get();
-        let mut squared = patch.candidates.get(hint as usize).map_or(f64::INFINITY, |near| near.flat.distance_squared(&point));
-        let (mut best, mut bound) = (hint, squared.sqrt());
-        for ball in &patch.near {
+        let mut best = hint.get().unwrap_or(u32::MAX);
+        let mut squared = hint.get().map_or(f64::INFINITY, |near| self.flat(near).distance_squared(&point));
+        let (mut bound, first) = (squared.sqrt(), best);
+        for ball in balls {
             let far = ball.radius + bound;
-            if ball.candidate == hint || (point - ball.centre).norm_squared() > far * far {
+            if ball.triangle == first || (point - ball.centre).norm_squared() > far * far {
                 continue;
             }
-            let here = patch.candidates[ball.candidate as usize].flat.distance_squared(&point);
+            let here = self.flat(ball.triangle).distance_squared(&point);
             // Of equally near triangles the first.
-            if here < squared || here == squared && ball.candidate < best {
-                (best, squared, bound) = (ball.candidate, here, here.sqrt());
+            if here < squared || here == squared && ball.triangle < best {
+                (best, squared, bound) = (ball.triangle, here, here.sqrt());
             }
         }
-        patch.hint.set(best);
-        let found = patch.candidates.get(best as usize).map(|near| nearest_of(near.index, &near.corners, &point));
-        let mut best = found.unwrap_or(Nearest { triangle: 0, weights: [0.0; 3], part: Part::Face, point, squared });
+        let mut best = if squared.is_finite() {
+            hint.set(Some(best));
+            nearest_of(best, &self.flat(best).corners, &point)
+        } else {
+            Nearest { triangle: 0, weights: [0.0; 3], part: Part::Face, point, squared }
+        };
         if bound > reach {
             // Another triangle may be nearer. It matters from inside a solid only; what was found bounds the search.
             if self.sides != Sides::Solid || inside == Some(false) || !self.bounds().holds(&point) {
@@ -81,9 +86,11 @@ impl Mesh {
     pub(in crate::contact) fn closest_at_start(&self, patch: &Patch, reach: f64, point: &Vector3<f64>) -> Option<Surface> {
         let mut best: Option<Nearest> = None;
         let mut most = reach * reach;
-        for candidate in &patch.candidates {
-            if candidate.bounds.distance_squared(point) < most {
-                let found = nearest_of(candidate.index, &candidate.before(), point);
+        for index in &patch.triangles {
+            let (centre, radius) = self.balls[*index as usize];
+            let far = radius + most.sqrt();
+            if (point - centre).norm_squared() < far * far {
+                let found = nearest_of(*index, &self.corners_before(*index), point);
                 if found.squared < most {
                     (best, most) = (Some(found), found.squared);
                 }
@@ -161,19 +168,11 @@ impl Mesh {
         Some(Surface { point: nearest.point, normal, distance, feature: nearest.triangle, weights: nearest.weights })
     }
 
-    /// Weights of the corners in the point of a triangle that is nearest to `point`, that point, and the way from it to `point`.
+    /// Weights of the corners in the point of a triangle that is nearest to `point`, and the way from it to `point`.
     #[inline]
-    pub(in crate::contact) fn closest_on(
-        corners: &[Vector3<f64>; 3],
-        point: &Vector3<f64>,
-    ) -> ([f64; 3], Vector3<f64>, Vector3<f64>) {
+    pub(in crate::contact) fn closest_on(corners: &[Vector3<f64>; 3], point: &Vector3<f64>) -> ([f64; 3], Vector3<f64>) {
         let found = nearest_of(0, corners, point);
-        (found.weights, found.point, point - found.point)
-    }
-
-    /// The unit normal of a triangle's face at the step's end; zero where it has lost its area.
-    pub(in crate::contact) fn face_normal(&self, triangle: u32) -> Vector3<f64> {
-        self.normals.face(triangle)
+        (found.weights, point - found.point)
     }
 }
 

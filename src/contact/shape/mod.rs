@@ -22,7 +22,7 @@ pub use bounds::Bounds;
 pub(crate) use grid::node_count;
 pub use grid::{DistanceGrid, NODE_LIMIT};
 pub use mesh::{Mesh, Sides};
-pub(in crate::contact) use mesh_patch::{Candidate, Patch, Region, Tube};
+pub(in crate::contact) use mesh_patch::{Ball, Patch, Region, Tube};
 pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};
