@@ -78,6 +78,7 @@ pub struct Scratch {
     hits: Vec<(f64, Surface)>,
     pieces: Vec<Piece>,
     close: Vec<Ball>,
+    more: Vec<Sample<Surface>>,
 }
 
 /// A piece between two places, with what was found there, if the surface is near there, and how often it was halved.
@@ -190,15 +191,15 @@ impl Search<'_, '_> {
             return;
         }
         let piece = self.place_nodes(&path, low, high);
-        // Whatever is nearer than the limit somewhere on a piece is nearer than this to one of its ends.
-        let reach = self.thickness + self.within + 0.5 * piece;
+        // The distance at places that are themselves farther than the limit tells where it falls.
+        let reach = self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * piece };
         let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
         let travel = travel + mesh.map_or(0.0, Mesh::farthest_travel);
         let swept = travel > 0.5 * self.thickness + shape.thinness();
         if let Some(mesh) = mesh {
             self.gather(mesh, index, piece, reach, 0.125 * piece * piece * path.now.bend().max(path.start.bend()), swept);
             if self.scratch.patch.triangles.is_empty() {
-                if mesh.sides() != Sides::Solid || self.inside == Some(false) {
+                if mesh.sides() == Sides::Both || self.inside == Some(false) {
                     return;
                 }
             }
@@ -222,9 +223,6 @@ impl Search<'_, '_> {
         }
         let from = self.out.len();
         self.minima(index, &ground, &path, &nodes);
-        if mesh.is_some() {
-            self.overlooked(index, &ground, &path, &nodes, from);
-        }
         for (s, hit) in &hits {
             self.keep_side(index, &path, piece, from, *s, hit, &ground);
         }
@@ -280,14 +278,20 @@ impl Search<'_, '_> {
         let mut before = left.sample.map_or(f64::INFINITY, |sample| sample.value);
         let mut crest = before;
         let mut added = 0;
+        let from = self.out.len();
+        self.scratch.more.clear();
         let mut pieces = std::mem::take(&mut self.scratch.pieces);
         let mut close = std::mem::take(&mut self.scratch.close);
         for pair in nodes.windows(2) {
             close_to(ground, path, pair, limit, &mut close);
+            // Between places outside nothing is looked for deep inside.
+            let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);
+            let inside = (out(&pair[0]) && out(&pair[1])).then_some(false);
             let ask = |s: f64| {
                 let (now, tangent) = path.now.at(s);
-                ground.ask_among(&close, || path.start.at(s).0, now, None).map(|surface| sample(s, surface, &tangent))
+                ground.ask_among(&close, || path.start.at(s).0, now, inside).map(|surface| sample(s, surface, &tangent))
             };
+            let none_close = ground.mesh.is_some() && close.is_empty();
             pieces.clear();
             pieces.push(Piece { ends: [pair[0].s, pair[1].s], samples: [pair[0].sample, pair[1].sample], depth: 0 });
             while let Some(Piece { ends, samples, depth }) = pieces.pop() {
@@ -298,7 +302,7 @@ impl Search<'_, '_> {
                 if samples[0].is_none() {
                     before = f64::INFINITY;
                 }
-                if 0.5 * (value(0) + value(1) - length) >= limit {
+                if 0.5 * (value(0) + value(1) - length) >= limit || none_close && samples[0].is_none() && samples[1].is_none() {
                     continue;
                 }
                 let falls_and_rises = matches!(samples, [Some(a), Some(b)] if a.slope < 0.0 && b.slope >= 0.0);
@@ -324,6 +328,9 @@ impl Search<'_, '_> {
                     (before, crest) = (found.value, found.value);
                 }
             }
+            if ground.mesh.is_some() {
+                self.overlooked(ground, path, &[pair[0], pair[1]], &close, from);
+            }
         }
         (self.scratch.pieces, self.scratch.close) = (pieces, close);
         if let Some(sample) = right.sample.filter(|sample| sample.value < limit) {
@@ -333,23 +340,31 @@ impl Search<'_, '_> {
             }
             self.add(index, &sample);
         }
+        for place in 0..self.scratch.more.len() {
+            let found = self.scratch.more[place];
+            let gap = found.value - self.thickness;
+            // A deeper touch close by is worth more; what is left then is found when that is resolved.
+            let seen = self.out[from..].iter().any(|touch| {
+                let off = (touch.place.s - found.s).abs();
+                off < 2e-3 && touch.gap <= gap || off < 2e-4 && touch.gap <= gap + overlooked::TOLERANCE
+            });
+            if !seen {
+                self.add(index, &found);
+            }
+        }
     }
 
-    /// Adds what overlaps between the touches found.
-    fn overlooked(&mut self, index: usize, ground: &Ground, path: &ElementPath, nodes: &[Node], from: usize) {
-        for pair in nodes.windows(2) {
-            overlooked(ground, path, &[pair[0], pair[1]], self.thickness, |found| {
-                let gap = found.value - self.thickness;
-                let length = pair[1].s - pair[0].s;
-                // A deeper touch close by is worth more; what is left then is found when that is resolved.
-                let seen = self.out[from..].iter().any(|touch| {
-                    let off = (touch.place.s - found.s).abs();
-                    off < 0.5 * length && touch.gap <= gap || off < 0.05 * length && touch.gap <= gap + overlooked::TOLERANCE
-                });
-                if !seen {
-                    self.add(index, found);
-                }
-            });
+    /// Takes down what overlaps between two nodes on triangles that have no touch there.
+    fn overlooked(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node; 2], close: &[Ball], from: usize) {
+        for ball in close {
+            // A triangle has one minimum.
+            let of_it = |touch: &Touch| matches!(touch.partner, Partner::Body { feature, .. } if feature == ball.triangle);
+            if self.out[from..].iter().any(|touch| of_it(touch) && touch.place.s >= nodes[0].s) {
+                continue;
+            }
+            if let Some(found) = overlooked(ground, path, nodes, ball, self.thickness) {
+                self.scratch.more.push(found);
+            }
         }
     }
 
@@ -410,13 +425,14 @@ fn close_to(ground: &Ground, path: &ElementPath, nodes: &[Node], limit: f64, clo
     if 0.5 * (value(left) + value(right) - length) >= limit {
         return;
     }
-    // Along the chord the distance to one triangle is convex, so that it is nowhere farther than at the farther end.
-    let at_most = |here: &Node, there: &Node| {
-        here.sample.map_or(ground.reach, |sample| {
-            sample.value.abs().max(mesh.flat(sample.found.feature).distance_squared(&there.now).sqrt())
-        })
-    };
     let sagitta = 0.125 * path.now.bend() * length * length;
-    let radius = at_most(left, right).min(at_most(right, left)).min(ground.reach) + 2.0 * sagitta;
+    let mut radius = limit + sagitta;
+    // Along the chord the distance to one triangle is convex, so that it is nowhere farther than at the farther end.
+    for (here, there) in [(left, right), (right, left)] {
+        if let Some(sample) = here.sample {
+            let there = mesh.flat(sample.found.feature).distance_squared(&there.now).sqrt();
+            radius = radius.min(sample.value.abs().max(there) + 2.0 * sagitta);
+        }
+    }
     ground.patch.pick(&Tube { ends: [left.now, right.now], radius }, close);
 }

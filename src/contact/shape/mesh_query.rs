@@ -72,11 +72,16 @@ impl Mesh {
             Nearest { triangle: 0, weights: [0.0; 3], part: Part::Face, point, squared }
         };
         if bound > reach {
-            // Another triangle may be nearer. It matters from inside a solid only; what was found bounds the search.
-            if self.sides != Sides::Solid || inside == Some(false) || !self.bounds().holds(&point) {
+            // Another triangle may be nearer. It matters behind the surface only; what was found bounds the search.
+            let deepest = match self.sides {
+                Sides::Solid => f64::INFINITY,
+                Sides::Front { depth } => depth,
+                Sides::Both => 0.0,
+            };
+            if deepest <= reach || inside == Some(false) || !self.bounds().grown(deepest.min(reach)).holds(&point) {
                 return None;
             }
-            best = self.nearest(&point, bound * (1.0 + 1e-9)).unwrap_or(best);
+            best = self.nearest(&point, deepest.min(bound * (1.0 + 1e-9)))?;
         }
         self.told(&point, &best, reach)
     }
