@@ -4,6 +4,7 @@ mod block_newton;
 pub mod body;
 mod body_sweep;
 pub mod bonds;
+mod conjugate;
 pub mod contact_space;
 mod dense;
 mod descent;
