@@ -3,6 +3,7 @@
 
 use nalgebra::Vector3;
 
+use super::block_newton::BlockNewton;
 use super::bonds::DependentBond;
 use super::contact_space::ContactSpace;
 use super::system::System;
@@ -37,12 +38,19 @@ pub struct Report {
     pub dependent: Vec<DependentBond>,
 }
 
+/// Sweeps in which the residual must halve.
+const PATIENCE: u32 = 10;
+/// The part of a block's residual that a visit may leave.
+const PART: f64 = 0.1;
+
 /// The solver; keeps its memory.
 #[derive(Debug, Clone, Default)]
 pub struct GaussSeidel {
     /// The problem, ready.
     pub system: System,
     forces: Vec<Vector3<f64>>,
+    newton: BlockNewton,
+    rows: Vec<u32>,
 }
 
 impl GaussSeidel {
@@ -59,16 +67,28 @@ impl GaussSeidel {
             }
         }
         let mut report = Report::default();
+        let blocks = system.blocks();
+        let (mut best, mut since) = (f64::INFINITY, 0);
         loop {
             scales(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
             if report.residual <= settings.tolerance || report.sweeps >= settings.max_sweeps {
                 break;
             }
-            for _ in 0..4 {
-                sweep(space, system, &mut self.forces);
-                report.sweeps += 1;
+            // What does not get on will not: Newton's next iteration asks again, from elsewhere.
+            if report.residual < 0.5 * best {
+                (best, since) = (report.residual, report.sweeps);
+            } else if report.sweeps >= since + PATIENCE {
+                break;
             }
+            // A block of its own is solved whole, several are solved in turn, each somewhat better than it stands.
+            let (aim, part) = if blocks == 1 { (settings.tolerance, 0.0) } else { (0.3 * settings.tolerance, PART) };
+            for block in 0..blocks {
+                self.rows.clear();
+                self.rows.extend_from_slice(system.rows_of(block));
+                self.newton.solve(space, system, &mut self.forces, &self.rows, &report, aim, part);
+            }
+            report.sweeps += 1;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
             forces[row.touch] = *force;

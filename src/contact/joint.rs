@@ -103,6 +103,8 @@ pub struct Joint {
     pub kind: JointKind,
     /// The force, N, world axes: the last iteration's.
     pub force: Vector3<f64>,
+    /// Whether it rubs, in the models with viscous friction: whether it pressed when that was last asked.
+    pub rubs: bool,
     /// Displacement over the step at the last evaluation.
     pub slip: Vector3<f64>,
     /// Gap at the last evaluation (touches), m, or how far a constraint was from holding.
@@ -110,6 +112,14 @@ pub struct Joint {
 }
 
 impl Joint {
+    /// Whether the surfaces press each other under the present force.
+    pub fn presses(&self) -> bool {
+        match self.kind {
+            JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } => self.force.dot(&normal) > 0.0,
+            JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => false,
+        }
+    }
+
     /// Whether it is a touch, not a constraint.
     pub fn is_touch(&self) -> bool {
         matches!(self.kind, JointKind::Body { .. } | JointKind::Hair { .. })
@@ -153,7 +163,7 @@ impl Joint {
                 let pick = |friction: &options::Friction| scales(friction, a.tangent);
                 let scaled = |c: Coefficient, by: f64| Coefficient { mean: c.mean * by, lean: c.lean * by };
                 let friction = if options.model.is_soft() {
-                    Friction::Viscous(scaled(pick(&contact[0].viscous_friction), friction[1]))
+                    self.viscous(scaled(pick(&contact[0].viscous_friction), friction[1]))
                 } else {
                     Friction::Coulomb(scaled(pick(&contact[0].friction), friction[0]))
                 };
@@ -167,7 +177,7 @@ impl Joint {
                     Coefficient::of_two(scales(first, a.tangent), scales(second, b.tangent))
                 };
                 let friction = if options.model.is_soft() {
-                    Friction::Viscous(both(&contact[0].viscous_friction, &contact[1].viscous_friction))
+                    self.viscous(both(&contact[0].viscous_friction, &contact[1].viscous_friction))
                 } else {
                     Friction::Coulomb(both(&contact[0].hair_friction, &contact[1].hair_friction))
                 };
@@ -196,6 +206,11 @@ impl Joint {
                 (Law::Ring(Ring { tangent: a.tangent, friction: scales(&friction, a.tangent) }), u)
             }
         }
+    }
+
+    /// Viscous friction of a touch that rubs.
+    fn viscous(&self, coefficient: Coefficient) -> Friction {
+        if self.rubs { Friction::Viscous(coefficient) } else { Friction::None }
     }
 
     #[allow(clippy::too_many_arguments, reason = "the parts of one law")]

@@ -7,6 +7,7 @@
 pub mod bond;
 pub mod coefficient;
 pub mod contact;
+pub mod linear;
 pub mod response;
 pub mod ring;
 pub mod secular;

@@ -1,9 +1,11 @@
 //! Contact and constraints: bodies and hair against hair. Where strands are touched, and the forces that answer.
 
+mod block_newton;
 pub mod body;
 mod body_sweep;
 pub mod bonds;
 pub mod contact_space;
+mod dense;
 mod descent;
 mod element_path;
 pub mod gauss_seidel;

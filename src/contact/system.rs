@@ -48,6 +48,11 @@ pub struct System {
     pub displacements: Vec<f64>,
     /// The bonds' part.
     pub bonds: Bonds,
+    /// Blocks (strands, or strands that bonds join) with rows, ascending: where their rows begin in `block_rows`.
+    blocks: Vec<u32>,
+    block_rows: Vec<u32>,
+    /// (first coordinate of a block, row), sorted.
+    members: Vec<(usize, u32)>,
 }
 
 /// A touch whose points bonds have fixed to this part of their own response is fixed.
@@ -87,6 +92,37 @@ impl System {
             let solve = LawSolve::new(&touch.law, &response, space.step());
             self.rows.push(Row { touch: index, first, second, solve, free, response });
         }
+        self.find_blocks();
+    }
+
+    fn find_blocks(&mut self) {
+        self.members.clear();
+        for (index, row) in self.rows.iter().enumerate() {
+            self.members.push((row.first.base, index as u32));
+            if let Some(second) = row.second.filter(|second| second.base != row.first.base) {
+                self.members.push((second.base, index as u32));
+            }
+        }
+        self.members.sort_unstable();
+        self.blocks.clear();
+        self.block_rows.clear();
+        for (k, (base, row)) in self.members.iter().enumerate() {
+            if k == 0 || self.members[k - 1].0 != *base {
+                self.blocks.push(k as u32);
+            }
+            self.block_rows.push(*row);
+        }
+        self.blocks.push(self.block_rows.len() as u32);
+    }
+
+    /// How many blocks have rows.
+    pub fn blocks(&self) -> usize {
+        self.blocks.len().saturating_sub(1)
+    }
+
+    /// A block's rows, ascending: touches of the block, with another or not.
+    pub fn rows_of(&self, block: usize) -> &[u32] {
+        &self.block_rows[self.blocks[block] as usize..self.blocks[block + 1] as usize]
     }
 
     fn slot(&self, space: &ContactSpace, end: End) -> Slot {
@@ -102,6 +138,22 @@ impl System {
     fn block(&self, space: &ContactSpace, row: &Slot, column: &Slot) -> Matrix3<f64> {
         let matrix = if row.reduced { self.bonds.reduced() } else { space.responses() };
         read_block(&matrix[row.matrix..], row.size, row.at - row.base, column.at - column.base)
+    }
+
+    /// Displacement of a row per force at another (or itself).
+    pub(super) fn coupling(&self, space: &ContactSpace, row: &Row, from: &Row) -> Matrix3<f64> {
+        let mut sum = Matrix3::zeros();
+        for (at, plus) in [(Some(row.first), true), (row.second, false)] {
+            for (force, with) in [(Some(from.first), true), (from.second, false)] {
+                if let (Some(at), Some(force)) = (at, force)
+                    && at.base == force.base
+                {
+                    let block = self.block(space, &at, &force);
+                    if plus == with { sum += block } else { sum -= block }
+                }
+            }
+        }
+        sum
     }
 
     /// The relative displacement of a row now.

@@ -11,7 +11,7 @@ use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Wrench;
 use super::strand::{self, Strand, Tally};
-use super::touching::Touching;
+use super::touching::{TouchMemory, Touching};
 use super::workers::Crew;
 use crate::chain::load::Station;
 use crate::contact::body::BodyAt;
@@ -91,6 +91,17 @@ impl Holding {
         self.touching.forget_pairs();
     }
 
+    /// What is kept of the last substep's touches.
+    pub fn memory(&self) -> TouchMemory {
+        self.touching.memory()
+    }
+
+    /// A solver's memory as it was, see [`Touching::take_up`].
+    pub fn taken_up<'a>(memory: TouchMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
+        let mut new = Self::default();
+        new.touching.take_up(memory, elements, bodies).then_some(new)
+    }
+
     /// Marks the strands that this substep of `h` seconds holds.
     pub fn mark(scene: &mut Scene, h: f64) {
         let hair = scene.options.hair;
@@ -159,16 +170,19 @@ impl Holding {
         if scene.setting.options.integrator == Integrator::ImplicitEuler {
             return;
         }
-        let mut again = false;
         for end in self.joints.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
             let held = &mut self.strands[end.held as usize];
             held.begins_again = !held.first_order;
-            again |= held.begins_again;
         }
-        if !again {
+        Self::restart(scene, &mut self.strands[..self.count], h);
+    }
+
+    /// Begins the step of those strands anew that are marked for it, by implicit Euler.
+    fn restart(scene: &mut Scene, held: &mut [HeldStrand], h: f64) {
+        if !held.iter().any(|held| held.begins_again) {
             return;
         }
-        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        let mut pairs = Self::pairs(scene.strands, held);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             if held.begins_again {
                 (held.begins_again, held.first_order) = (false, true);
@@ -182,6 +196,7 @@ impl Holding {
         for (k, strand) in scene.strands.iter().enumerate().filter(|(_, strand)| strand.held) {
             let held = &mut self.strands[index];
             held.index = k as u32;
+            held.mass = strand.model.length() * strand.model.linear_density;
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.settled) = (strand.touched, false);
@@ -260,9 +275,17 @@ impl Holding {
         let Self { strands, islands, count, island_count, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         loop {
+            for island in islands.iter_mut().filter(|island| island.done) {
+                if island.relax() {
+                    for held in &island.strands {
+                        strands[*held as usize].begins_again = true;
+                    }
+                }
+            }
             if islands.iter().all(|island| island.done) {
                 break;
             }
+            Self::restart(scene, strands, h);
             scene.crew.for_each(islands, |island, _| {
                 if !island.done {
                     island.refresh(strands, scene.bodies);
@@ -279,7 +302,7 @@ impl Holding {
                     island.find_ends(strands);
                     // A number that is not finite: the strand that it comes from is told apart at the end.
                     if island.solve(strands, options, h).is_err() {
-                        island.done = true;
+                        (island.done, island.lost) = (true, island.relaxed);
                     }
                 }
             });
@@ -303,8 +326,13 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let setting = scene.setting;
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
-            held.held.outcome.converged = islands[held.island as usize].converged;
-            with_one(strand, |one| held.held.end(one, setting, h, &mut scratch.rule));
+            let island = &islands[held.island as usize];
+            held.held.outcome.converged = island.converged;
+            held.held.outcome.quarantined |= island.lost;
+            // No step bends a strand by more than the energy of going its own length in it.
+            let speed = strand.model.length() / h;
+            let most_elastic = strand.energies.elastic + held.mass * speed * speed;
+            with_one(strand, |one| held.held.end(one, setting, h, most_elastic, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
             strand.touched =

@@ -22,8 +22,8 @@ pub enum Friction {
     /// Coulomb's: no sliding with |λ_T| ≤ μ λ_N, or sliding with |λ_T| = μ λ_N straight against it. Where μ depends on the direction, a
     /// contact at rest holds what it would hold if it slid the way it is drawn.
     Coulomb(Coefficient),
-    /// Proportional to the sliding velocity, λ_T = −c u_T/h, while λ_N > 0 (the papers'). Where full friction would draw the surfaces together,
-    /// so that λ_N turned negative, the contact floats: λ_N = 0 with as much friction as that leaves.
+    /// Proportional to the sliding velocity, λ_T = −c u_T/h (the papers'), whatever the normal force is. Which touches rub is for the one
+    /// to say who gives the law: a touch that presses when the problem is made, [`Friction::None`] for the others.
     Viscous(Coefficient),
 }
 
@@ -71,12 +71,7 @@ impl Contact {
             Friction::Viscous(c) => {
                 let speed = u_t.norm();
                 let full = if speed > 0.0 { c.at(&(u_t / speed)) / step } else { 0.0 };
-                let whole = (lambda_t + u_t * full).norm();
-                // Floating: no normal force, and any share of the friction.
-                let most = full * speed * speed;
-                let share = if most > 0.0 { (-lambda_t.dot(&u_t) / most).clamp(0.0, 1.0) } else { 1.0 };
-                let floating = (lambda_t + u_t * (full * share)).norm().max(lambda_n.abs());
-                whole.min(floating) / (force + full * length)
+                (lambda_t + u_t * full).norm() / (force + full * length)
             }
         };
         normal.max(tangential)
@@ -169,7 +164,7 @@ impl ContactSolve {
                 let (force, _) = self.depth.force(self.normal, -b[0]);
                 Vector3::new(force.max(0.0), 0.0, 0.0)
             }
-            _ if b[0] >= 0.0 => Vector3::zeros(),
+            Local::Coulomb(..) if b[0] >= 0.0 => Vector3::zeros(),
             Local::Coulomb(mean, lean) => self.coulomb(&b, mean, lean),
             Local::Viscous(mean, lean) => self.viscous(&b, mean, lean),
         };
@@ -239,23 +234,25 @@ impl ContactSolve {
     fn viscous(&mut self, b: &[f64; 3], mean: f64, lean: [f64; 2]) -> Vector3<f64> {
         let mobility = |c: f64| [c / (1.0 + c * self.tangent[0]), c / (1.0 + c * self.tangent[1])];
         let largest = mean + (lean[0] * lean[0] + lean[1] * lean[1]).sqrt();
+        let forces = |c: f64, pressed: bool| {
+            let v = mobility(c);
+            if pressed { self.forces(b, v) } else { Forces { normal: 0.0, tangent: [-b[1] * v[0], -b[2] * v[1]], slope: 0.0 } }
+        };
         // The coefficient for the way the contact slides under coefficient c.
-        let asked = |c: f64| {
-            let f = self.forces(b, mobility(c));
-            let x = (b[1] + self.coupling[0] * f.normal) / (1.0 + c * self.tangent[0]);
-            let y = (b[2] + self.coupling[1] * f.normal) / (1.0 + c * self.tangent[1]);
+        let asked = |c: f64, pressed: bool| {
+            let normal = forces(c, pressed).normal;
+            let x = (b[1] + self.coupling[0] * normal) / (1.0 + c * self.tangent[0]);
+            let y = (b[2] + self.coupling[1] * normal) / (1.0 + c * self.tangent[1]);
             let size = (x * x + y * y).sqrt();
             if size > 0.0 { (mean + (lean[0] * x + lean[1] * y) / size).max(0.0) } else { mean }
         };
-        let c = if lean == [0.0; 2] { mean } else { crossing(0.0, largest, |c| c - asked(c)) };
-        let f = self.forces(b, mobility(c));
-        if f.normal >= 0.0 {
-            return Vector3::new(f.normal, f.tangent[0], f.tangent[1]);
-        }
-        // Full friction would draw the surfaces together: as much as leaves no normal force.
-        let c = crossing(0.0, c, |c| -self.forces(b, mobility(c)).normal);
-        let f = self.forces(b, mobility(c));
-        Vector3::new(0.0, f.tangent[0], f.tangent[1])
+        let solve = |pressed: bool| {
+            let c = if lean == [0.0; 2] { mean } else { crossing(0.0, largest, |c| c - asked(c, pressed)) };
+            forces(c, pressed)
+        };
+        let f = solve(true);
+        let f = if f.normal >= 0.0 { f } else { solve(false) };
+        Vector3::new(f.normal, f.tangent[0], f.tangent[1])
     }
 }
 

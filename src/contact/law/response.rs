@@ -87,6 +87,23 @@ impl Depth {
         }
     }
 
+    /// m/N, of a response that is straight.
+    pub(super) fn compliance(&self) -> f64 {
+        self.compliance
+    }
+
+    /// Slope of the force that a depth asks for, N/m; zero where nothing presses, infinite for a hard contact.
+    pub(super) fn stiffness(&self, depth: f64) -> f64 {
+        let depth = depth - self.shift;
+        if depth <= 0.0 {
+            0.0
+        } else if depth < self.curve {
+            depth / (self.curve * self.compliance)
+        } else {
+            1.0 / self.compliance
+        }
+    }
+
     /// The force F with D F + depth(F) − shift = `drive`, and the slope of the left side there. A drive of zero or below gives what a linear
     /// spring would (a force of zero or below): it tells a search on which side it is.
     #[inline(always)]

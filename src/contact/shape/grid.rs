@@ -40,6 +40,22 @@ impl DistanceGrid {
     /// neither inside nor outside by their winding numbers), `cell` or `band` is not finite and above zero, or there would be more than
     /// [`NODE_LIMIT`] nodes; [`Error::OutOfMemory`].
     pub fn bake(mesh: &Mesh, cell: f64, band: f64) -> Result<Self> {
+        let (bounds, counts) = Self::lattice(mesh, cell, band)?;
+        let lattice = Lattice { low: bounds.low, cell, counts };
+        let values = if mesh.sides() == Sides::Solid { lattice.distances(mesh)? } else { bake_open::distances(&lattice, mesh)? };
+        Ok(Self { low: bounds.low, cell, band, counts, values: values.into() })
+    }
+
+    /// How many nodes along x, y and z [`DistanceGrid::bake`] would make.
+    ///
+    /// # Errors
+    /// Those of [`DistanceGrid::bake`] that `cell` and `band` are to blame for.
+    pub fn baked_counts(mesh: &Mesh, cell: f64, band: f64) -> Result<[u32; 3]> {
+        Ok(Self::lattice(mesh, cell, band)?.1)
+    }
+
+    /// The lattice for a mesh: its box, from whose lowest corner it begins, and its numbers of nodes.
+    fn lattice(mesh: &Mesh, cell: f64, band: f64) -> Result<(Bounds, [u32; 3])> {
         check_positive(|| "cell".into(), cell)?;
         check_positive(|| "band".into(), band)?;
         // One cell more than asked for, so that all of the band is inside whatever the rounding.
@@ -54,10 +70,7 @@ impl DistanceGrid {
                 format!("a cell size that gives at most {NODE_LIMIT} nodes; this one gives {nodes}"),
             ));
         }
-        let counts = [counts.x as u32, counts.y as u32, counts.z as u32];
-        let lattice = Lattice { low: bounds.low, cell, counts };
-        let values = if mesh.sides() == Sides::Solid { lattice.distances(mesh)? } else { bake_open::distances(&lattice, mesh)? };
-        Ok(Self { low: bounds.low, cell, band, counts, values: values.into() })
+        Ok((bounds, [counts.x as u32, counts.y as u32, counts.z as u32]))
     }
 
     /// A grid from its numbers: the lowest node (m), the cell size (m), how far it reaches beyond the surface (m), nodes along x, y

@@ -14,6 +14,7 @@ mod mesh;
 mod mesh_normals;
 mod mesh_patch;
 mod mesh_query;
+mod parts;
 mod sphere;
 mod surface;
 mod triangle;
@@ -26,6 +27,7 @@ pub(crate) use grid::node_count;
 pub use grid::{DistanceGrid, NODE_LIMIT};
 pub use mesh::{Mesh, Sides};
 pub(in crate::contact) use mesh_patch::{Ball, Patch, Region, Tube};
+pub(crate) use parts::Parts;
 pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};

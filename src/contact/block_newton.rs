@@ -1,0 +1,278 @@
+//! All touches of one block (a strand, or strands that bonds join) at once, those of other blocks as they are: a semismooth Newton
+//! iteration on the laws' equations ([`super::law::linear`]) with a line search, and sweeps of Gauss–Seidel inside the block where that
+//! does not get on.
+//!
+//! Touches near each other on one strand move nearly alike, so that a sweep over touches exchanges force between them by tiny parts
+//! (1e-3 and less a sweep); solved together, what they have in common is found at once.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::contact_space::ContactSpace;
+use super::dense;
+use super::gauss_seidel::Report;
+use super::law::linear::Linear;
+use super::system::System;
+
+/// Touches that move alike to this part of their own response share a force nearly as they did before: the iteration is damped where W is
+/// next to singular, by this part of W or by the residual, whichever is less, never by less than the least.
+const DAMPING: f64 = 1e-4;
+const LEAST_DAMPING: f64 = 1e-9;
+/// Most Newton iterations of one visit to a block.
+const MOST: u32 = 30;
+/// So many of Newton's first steps are taken whole: a step that leaves some laws worse finds which touches press. The best point is kept.
+const FREE: u32 = 12;
+/// Sweeps in the block where Newton's direction leads nowhere.
+const SWEEPS: u32 = 4;
+
+/// The solver's memory.
+#[derive(Debug, Clone, Default)]
+pub(super) struct BlockNewton {
+    /// The block's rows.
+    rows: Vec<u32>,
+    /// K: displacement of the rows per force at the rows, 3 rows a side, column after column; those that were needed so far.
+    coupling: Vec<f64>,
+    known: Vec<bool>,
+    forces: Vec<Vector3<f64>>,
+    moved: Vec<Vector3<f64>>,
+    linear: Vec<Linear>,
+    /// A point of the line search.
+    trial_forces: Vec<Vector3<f64>>,
+    trial_moved: Vec<Vector3<f64>>,
+    trial_linear: Vec<Linear>,
+    direction: Vec<Vector3<f64>>,
+    carried: Vec<Vector3<f64>>,
+    active: Vec<usize>,
+    matrix: Vec<f64>,
+    rhs: Vec<f64>,
+    best: Vec<Vector3<f64>>,
+}
+
+impl BlockNewton {
+    /// Solves for the forces of `rows` to a residual of `tolerance` or a `part` of the present one, in the scales of `report`. True where
+    /// anything was left to do.
+    #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, and when to stop")]
+    pub(super) fn solve(
+        &mut self,
+        space: &ContactSpace,
+        system: &mut System,
+        forces: &mut [Vector3<f64>],
+        rows: &[u32],
+        report: &Report,
+        tolerance: f64,
+        part: f64,
+    ) -> bool {
+        self.begin(system, forces, rows);
+        let mut worst = self.residual(space, system, report);
+        if worst <= tolerance {
+            return false;
+        }
+        let tolerance = tolerance.max(part * worst);
+        let m = rows.len();
+        self.coupling.clear();
+        self.coupling.resize(9 * m * m, 0.0);
+        self.known.clear();
+        self.known.resize(m, false);
+        let mut best = worst;
+        self.best.clone_from(&self.forces);
+        let mut merit = linearise(space, system, &self.rows, &self.forces, &self.moved, &mut self.linear);
+        for k in 0..MOST {
+            let better = self.direction(space, system, worst.clamp(LEAST_DAMPING, DAMPING))
+                && self.search(space, system, &mut merit, k < FREE);
+            if !better {
+                for _ in 0..SWEEPS {
+                    self.sweep(space, system);
+                }
+                merit = linearise(space, system, &self.rows, &self.forces, &self.moved, &mut self.linear);
+            }
+            worst = self.residual(space, system, report);
+            if worst < best {
+                best = worst;
+                self.best.clone_from(&self.forces);
+            }
+            if worst <= tolerance {
+                break;
+            }
+        }
+        for (row, force) in self.rows.iter().zip(&self.best) {
+            let row = *row as usize;
+            let change = force - forces[row];
+            if change != Vector3::zeros() {
+                forces[row] = *force;
+                system.push(space, row, &change);
+            }
+        }
+        true
+    }
+
+    fn begin(&mut self, system: &System, forces: &[Vector3<f64>], rows: &[u32]) {
+        self.rows.clear();
+        self.rows.extend_from_slice(rows);
+        self.forces.clear();
+        self.forces.extend(rows.iter().map(|row| forces[*row as usize]));
+        self.moved.clear();
+        self.moved.extend(rows.iter().map(|row| system.relative(&system.rows[*row as usize])));
+    }
+
+    fn residual(&self, space: &ContactSpace, system: &System, report: &Report) -> f64 {
+        let mut worst = 0.0_f64;
+        for ((row, force), u) in self.rows.iter().zip(&self.forces).zip(&self.moved) {
+            let law = &space.touches()[system.rows[*row as usize].touch].law;
+            worst = worst.max(law.residual(*u, *force, space.step(), report.length, report.force));
+        }
+        worst
+    }
+
+    /// Makes K's column of a row known.
+    fn need(&mut self, space: &ContactSpace, system: &System, column: usize) {
+        if self.known[column] {
+            return;
+        }
+        self.known[column] = true;
+        let m = self.rows.len();
+        let from = &system.rows[self.rows[column] as usize];
+        for (i, row) in self.rows.iter().enumerate() {
+            let block = system.coupling(space, &system.rows[*row as usize], from);
+            for c in 0..3 {
+                self.coupling[(3 * column + c) * 3 * m + 3 * i..][..3].copy_from_slice(block.column(c).as_slice());
+            }
+        }
+    }
+
+    fn block(&self, i: usize, j: usize) -> Matrix3<f64> {
+        let m = self.rows.len();
+        Matrix3::from_fn(|a, b| self.coupling[(3 * j + b) * 3 * m + 3 * i + a])
+    }
+
+    /// Newton's direction, and what it displaces. False where there is none.
+    fn direction(&mut self, space: &ContactSpace, system: &System, damping: f64) -> bool {
+        let m = self.rows.len();
+        self.direction.clear();
+        self.direction.resize(m, Vector3::zeros());
+        self.carried.clear();
+        self.carried.resize(m, Vector3::zeros());
+        self.active.clear();
+        for i in 0..m {
+            if self.linear[i].by_displacement != Matrix3::zeros() {
+                self.active.push(i);
+            } else if self.linear[i].miss != Vector3::zeros() {
+                // Without by_displacement the law is λ = 0.
+                self.direction[i] = -self.linear[i].miss;
+            }
+        }
+        for j in 0..m {
+            if self.direction[j] != Vector3::zeros() {
+                self.need(space, system, j);
+                self.carry(j, self.direction[j]);
+            }
+        }
+        let n = 3 * self.active.len();
+        self.matrix.clear();
+        self.matrix.resize(n * n, 0.0);
+        self.rhs.clear();
+        for a in 0..self.active.len() {
+            self.need(space, system, self.active[a]);
+        }
+        for (a, i) in self.active.iter().enumerate() {
+            let Linear { miss, by_force, by_displacement } = &self.linear[*i];
+            let rhs = -(miss + by_displacement * self.carried[*i]);
+            self.rhs.extend_from_slice(rhs.as_slice());
+            for (b, j) in self.active.iter().enumerate() {
+                let mut k = self.block(*i, *j);
+                if i == j {
+                    k += Matrix3::from_diagonal_element(damping * system.rows[self.rows[*i] as usize].response.trace());
+                }
+                let mut entry = by_displacement * k;
+                if i == j {
+                    entry += by_force;
+                }
+                for r in 0..3 {
+                    for c in 0..3 {
+                        self.matrix[(3 * a + r) * n + 3 * b + c] = entry[(r, c)];
+                    }
+                }
+            }
+        }
+        if !dense::solve(&mut self.matrix, &mut self.rhs) {
+            return false;
+        }
+        for a in 0..self.active.len() {
+            let change = Vector3::new(self.rhs[3 * a], self.rhs[3 * a + 1], self.rhs[3 * a + 2]);
+            self.direction[self.active[a]] = change;
+            self.carry(self.active[a], change);
+        }
+        self.carried.iter().all(|u| u.iter().all(|x| x.is_finite()))
+    }
+
+    /// Adds what a force at a row displaces.
+    fn carry(&mut self, column: usize, force: Vector3<f64>) {
+        let size = 3 * self.rows.len();
+        let columns = &self.coupling[3 * column * size..3 * (column + 1) * size];
+        for (i, u) in self.carried.iter_mut().enumerate() {
+            for c in 0..3 {
+                for r in 0..3 {
+                    u[r] += columns[c * size + 3 * i + r] * force[c];
+                }
+            }
+        }
+    }
+
+    /// Goes along the direction as far as it does good. False where it does none.
+    fn search(&mut self, space: &ContactSpace, system: &System, merit: &mut f64, free: bool) -> bool {
+        let mut t = 1.0;
+        for _ in 0..5 {
+            let along = |a: &[Vector3<f64>], d: &[Vector3<f64>], out: &mut Vec<Vector3<f64>>| {
+                out.clear();
+                out.extend(a.iter().zip(d).map(|(a, d)| a + d * t));
+            };
+            along(&self.forces, &self.direction, &mut self.trial_forces);
+            along(&self.moved, &self.carried, &mut self.trial_moved);
+            let (forces, moved) = (&self.trial_forces, &self.trial_moved);
+            let trial = linearise(space, system, &self.rows, forces, moved, &mut self.trial_linear);
+            if trial < (1.0 - 0.1 * t) * *merit || free {
+                *merit = trial;
+                std::mem::swap(&mut self.forces, &mut self.trial_forces);
+                std::mem::swap(&mut self.moved, &mut self.trial_moved);
+                std::mem::swap(&mut self.linear, &mut self.trial_linear);
+                return true;
+            }
+            t *= 0.4;
+        }
+        false
+    }
+
+    /// A sweep over the block's touches, each alone.
+    fn sweep(&mut self, space: &ContactSpace, system: &mut System) {
+        for i in 0..self.rows.len() {
+            let row = &mut system.rows[self.rows[i] as usize];
+            let old = self.forces[i];
+            let new = row.solve.solve(self.moved[i] - row.response * old);
+            if new != old {
+                self.need(space, system, i);
+                self.forces[i] = new;
+                std::mem::swap(&mut self.carried, &mut self.moved);
+                self.carry(i, new - old);
+                std::mem::swap(&mut self.carried, &mut self.moved);
+            }
+        }
+    }
+}
+
+/// The laws linearised; the sum of squares that they miss by.
+fn linearise(
+    space: &ContactSpace,
+    system: &System,
+    rows: &[u32],
+    forces: &[Vector3<f64>],
+    moved: &[Vector3<f64>],
+    out: &mut Vec<Linear>,
+) -> f64 {
+    out.clear();
+    let mut sum = 0.0;
+    for ((row, force), u) in rows.iter().zip(forces).zip(moved) {
+        let row = &system.rows[*row as usize];
+        let linear = space.touches()[row.touch].law.linearise(u, force, &row.response, space.step());
+        sum += linear.miss.norm_squared();
+        out.push(linear);
+    }
+    sum
+}
