@@ -1,5 +1,7 @@
 //! What lies under an element: the body's distance at places of it.
 
+use std::cell::Cell;
+
 use nalgebra::Vector3;
 
 use super::body::BodyAt;
@@ -31,6 +33,8 @@ pub(super) struct Ground<'a> {
     pub patch: &'a Patch,
     /// How far a mesh is looked at, m.
     pub reach: f64,
+    /// The triangle found nearest last.
+    pub hint: Cell<Option<u32>>,
 }
 
 impl Ground<'_> {
@@ -53,7 +57,7 @@ impl Ground<'_> {
                 _ => Some(self.body.shape.closest_smooth(now)),
             };
         };
-        let mut surface = mesh.closest_among(balls, &self.patch.hint, self.reach, inside, now)?;
+        let mut surface = mesh.closest_among(balls, &self.hint, self.reach, inside, now)?;
         if mesh.sides() == Sides::Both {
             let before = before();
             // A way shorter than the distance at its end crosses nothing that is at rest.

@@ -4,6 +4,8 @@
 //! there, and refined on the exact helix; what overlaps a mesh between them is seen to triangle by triangle (`overlooked.rs`). Where a piece
 //! of the element may have gone through the body within the step, its way is swept (`body_sweep.rs`), and the side that it came from counts.
 
+use std::cell::Cell;
+
 use nalgebra::Vector3;
 
 use super::body::BodyAt;
@@ -198,16 +200,15 @@ impl Search<'_, '_> {
         let swept = travel > 0.5 * self.thickness + shape.thinness();
         if let Some(mesh) = mesh {
             self.gather(mesh, index, piece, reach, 0.125 * piece * piece * path.now.bend().max(path.start.bend()), swept);
-            if self.scratch.patch.triangles.is_empty() {
-                if mesh.sides() == Sides::Both || self.inside == Some(false) {
-                    return;
-                }
+            let outside = mesh.sides() == Sides::Both || self.inside == Some(false);
+            if outside && self.scratch.patch.triangles.is_empty() {
+                return;
             }
         }
         let patch = std::mem::take(&mut self.scratch.patch);
         let mut nodes = std::mem::take(&mut self.scratch.nodes);
         let mut hits = std::mem::take(&mut self.scratch.hits);
-        let ground = Ground { body: self.body, mesh, patch: &patch, reach };
+        let ground = Ground { body: self.body, mesh, patch: &patch, reach, hint: Cell::default() };
         hits.clear();
         if swept {
             body_sweep::sweep(&ground, self.thickness, &nodes, &mut hits);

@@ -3,8 +3,6 @@
 //! Picked in two looks: the tree of boxes is asked for a box larger than what is needed, and the answer kept for as long as what is needed
 //! stays within that box; of those triangles the few are taken that a capsule around the piece reaches.
 
-use std::cell::Cell;
-
 use nalgebra::Vector3;
 use parry3d_f64::partitioning::{BvhNode, TraversalAction};
 
@@ -87,8 +85,6 @@ pub(in crate::contact) struct Patch {
     pub triangles: Vec<u32>,
     /// Those of them that are near the piece as it is now.
     pub near: Vec<Ball>,
-    /// The triangle found nearest last.
-    pub hint: Cell<Option<u32>>,
 }
 
 impl Patch {
@@ -96,7 +92,6 @@ impl Patch {
     pub fn take(&mut self, mesh: &Mesh, region: &Region, tube: &Tube, wide: Option<&Bounds>) {
         self.triangles.clear();
         self.near.clear();
-        self.hint.set(None);
         for index in &region.triangles {
             let (centre, radius) = mesh.balls[*index as usize];
             if tube.meets(&centre, radius) {

@@ -35,10 +35,13 @@ impl Mesh {
         self.told(&point, &nearest, within)
     }
 
-    /// The signed distance of a solid that is known to be at most `at_most` away, m.
+    /// The distance of a surface that is known to be at most `at_most` away, m: signed for a solid, else without sign.
     pub(super) fn signed_distance(&self, point: &Vector3<f64>, at_most: f64) -> f64 {
         let nearest = self.nearest(point, at_most).or_else(|| self.nearest(point, f64::INFINITY));
-        nearest.and_then(|nearest| self.told(point, &nearest, f64::INFINITY)).map_or(f64::INFINITY, |surface| surface.distance)
+        nearest.map_or(f64::INFINITY, |nearest| match self.sides {
+            Sides::Solid => self.told(point, &nearest, f64::INFINITY).map_or(f64::INFINITY, |surface| surface.distance),
+            _ => nearest.squared.sqrt(),
+        })
     }
 
     /// [`Mesh::closest`] for a point, among triangles so picked that all that are nearer to it than `reach` are among them. `hint`, a

@@ -1,5 +1,6 @@
 //! Shapes of bodies, in their own axes: where their surface is nearest to a point, how large they are.
 
+mod bake_open;
 mod bounds;
 mod capsule;
 mod cuboid;
@@ -8,6 +9,7 @@ mod flat_triangle;
 mod grid;
 mod half_space;
 mod hull;
+mod lattice;
 mod mesh;
 mod mesh_normals;
 mod mesh_patch;
@@ -16,6 +18,7 @@ mod parts;
 mod sphere;
 mod surface;
 mod triangle;
+mod winding;
 
 use nalgebra::Vector3;
 
