@@ -107,9 +107,9 @@ impl Shape {
     /// [`Error::InvalidArgument`] when a number is not finite or `normal` has no direction.
     pub fn new_half_space(normal: Vector3<f64>) -> Result<Self> {
         check_vector("normal", &normal)?;
-        // By the largest number first: squares of tiny or huge numbers are lost.
+        // By the largest number first: squares of tiny or huge numbers are lost. Of zeros it makes what is not a number.
         let scaled = normal / normal.amax();
-        match scaled.try_normalize(0.0) {
+        match scaled.try_normalize(0.0).filter(|normal| normal.x.is_finite()) {
             Some(normal) => Ok(Self(Kind::HalfSpace { normal })),
             None => Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector of a direction")),
         }
