@@ -40,17 +40,17 @@ impl BodyDef {
 pub struct Body {
     def: BodyDef,
     /// Where it is going, and how many seconds of the way are done.
-    way: Option<(PoseMove, f64)>,
-    bending: Option<Box<Bending>>,
+    pub(crate) way: Option<(PoseMove, f64)>,
+    pub(crate) bending: Option<Box<Bending>>,
 }
 
 /// A mesh's vertices on their way.
 #[derive(Debug, Clone)]
-struct Bending {
-    from: Vec<Vector3<f64>>,
-    to: Vec<Vector3<f64>>,
-    duration: f64,
-    elapsed: f64,
+pub(crate) struct Bending {
+    pub from: Vec<Vector3<f64>>,
+    pub to: Vec<Vector3<f64>>,
+    pub duration: f64,
+    pub elapsed: f64,
 }
 
 impl Body {

@@ -38,6 +38,8 @@ pub struct Report {
     pub dependent: Vec<DependentBond>,
 }
 
+/// Sweeps in which the residual must halve.
+const PATIENCE: u32 = 10;
 /// The part of a block's residual that a visit may leave.
 const PART: f64 = 0.1;
 
@@ -66,10 +68,17 @@ impl GaussSeidel {
         }
         let mut report = Report::default();
         let blocks = system.blocks();
+        let (mut best, mut since) = (f64::INFINITY, 0);
         loop {
             scales(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
             if report.residual <= settings.tolerance || report.sweeps >= settings.max_sweeps {
+                break;
+            }
+            // What does not get on will not: Newton's next iteration asks again, from elsewhere.
+            if report.residual < 0.5 * best {
+                (best, since) = (report.residual, report.sweeps);
+            } else if report.sweeps >= since + PATIENCE {
                 break;
             }
             // A block of its own is solved whole, several are solved in turn, each somewhat better than it stands.

@@ -70,7 +70,7 @@ impl Default for ContactOptions {
             residual: 1e-6,
             separation_speed: 0.5,
             max_iterations: 50,
-            max_sweeps: 500,
+            max_sweeps: 30,
         }
     }
 }
@@ -115,7 +115,7 @@ impl Friction {
         Self { along: value, against: value }
     }
 
-    fn check(&self, argument: &str) -> Result<()> {
+    pub(crate) fn check(&self, argument: &str) -> Result<()> {
         check_not_negative(|| format!("{argument}.along"), self.along)?;
         check_not_negative(|| format!("{argument}.against"), self.against)
     }

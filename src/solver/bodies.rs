@@ -213,6 +213,24 @@ impl Solver {
         Ok(())
     }
 
+    /// The same for strands that differ: one for each.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `contacts[i].field`, or for counts that differ.
+    pub fn set_contacts(&mut self, ids: &[StrandId], contacts: &[StrandContact]) -> Result<()> {
+        if contacts.len() != ids.len() {
+            return Err(Error::invalid("contacts (count)", contacts.len(), format!("{}, one a strand", ids.len())));
+        }
+        for (k, contact) in contacts.iter().enumerate() {
+            contact.check(&format!("contacts[{k}]"))?;
+        }
+        for (index, contact) in self.indices(ids)?.into_iter().zip(contacts) {
+            self.strands[index].contact = Some(Box::new(*contact));
+        }
+        self.holding.forget_pairs();
+        Ok(())
+    }
+
     /// What a strand is to contact.
     ///
     /// # Errors

@@ -11,7 +11,7 @@ use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Wrench;
 use super::strand::{self, Strand, Tally};
-use super::touching::Touching;
+use super::touching::{TouchMemory, Touching};
 use super::workers::Crew;
 use crate::chain::load::Station;
 use crate::contact::body::BodyAt;
@@ -89,6 +89,17 @@ impl Holding {
     /// Forgets which strands are near each other.
     pub fn forget_pairs(&mut self) {
         self.touching.forget_pairs();
+    }
+
+    /// What is kept of the last substep's touches.
+    pub fn memory(&self) -> TouchMemory {
+        self.touching.memory()
+    }
+
+    /// A solver's memory as it was, see [`Touching::take_up`].
+    pub fn taken_up<'a>(memory: TouchMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
+        let mut new = Self::default();
+        new.touching.take_up(memory, elements, bodies).then_some(new)
     }
 
     /// Marks the strands that this substep of `h` seconds holds.
@@ -318,7 +329,10 @@ impl Holding {
             let island = &islands[held.island as usize];
             held.held.outcome.converged = island.converged;
             held.held.outcome.quarantined |= island.lost;
-            with_one(strand, |one| held.held.end(one, setting, h, &mut scratch.rule));
+            // No step bends a strand by more than the energy of going its own length in it.
+            let speed = strand.model.length() / h;
+            let most_elastic = strand.energies.elastic + held.mass * speed * speed;
+            with_one(strand, |one| held.held.end(one, setting, h, most_elastic, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
             strand.touched =

@@ -31,24 +31,8 @@ impl DistanceGrid {
     /// [`Error::InvalidArgument`] when the mesh is not [`Sides::Solid`], `cell` or `band` is not finite and above zero, or there would be
     /// more than [`NODE_LIMIT`] nodes; [`Error::OutOfMemory`].
     pub fn bake(mesh: &Mesh, cell: f64, band: f64) -> Result<Self> {
-        if mesh.sides() != Sides::Solid {
-            return Err(Error::invalid("mesh.sides", format!("{:?}", mesh.sides()), "Solid: a closed mesh has an inside"));
-        }
-        check_positive(|| "cell".into(), cell)?;
-        check_positive(|| "band".into(), band)?;
-        // One cell more than asked for, so that all of the band is inside whatever the rounding.
-        let bounds =
-            Bounds::of_points(mesh.triangles().iter().flatten().map(|vertex| mesh.vertices()[*vertex as usize])).grown(band);
-        let counts = ((bounds.high - bounds.low) / cell).map(|cells| cells.ceil() + 2.0);
-        let nodes = counts.product();
-        if !(nodes <= NODE_LIMIT as f64) {
-            return Err(Error::invalid(
-                "cell",
-                cell,
-                format!("a cell size that gives at most {NODE_LIMIT} nodes; this one gives {nodes}"),
-            ));
-        }
-        let counts = [counts.x as u32, counts.y as u32, counts.z as u32];
+        let (bounds, counts) = Self::lattice(mesh, cell, band)?;
+        let nodes = counts.iter().map(|count| u64::from(*count)).product::<u64>();
         let mut values = Vec::new();
         values.try_reserve_exact(nodes as usize).map_err(|_| Error::OutOfMemory { bytes: nodes as usize * size_of::<f32>() })?;
         let mut at_most = f64::INFINITY;
@@ -67,6 +51,36 @@ impl DistanceGrid {
             }
         }
         Ok(Self { low: bounds.low, cell, band, counts, values: values.into() })
+    }
+
+    /// How many nodes along x, y and z [`DistanceGrid::bake`] would make.
+    ///
+    /// # Errors
+    /// Those of [`DistanceGrid::bake`].
+    pub fn baked_counts(mesh: &Mesh, cell: f64, band: f64) -> Result<[u32; 3]> {
+        Ok(Self::lattice(mesh, cell, band)?.1)
+    }
+
+    /// The lattice for a mesh: its box, from whose lowest corner it begins, and its numbers of nodes.
+    fn lattice(mesh: &Mesh, cell: f64, band: f64) -> Result<(Bounds, [u32; 3])> {
+        if mesh.sides() != Sides::Solid {
+            return Err(Error::invalid("mesh.sides", format!("{:?}", mesh.sides()), "Solid: a closed mesh has an inside"));
+        }
+        check_positive(|| "cell".into(), cell)?;
+        check_positive(|| "band".into(), band)?;
+        // One cell more than asked for, so that all of the band is inside whatever the rounding.
+        let bounds =
+            Bounds::of_points(mesh.triangles().iter().flatten().map(|vertex| mesh.vertices()[*vertex as usize])).grown(band);
+        let counts = ((bounds.high - bounds.low) / cell).map(|cells| cells.ceil() + 2.0);
+        let nodes = counts.product();
+        if !(nodes <= NODE_LIMIT as f64) {
+            return Err(Error::invalid(
+                "cell",
+                cell,
+                format!("a cell size that gives at most {NODE_LIMIT} nodes; this one gives {nodes}"),
+            ));
+        }
+        Ok((bounds, [counts.x as u32, counts.y as u32, counts.z as u32]))
     }
 
     /// A grid from its numbers: the lowest node (m), the cell size (m), how far it reaches beyond the surface (m), nodes along x, y

@@ -53,21 +53,8 @@ impl Mesh {
     /// range; a triangle without area; for [`Sides::Solid`] an edge that is not shared by exactly two triangles wound alike, or a mesh
     /// wound inward; for [`Sides::Front`] an edge where neighbours are wound against each other, or a depth not above zero.
     pub fn new(vertices: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>, sides: Sides) -> Result<Self> {
-        if let Sides::Front { depth } = sides {
-            check_positive(|| "sides.depth".into(), depth)?;
-        }
-        check_vertices("vertices", &vertices)?;
-        if triangles.is_empty() || triangles.len() >= RIM as usize {
-            return Err(Error::invalid("triangles", format!("{} long", triangles.len()), "from one to 2^32 − 2 triangles"));
-        }
+        check_parts(&vertices, &triangles, sides)?;
         for (index, triangle) in triangles.iter().enumerate() {
-            if let Some(corner) = triangle.iter().position(|vertex| *vertex as usize >= vertices.len()) {
-                return Err(Error::invalid(
-                    format!("triangles[{index}][{corner}]"),
-                    triangle[corner],
-                    format!("an index below the number of vertices, {}", vertices.len()),
-                ));
-            }
             let [a, b, c] = triangle.map(|vertex| vertices[vertex as usize]);
             if (b - a).cross(&(c - a)).norm_squared() == 0.0 {
                 return Err(Error::invalid(
@@ -88,6 +75,31 @@ impl Mesh {
                 ));
             }
         }
+        Ok(Self::assembled(vertices, triangles, sides, neighbours))
+    }
+
+    /// A mesh as it was in the middle of a run: it may have lost area or volume since it was made.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] as [`Mesh::new`], but for what says of areas and the volume.
+    pub(crate) fn in_motion(
+        before: Vec<Vector3<f64>>,
+        vertices: Vec<Vector3<f64>>,
+        triangles: Vec<[u32; 3]>,
+        sides: Sides,
+    ) -> Result<Self> {
+        check_parts(&vertices, &triangles, sides)?;
+        let neighbours = neighbours(&triangles, sides)?;
+        let mut mesh = Self::assembled(vertices, triangles, sides, neighbours);
+        mesh.check_replacement(&before)?;
+        if before != mesh.vertices {
+            mesh.before = before;
+            mesh.refit();
+        }
+        Ok(mesh)
+    }
+
+    fn assembled(vertices: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>, sides: Sides, neighbours: Box<[[u32; 3]]>) -> Self {
         let boxes: Vec<Aabb> = triangles.iter().map(|triangle| leaf(triangle, &vertices, &vertices)).collect();
         let mut mesh = Self {
             normals: Normals::default(),
@@ -103,7 +115,7 @@ impl Mesh {
         };
         mesh.normals.update(&mesh.vertices, &mesh.triangles, &mesh.neighbours);
         mesh.edge_length = mesh.mean_edge();
-        Ok(mesh)
+        mesh
     }
 
     /// Vertices at the step's end, m.
@@ -250,6 +262,27 @@ fn volume(vertices: &[Vector3<f64>], triangles: &[[u32; 3]]) -> f64 {
 fn leaf(triangle: &[u32; 3], before: &[Vector3<f64>], after: &[Vector3<f64>]) -> Aabb {
     let bounds = Bounds::of_points(triangle.iter().flat_map(|vertex| [before[*vertex as usize], after[*vertex as usize]]));
     Aabb::new(Vector::from_array(bounds.low.into()), Vector::from_array(bounds.high.into()))
+}
+
+/// What holds of a mesh whatever happens to its vertices.
+fn check_parts(vertices: &[Vector3<f64>], triangles: &[[u32; 3]], sides: Sides) -> Result<()> {
+    if let Sides::Front { depth } = sides {
+        check_positive(|| "sides.depth".into(), depth)?;
+    }
+    check_vertices("vertices", vertices)?;
+    if triangles.is_empty() || triangles.len() >= RIM as usize {
+        return Err(Error::invalid("triangles", format!("{} long", triangles.len()), "from one to 2^32 − 2 triangles"));
+    }
+    for (index, triangle) in triangles.iter().enumerate() {
+        if let Some(corner) = triangle.iter().position(|vertex| *vertex as usize >= vertices.len()) {
+            return Err(Error::invalid(
+                format!("triangles[{index}][{corner}]"),
+                triangle[corner],
+                format!("an index below the number of vertices, {}", vertices.len()),
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn check_vertices(argument: &str, vertices: &[Vector3<f64>]) -> Result<()> {

@@ -1,5 +1,7 @@
 //! Nearest points of a mesh, over all of it or over a few triangles picked beforehand.
 
+use std::cell::Cell;
+
 use nalgebra::Vector3;
 use parry3d_f64::partitioning::{BvhNode, TraversalAction};
 
@@ -109,26 +111,32 @@ impl Mesh {
         self.told(&point, &best, reach)
     }
 
-    /// The nearest place no farther than `reach`.
+    /// The nearest place no farther than `reach`; of equally near triangles that of the lowest index, whatever the tree looks like: one
+    /// that was refitted many times and one that is new give the same.
     fn nearest(&self, point: &Vector3<f64>, reach: f64) -> Option<Nearest> {
         let to_box = |node: &BvhNode| {
             let (mins, maxs) = (node.mins(), node.maxs());
             let x = (mins.x - point.x).max(point.x - maxs.x).max(0.0);
             let y = (mins.y - point.y).max(point.y - maxs.y).max(0.0);
             let z = (mins.z - point.z).max(point.z - maxs.z).max(0.0);
-            x * x + y * y + z * z
+            // A little less, so that a box as far as the best triangle is still looked into.
+            (x * x + y * y + z * z) * (1.0 - 1e-9) - f64::MIN_POSITIVE
         };
         let most = if reach.is_finite() { reach * reach } else { f64::MAX };
-        self.bvh
-            .find_best(
-                most,
-                |node, _| to_box(node),
-                |index, _| {
-                    let found = nearest_of(index, &self.corners(index), point);
-                    Some((found.squared, found))
-                },
-            )
-            .map(|(_, (_, nearest))| nearest)
+        let best: Cell<Option<Nearest>> = Cell::new(None);
+        self.bvh.find_best(
+            most,
+            |node, _| to_box(node),
+            |index, _| {
+                let found = nearest_of(index, &self.corners(index), point);
+                let key = |nearest: &Nearest| (nearest.squared, nearest.triangle);
+                if found.squared < most && best.get().is_none_or(|best| key(&found) < key(&best)) {
+                    best.set(Some(found));
+                }
+                Some(found.squared)
+            },
+        );
+        best.get()
     }
 
     /// Tells the side of a point at its nearest place.

@@ -10,6 +10,7 @@ mod hull;
 mod mesh;
 mod mesh_normals;
 mod mesh_query;
+mod parts;
 mod sphere;
 mod surface;
 mod triangle;
@@ -21,6 +22,7 @@ pub(crate) use grid::node_count;
 pub use grid::{DistanceGrid, NODE_LIMIT};
 pub use mesh::{Mesh, Sides};
 pub(in crate::contact) use mesh_query::Candidate;
+pub(crate) use parts::Parts;
 pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};
@@ -107,12 +109,12 @@ impl Shape {
     /// [`Error::InvalidArgument`] when a number is not finite or `normal` has no direction.
     pub fn new_half_space(normal: Vector3<f64>) -> Result<Self> {
         check_vector("normal", &normal)?;
-        // By the largest number first: squares of tiny or huge numbers are lost. Of zeros it makes what is not a number.
-        let scaled = normal / normal.amax();
-        match scaled.try_normalize(0.0).filter(|normal| normal.x.is_finite()) {
-            Some(normal) => Ok(Self(Kind::HalfSpace { normal })),
-            None => Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector of a direction")),
+        // By the largest number first: squares of tiny or huge numbers are lost.
+        let largest = normal.amax();
+        if largest == 0.0 {
+            return Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector of a direction"));
         }
+        Ok(Self(Kind::HalfSpace { normal: (normal / largest).normalize() }))
     }
 
     /// The convex hull of points (m).
