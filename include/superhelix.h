@@ -198,6 +198,95 @@
 // The strand may bend about n2.
 #define SHX_FREE_BEND2 4
 
+// ---- Shapes of bodies ----------------------------------------------------------------------------------------------
+
+// A sphere about the body's origin: radius.
+#define SHX_SHAPE_SPHERE 1
+
+// All points within radius of the segment from a to b.
+#define SHX_SHAPE_CAPSULE 2
+
+// An ellipsoid about the body's origin: semi_axes.
+#define SHX_SHAPE_ELLIPSOID 3
+
+// A box about the body's origin: half_edges.
+#define SHX_SHAPE_BOX 4
+
+// All that lies behind the plane through the body's origin across normal.
+#define SHX_SHAPE_HALF_SPACE 5
+
+// The convex hull of vertices.
+#define SHX_SHAPE_HULL 6
+
+// A triangle mesh: vertices, triangles, sides. The only shape that may deform (shx_solver_set_body_vertices).
+#define SHX_SHAPE_MESH 7
+
+// A signed distance grid, as shx_bake_distance_grid made it: grid. Cheap for large closed meshes that do not deform; edges are rounded
+// by about a cell.
+#define SHX_SHAPE_GRID 8
+
+// The mesh is closed and wound outward; what is inside is pushed out, however deep.
+#define SHX_SIDES_SOLID 1
+
+// Strands are kept on the side from which triangles are seen wound anticlockwise; what lies behind by less than depth is pushed to the
+// front.
+#define SHX_SIDES_FRONT 2
+
+// Both sides, like a sheet: a strand stays on the side where the step found it.
+#define SHX_SIDES_BOTH 3
+
+// ---- Models of contact ---------------------------------------------------------------------------------------------
+
+// The papers' penalty: a spring and a damper along the normal, viscous friction along the surface. The cheap model: surfaces sink into
+// each other by their force over stiffness.
+#define SHX_CONTACT_PENALTY 1
+
+// The same with a spring that begins softly, down to regularisation_depth.
+#define SHX_CONTACT_REGULARISED_PENALTY 2
+
+// Surfaces that do not pass through each other, to tolerance at the end of every step; Coulomb friction, not iterated to the last digit.
+#define SHX_CONTACT_HARD 3
+
+// Exact Coulomb friction, to residual.
+#define SHX_CONTACT_COULOMB 4
+
+// ---- What a strand met ---------------------------------------------------------------------------------------------
+
+// The strand met a body.
+#define SHX_PARTNER_BODY 1
+
+// The strand met another strand, or itself elsewhere.
+#define SHX_PARTNER_STRAND 2
+
+// ---- Constraints ---------------------------------------------------------------------------------------------------
+
+// The material point stays at the target's origin.
+#define SHX_HOLD_POINT 1
+
+// The point, and the strand's tangent stays along the target's first axis; the strand may turn about it.
+#define SHX_HOLD_DIRECTION 2
+
+// The point, and the material frame stays that of the target.
+#define SHX_HOLD_FRAME 3
+
+// The strand passes through a ring at the target's origin, with Coulomb friction; once its tip has gone through it is free.
+#define SHX_HOLD_RING 4
+
+// The point stays at a material point of another strand, or of the same one (a closed loop).
+#define SHX_HOLD_TIE 5
+
+// The constraint holds.
+#define SHX_CONSTRAINT_HOLDS 1
+
+// What it asks is decided by other constraints already, and agrees with them; its force is shared out arbitrarily.
+#define SHX_CONSTRAINT_DEPENDENT 2
+
+// It does not hold: other constraints, or the strand's length, contradict it.
+#define SHX_CONSTRAINT_VIOLATED 3
+
+// A ring that the strand has slipped out of.
+#define SHX_CONSTRAINT_RELEASED 4
+
 // ---- Presets and measured scenes -----------------------------------------------------------------------------------
 
 // To see what happens while working: the motion's kind is right, its course is not.
@@ -451,6 +540,22 @@ typedef struct shx_step_report {
   // The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length
   // (0 where the solver has no error_tolerance).
   double max_error;
+  // Contacts that carried a force at the end of the last substep.
+  uint32_t contacts;
+  // Searches that found contacts which the one at a substep's start had not.
+  uint32_t contact_searches;
+  // Newton iterations of those strands that touch or are held together that took most.
+  uint32_t contact_iterations;
+  // Such sets of strands whose iteration ended elsewhere than it should.
+  uint32_t contact_unconverged;
+  // Sweeps of the contact problem's solver, all of them together.
+  uint64_t contact_sweeps;
+  // Largest residual of the laws of contact and friction, relative.
+  double contact_residual;
+  // How deep surfaces were in each other at the end of a substep at most, m.
+  double max_penetration;
+  // The largest distance of a constraint from holding at the end of a substep, m.
+  double max_constraint_error;
 } shx_step_report;
 
 // Names a strand of one solver: a slot and a generation. Zero bits is the null id. The id of a removed strand never names
@@ -535,6 +640,195 @@ typedef struct shx_sample_def {
   // Subtracted from positions before they are narrowed to floats, m. Default 0.
   double origin[3];
 } shx_sample_def;
+
+// What a body is made from. Fill with shx_body_def_init, then set shape and the fields that it needs; those of other shapes are not
+// looked at. Arrays that it points to are read during the call and not kept.
+typedef struct shx_body_def {
+  // Set by shx_body_def_init.
+  uint32_t struct_size;
+  // SHX_SHAPE_. Default 0: set it.
+  uint32_t shape;
+  // Where the body is, world. Default: at the origin, along the world's axes.
+  shx_frame pose;
+  // Sphere, capsule: m, above zero. Default 0: set it.
+  double radius;
+  // Capsule: one end of its axis, m, the body's axes. Default 0.
+  double a[3];
+  // Capsule: the other end, another point than a. Default 0: set it.
+  double b[3];
+  // Ellipsoid: along the body's axes, m, each above zero. Default 0: set it.
+  double semi_axes[3];
+  // Box: half its edges along the body's axes, m, each above zero. Default 0: set it.
+  double half_edges[3];
+  // Half-space: points out of it, the body's axes; any length above zero. Default (0, 0, 1).
+  double normal[3];
+  // Hull, mesh: points, m, the body's axes (SHX_FORMAT_F32X3 or _F64X3). Default: none.
+  shx_input vertices;
+  // Mesh: three indices of vertices a triangle, anticlockwise seen from outside; 3 triangle_count numbers. Default null.
+  const uint32_t *triangles;
+  // Mesh: how many triangles. Default 0: set it.
+  size_t triangle_count;
+  // Mesh: SHX_SIDES_. Default SHX_SIDES_SOLID.
+  uint32_t sides;
+  // 0.
+  uint32_t reserved0;
+  // Mesh with SHX_SIDES_FRONT: how far behind its triangles it acts, m, above zero. Default 0: set it.
+  double depth;
+  // Grid: the bytes that shx_bake_distance_grid wrote. Default null.
+  const void *grid;
+  // Grid: how many bytes. Default 0.
+  size_t grid_size;
+  // How far outside its shape the body's surface lies, m; zero or above. Default 0.
+  double thickness;
+  // Multiplies the strands' coefficients of Coulomb friction; zero or above. Default 1.
+  double friction;
+  // Multiplies the strands' coefficients of viscous friction; zero or above. Default 1.
+  double viscous_friction;
+  // Bits of the groups that the body is in. Default 1.
+  uint32_t group;
+  // Bits of the groups that it touches: a body and a strand meet where each is in a group that the other touches. Default all.
+  uint32_t mask;
+} shx_body_def;
+
+// Names a body of one solver, as shx_strand_id names a strand; never the same bits as a strand's or a constraint's.
+typedef struct shx_body_id {
+  // For comparing, hashing and storing; the value means nothing else.
+  uint64_t bits;
+} shx_body_id;
+
+// How contact is answered in a solver. Fill with shx_contact_options_init.
+typedef struct shx_contact_options {
+  // Set by shx_contact_options_init.
+  uint32_t struct_size;
+  // SHX_CONTACT_. Default SHX_CONTACT_HARD.
+  uint32_t model;
+  // 1: strands that have a wisp_radius touch each other. 0 (default): only bodies, and costs nothing.
+  uint32_t hair;
+  // Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50.
+  uint32_t max_iterations;
+  // Sweeps of the contact problem's solver in each of them, 1 to 1000000. Default 500.
+  uint32_t max_sweeps;
+  // 0.
+  uint32_t reserved0;
+  // Penalty models: of one touch, N/m; above zero. Default 10.
+  double stiffness;
+  // Penalty: what stiffness is multiplied by to damp approach and parting, s; zero or above. Default 1e-3.
+  double damping;
+  // Regularised penalty: m; above zero. Default 1e-4.
+  double regularisation_depth;
+  // Hard, Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero. Default 1e-5.
+  double tolerance;
+  // Coulomb: what the laws of contact and friction may err by, relative; 1e-12 to 1. Default 1e-6.
+  double residual;
+  // Hard, Coulomb: how fast surfaces that are in each other when a step begins are parted, m/s; above zero. Default 0.5.
+  double separation_speed;
+} shx_contact_options;
+
+// What a strand is to contact. Fill with shx_strand_contact_init. Coefficients of friction come in pairs: along for what goes over the
+// strand from root to tip, with the scales, against from tip to root; between them by the cosine of the direction.
+typedef struct shx_strand_contact {
+  // Set by shx_strand_contact_init.
+  uint32_t struct_size;
+  // Bits of the groups that the strand is in. Default 1.
+  uint32_t groups;
+  // Bits of the groups that it touches: two things meet where each is in a group that the other touches. Default all.
+  uint32_t mask;
+  // 0.
+  uint32_t reserved0;
+  // How far from the centreline the strand begins for bodies, m; zero or above. Default 50e-6.
+  double radius;
+  // The same for other strands: the radius of the wisp that it stands for, m; zero or above. Default 0: it touches no strand.
+  double wisp_radius;
+  // Coulomb's coefficient against bodies, multiplied by the body's friction; zero or above. Default 0.2.
+  double friction_along;
+  // Default 0.3.
+  double friction_against;
+  // Coulomb's coefficient against strands, the mean of both; zero or above. Default 0.2.
+  double hair_friction_along;
+  // Default 0.3.
+  double hair_friction_against;
+  // Penalty models: viscous friction of a touch, N s/m, against bodies (multiplied by the body's viscous_friction) and strands (the
+  // mean of both); zero or above. Default 1e-4.
+  double viscous_friction_along;
+  // Default 1.5e-4.
+  double viscous_friction_against;
+  // The first so many metres from the follicle touch nothing; zero or above. Default 0.
+  double exempt_length;
+} shx_strand_contact;
+
+// Where something met a strand at the end of the last substep.
+typedef struct shx_contact {
+  // The strand.
+  shx_strand_id strand;
+  // Arclength on it, m.
+  double arclength;
+  // What it met: SHX_PARTNER_.
+  uint32_t partner;
+  // Which triangle of a mesh; else 0.
+  uint32_t feature;
+  // The body that it met; null for a strand.
+  shx_body_id body;
+  // The strand that it met; null for a body.
+  shx_strand_id other;
+  // Arclength on that strand, m; 0 for a body.
+  double other_arclength;
+  // On the strand's centreline, m, world.
+  double position[3];
+  // Unit normal, world, from the partner to the strand.
+  double normal[3];
+  // Force on the strand, N, world; on the partner it is the opposite.
+  double force[3];
+  // How far the strand slid over its partner during the substep, m, world, along the surface.
+  double slip[3];
+  // Distance of the surfaces, m; negative where they overlap.
+  double gap;
+} shx_contact;
+
+// What a constraint is made from. Fill with shx_constraint_def_init, then set strand, arclength, hold and what that needs.
+typedef struct shx_constraint_def {
+  // Set by shx_constraint_def_init.
+  uint32_t struct_size;
+  // SHX_HOLD_. Default SHX_HOLD_POINT.
+  uint32_t hold;
+  // The strand that is held. Default null: set it.
+  shx_strand_id strand;
+  // Where on it, arclength from the root, m; 0 to its length. A ring begins near there. Default 0.
+  double arclength;
+  // Tie: the other strand, or the same. Default null.
+  shx_strand_id other;
+  // Tie: arclength on that, m; 0 to its length. Default 0.
+  double other_arclength;
+  // Where the strand is held, world; not looked at by a tie. Default: at the origin, along the world's axes.
+  shx_frame target;
+  // Ring: its friction on the strand as it slides over it from root to tip; zero or above. Default 0.
+  double friction_along;
+  // Ring: the same from tip to root. Default 0.
+  double friction_against;
+  // How far the point gives way for a unit of force, m/N; zero or above; 0 for rings. Default 0: not at all.
+  double compliance;
+} shx_constraint_def;
+
+// Names a constraint of one solver, as shx_strand_id names a strand; never the same bits as a strand's or a body's.
+typedef struct shx_constraint_id {
+  // For comparing, hashing and storing; the value means nothing else.
+  uint64_t bits;
+} shx_constraint_id;
+
+// What a constraint did in the last substep.
+typedef struct shx_constraint_state {
+  // SHX_CONSTRAINT_.
+  uint32_t status;
+  // 0.
+  uint32_t reserved;
+  // Where on the strand it holds, arclength, m: a ring's changes as the strand slides.
+  double arclength;
+  // How far the held point is from where it should be, m.
+  double error;
+  // Force on the (first) strand, N, world.
+  double force[3];
+  // Torque on the strand about the held point, N m, world; zero but for directions and frames.
+  double torque[3];
+} shx_constraint_state;
 
 // A strand fitted to a polyline, beside its element lengths and curvatures. Prepare with shx_fit_init.
 typedef struct shx_fit {
@@ -1004,10 +1298,187 @@ SHX_API shx_result shx_solver_sample_at(const shx_solver *solver, shx_strand_id 
 SHX_API shx_result shx_solver_root_wrenches(const shx_solver *solver, const shx_strand_id *ids, size_t count,
     const shx_output *forces, const shx_output *torques);
 
+// ---- Bodies --------------------------------------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_body_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_body_def_init(shx_body_def *def, size_t size);
+
+// Bakes a closed mesh into a signed distance grid, for bodies of SHX_SHAPE_GRID: its distances at the nodes of a lattice of cell metres
+// that reaches at least band metres beyond it. A strand is told of the body within that band, inside at any depth. vertices:
+// SHX_FORMAT_F32X3 or _F64X3, m; triangles: three indices each, anticlockwise seen from outside. Writes the grid into image, which
+// holds capacity bytes, and its size into *out_size; image null with capacity 0: only the size, which bakes nothing. The bytes may be
+// kept in a file; they are the same on every machine. Takes about a microsecond a node.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (also: the mesh is not closed, or more than 2^27 nodes),
+// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+SHX_API shx_result shx_bake_distance_grid(const shx_input *vertices, const uint32_t *triangles, size_t triangle_count,
+    double cell, double band, void *image, size_t capacity, size_t *out_size);
+
+// Adds count bodies, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_body_def)). out_ids
+// receives count ids, in the order of the definitions. Strands touch bodies once they have been made to: shx_solver_set_contact.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].radius", or the triangle
+// where a mesh is not closed), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+SHX_API shx_result shx_solver_add_bodies(shx_solver *solver, const shx_body_def *defs, size_t def_stride, size_t count,
+    shx_body_id *out_ids);
+
+// Removes count bodies, all or none. Their ids are stale from then on.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_remove_bodies(shx_solver *solver, const shx_body_id *ids, size_t count);
+
+// Whether an id names a body of this solver. False for the null id, a removed body, another solver's body, a null or poisoned solver
+// (shx_last_error then has the text). May run beside other reading calls.
+SHX_API bool shx_solver_has_body(const shx_solver *solver, shx_body_id id);
+
+// How many bodies there are.
+// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_body_count(const shx_solver *solver, size_t *out_count);
+
+// The ids of all bodies, in the order they were added, into out_ids, which holds capacity ids.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_body_count). May run beside other reading calls.
+SHX_API shx_result shx_solver_body_ids(const shx_solver *solver, shx_body_id *out_ids, size_t capacity);
+
+// Moves count bodies smoothly to the given frames (SHX_FORMAT_FRAME, one for each id) over the next over_seconds of simulated time (0 or
+// above; 0: within the next substep); they sweep what lies between, and push it. All or none. Bodies that are not named stay on their
+// way or still.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a number that is not finite, a quaternion whose
+// length is not 1, over_seconds below 0). Alone with the solver.
+SHX_API shx_result shx_solver_set_body_frames(shx_solver *solver, const shx_body_id *ids, size_t count,
+    const shx_input *frames, double over_seconds);
+
+// Puts count bodies at the given frames at once, at rest: they do not sweep what lies between. All or none.
+// Errors: as shx_solver_set_body_frames. Alone with the solver.
+SHX_API shx_result shx_solver_teleport_bodies(shx_solver *solver, const shx_body_id *ids, size_t count,
+    const shx_input *frames);
+
+// The frames of count bodies as they are now, into frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+// May run beside other reading calls.
+SHX_API shx_result shx_solver_get_body_frames(const shx_solver *solver, const shx_body_id *ids, size_t count,
+    const shx_output *frames);
+
+// Sends the vertices of a mesh (SHX_FORMAT_F32X3 or _F64X3, m, the body's axes, as many as it was made with) to new places over the next
+// over_seconds of simulated time (0: within the next substep), each straight and evenly. For skin that deforms: once a frame.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (another count, a number that is not finite,
+// over_seconds below 0), SHX_ERROR_UNSUPPORTED (the body is no mesh). Alone with the solver.
+SHX_API shx_result shx_solver_set_body_vertices(shx_solver *solver, shx_body_id id, const shx_input *vertices,
+    double over_seconds);
+
+// Changes how far outside its shape a body's surface lies (m), and what it multiplies the strands' coefficients of Coulomb and of
+// viscous friction by; all zero or above.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_set_body_surface(shx_solver *solver, shx_body_id id, double thickness, double friction,
+    double viscous_friction);
+
+// Changes which groups a body is in and which it touches (bits; any are allowed).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. Alone with the solver.
+SHX_API shx_result shx_solver_set_body_filter(shx_solver *solver, shx_body_id id, uint32_t group, uint32_t mask);
+
+// What strands did to each of count bodies in the last substep: force (N) and torque about the body's origin (N m), world axes.
+// SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+// May run beside other reading calls.
+SHX_API shx_result shx_solver_body_wrenches(const shx_solver *solver, const shx_body_id *ids, size_t count,
+    const shx_output *forces, const shx_output *torques);
+
+// ---- Contact -------------------------------------------------------------------------------------------------------
+
+// Fills options with the defaults. size is sizeof(shx_contact_options).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_contact_options_init(shx_contact_options *options, size_t size);
+
+// Changes how contact is answered, from the next step on.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range). Alone with the solver.
+SHX_API shx_result shx_solver_set_contact_options(shx_solver *solver, const shx_contact_options *options);
+
+// How contact is answered, into *out_options.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. May run beside other reading calls.
+SHX_API shx_result shx_solver_get_contact_options(const shx_solver *solver, shx_contact_options *out_options);
+
+// Fills a structure with the defaults. size is sizeof(shx_strand_contact).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_strand_contact_init(shx_strand_contact *contact, size_t size);
+
+// Says what count strands are to contact. contacts null: they touch nothing, which is how strands begin. contact_stride 0: one structure
+// for all; else strand i has the one that begins i * contact_stride bytes after the first. All or none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names
+// "contacts[3].radius"). Alone with the solver.
+SHX_API shx_result shx_solver_set_contact(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_strand_contact *contacts, size_t contact_stride);
+
+// What a strand is to contact, into *out_contact; 1 into *out_touches, or 0 where it touches nothing (then *out_contact has the
+// defaults).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+SHX_API shx_result shx_solver_get_contact(const shx_solver *solver, shx_strand_id id, shx_strand_contact *out_contact,
+    uint32_t *out_touches);
+
+// ---- What touches --------------------------------------------------------------------------------------------------
+
+// How many contacts carried a force at the end of the last substep: what shx_solver_contacts needs room for.
+// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_contact_count(const shx_solver *solver, size_t *out_count);
+
+// The contacts that carried a force at the end of the last substep into contacts, which has room for capacity of them, stride bytes
+// apart (0: packed; any alignment), and their number into *out_count. Always in the same order, whatever the number of threads. The list
+// is empty after strands or bodies were removed and after shx_solver_restore, until the next step.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (stride), SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_contact_count).
+// May run beside other reading calls.
+SHX_API shx_result shx_solver_contacts(const shx_solver *solver, shx_contact *contacts, size_t stride, size_t capacity,
+    size_t *out_count);
+
+// ---- Constraints ---------------------------------------------------------------------------------------------------
+
+// Fills a definition with the defaults. size is sizeof(shx_constraint_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_constraint_def_init(shx_constraint_def *def, size_t size);
+
+// Adds count constraints, all or none. Definition i begins i * def_stride bytes after the first (def_stride:
+// sizeof(shx_constraint_def)). out_ids receives count ids, in the order of the definitions. They hold from the end of the next substep
+// on: a point that is far from its target is drawn there within that substep. A constraint goes with its strands.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID (a strand), SHX_ERROR_INVALID_ARGUMENT (the text names
+// "defs[3].arclength"), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+SHX_API shx_result shx_solver_add_constraints(shx_solver *solver, const shx_constraint_def *defs, size_t def_stride,
+    size_t count, shx_constraint_id *out_ids);
+
+// Removes count constraints, all or none. Their ids are stale from then on.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_remove_constraints(shx_solver *solver, const shx_constraint_id *ids, size_t count);
+
+// Whether an id names a constraint of this solver. False for the null id, a removed constraint, one whose strand was removed, another
+// solver's, a null or poisoned solver (shx_last_error then has the text). May run beside other reading calls.
+SHX_API bool shx_solver_has_constraint(const shx_solver *solver, shx_constraint_id id);
+
+// How many constraints there are.
+// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_constraint_count(const shx_solver *solver, size_t *out_count);
+
+// The ids of all constraints, in the order they were added, into out_ids, which holds capacity ids.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_constraint_count). May run beside other reading calls.
+SHX_API shx_result shx_solver_constraint_ids(const shx_solver *solver, shx_constraint_id *out_ids, size_t capacity);
+
+// Moves the targets of count constraints smoothly to the given frames (SHX_FORMAT_FRAME, one for each id) over the next over_seconds of
+// simulated time (0 or above; 0: within the next substep). All or none. Targets of constraints that are not named stay on their way or
+// still; ties have none, and theirs are not looked at.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a number that is not finite, a quaternion whose
+// length is not 1, over_seconds below 0). Alone with the solver.
+SHX_API shx_result shx_solver_set_constraint_targets(shx_solver *solver, const shx_constraint_id *ids, size_t count,
+    const shx_input *frames, double over_seconds);
+
+// The targets of count constraints as they are now, into frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+// May run beside other reading calls.
+SHX_API shx_result shx_solver_get_constraint_targets(const shx_solver *solver, const shx_constraint_id *ids,
+    size_t count, const shx_output *frames);
+
+// What each of count constraints did in the last substep, into states, which has room for count of them, stride bytes apart (0: packed;
+// any alignment).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_constraint_states(const shx_solver *solver, const shx_constraint_id *ids, size_t count,
+    shx_constraint_state *states, size_t stride);
+
 // ---- State ---------------------------------------------------------------------------------------------------------
 
-// Writes an image of everything that a step depends on (strands, roots, states, gravity, wind, options; not callbacks and
-// threads) into image, which holds capacity bytes, and its size into *out_size. image null: only the size, with capacity 0.
+// Writes an image of everything that a step depends on (strands, roots, states, bodies, constraints, gravity, wind, options; not
+// callbacks and threads) into image, which holds capacity bytes, and its size into *out_size. image null: only the size, with capacity 0.
 // The image is for this version of the library on machines of the same byte order.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
 SHX_API shx_result shx_solver_snapshot(const shx_solver *solver, void *image, size_t capacity, size_t *out_size);

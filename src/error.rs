@@ -97,6 +97,31 @@ impl Error {
             Error::InvalidArgument { argument, value, expected } => {
                 Error::InvalidArgument { argument: format!("{outer}.{argument}"), value, expected }
             }
+            Error::NullArgument { argument } => Error::NullArgument { argument: format!("{outer}.{argument}") },
+            other => other,
+        }
+    }
+
+    /// The same error with another name of the argument: `name` for what begins with `old`.
+    pub(crate) fn renamed(self, old: &str, name: &str) -> Self {
+        self.with_argument(|argument| match argument.strip_prefix(old) {
+            Some(rest) => format!("{name}{rest}"),
+            None => argument,
+        })
+    }
+
+    /// The same error with `name` for each `old` in the argument's name.
+    pub(crate) fn renamed_in(self, old: &str, name: &str) -> Self {
+        self.with_argument(|argument| argument.replace(old, name))
+    }
+
+    fn with_argument(self, change: impl FnOnce(String) -> String) -> Self {
+        match self {
+            Error::InvalidArgument { argument, value, expected } => {
+                Error::InvalidArgument { argument: change(argument), value, expected }
+            }
+            Error::InvalidId { argument, bits } => Error::InvalidId { argument: change(argument), bits },
+            Error::Unsupported { argument, value, hint } => Error::Unsupported { argument: change(argument), value, hint },
             other => other,
         }
     }

@@ -208,6 +208,13 @@ fn settling_from_c() {
 }
 
 #[test]
+fn contact_from_c() {
+    let path = program("contact");
+    run(&mut Command::new(&path));
+    run(&mut valgrind(&path));
+}
+
+#[test]
 fn elements_change_under_way() {
     let path = program("level_of_detail");
     run(&mut Command::new(&path));
@@ -267,6 +274,30 @@ fn example_hello() {
 fn example_errors() {
     let printed = example("errors", |_| vec![]);
     assert!(printed.iter().all(|text| text.contains("SHX_ERROR_BUSY") && text.contains("unchanged by all that")), "{printed:#?}");
+}
+
+#[test]
+fn example_comb() {
+    let printed = example("comb", |_| vec![]);
+    assert!(printed.iter().all(|text| *text == printed[0]), "{printed:#?}");
+    let lines: Vec<&str> = printed[0].lines().collect();
+    assert_eq!(lines.len(), 8, "{}", printed[0]);
+    let first_number = |line: &str| line.split_whitespace().next().and_then(|word| word.parse::<f64>().ok()).expect("a number");
+    assert!(first_number(lines[0]) > 0.0, "{}", lines[0]);
+    // In the middle of the hair the tooth feels it; at the end, out of it, nothing.
+    let force = |line: &str| -> f64 {
+        let (_, numbers) = line.split_once('(').expect("a force");
+        numbers
+            .split(')')
+            .next()
+            .expect("its end")
+            .split(',')
+            .map(|number| number.trim().parse::<f64>().expect("a number").powi(2))
+            .sum()
+    };
+    assert!(lines[1..7].iter().any(|line| force(line) > 1.0) && force(lines[6]) == 0.0, "{}", printed[0]);
+    let (_, depth) = lines[7].split_once("than ").expect("a depth");
+    assert!(first_number(depth) <= 10.0, "{}", lines[7]);
 }
 
 #[test]

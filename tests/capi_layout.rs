@@ -5,6 +5,10 @@
 use std::mem::{offset_of, size_of};
 
 use superhelix::capi::{
+    body_def::shx_body_def,
+    constraints::{shx_constraint_def, shx_constraint_state},
+    contact::{shx_contact_options, shx_strand_contact},
+    contacts::shx_contact,
     fit::shx_fit,
     friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
     sampling::shx_sample_def,
@@ -14,7 +18,7 @@ use superhelix::capi::{
     solver_def::shx_solver_def,
     strand_def::shx_strand_def,
     suggest::{shx_suggest_def, shx_suggestion},
-    types::{shx_frame, shx_input, shx_output, shx_strand_id},
+    types::{shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id},
 };
 
 /// The lines of layout.c for these structures, after their numbers have been compared with Rust's.
@@ -39,7 +43,7 @@ fn every_size_and_offset_is_as_published() {
         shx_solver_def: 168 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reserved: 136, reference_tolerance: 152, quadrature_tolerance: 160 }
         shx_frame: 56 { origin: 0, rotation: 24 }
         shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, freedoms: 88, reserved0: 92, root: 96, natural: 152, user_data: 160, initial: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
-        shx_step_report: 88 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_error: 80 }
+        shx_step_report: 136 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_error: 80, contacts: 88, contact_searches: 92, contact_iterations: 96, contact_unconverged: 100, contact_sweeps: 104, contact_residual: 112, max_penetration: 120, max_constraint_error: 128 }
         shx_strand_id: 8 { bits: 0 }
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
@@ -53,6 +57,14 @@ fn every_size_and_offset_is_as_published() {
         shx_friction_def: 256 { struct_size: 0, observable: 4, coefficients: 8, start: 12, direction: 16, internal_friction_range: 40, viscosity_range: 56, air_drag_range: 72, internal_friction_guess: 88, viscosity_guess: 96, air_drag_guess: 104, lead_in: 112, discard: 120, time_step: 128, grid_points: 136, fit_offset: 140, max_iterations: 144, reserved0: 148, oscillation_amplitude: 152, oscillation_frequency: 160, oscillation_phase: 168, oscillation_direction: 176, root_times: 200, root_frames: 208, root_count: 216, reserved: 224 }
         shx_fitted_coefficient: 48 { verdict: 0, reserved: 4, value: 8, standard_error: 16, step_shift: 24, excluded_below: 32, excluded_above: 40 }
         shx_friction_report: 200 { struct_size: 0, converged: 4, internal_friction: 8, viscosity: 56, air_drag: 104, rms_residual: 152, noise: 160, residual_correlation: 168, offset: 176, simulations: 184, unconverged: 188, first_compared: 192, compared: 196 }
+        shx_body_id: 8 { bits: 0 }
+        shx_constraint_id: 8 { bits: 0 }
+        shx_body_def: 304 { struct_size: 0, shape: 4, pose: 8, radius: 64, a: 72, b: 96, semi_axes: 120, half_edges: 144, normal: 168, vertices: 192, triangles: 224, triangle_count: 232, sides: 240, reserved0: 244, depth: 248, grid: 256, grid_size: 264, thickness: 272, friction: 280, viscous_friction: 288, group: 296, mask: 300 }
+        shx_contact_options: 72 { struct_size: 0, model: 4, hair: 8, max_iterations: 12, max_sweeps: 16, reserved0: 20, stiffness: 24, damping: 32, regularisation_depth: 40, tolerance: 48, residual: 56, separation_speed: 64 }
+        shx_strand_contact: 88 { struct_size: 0, groups: 4, mask: 8, reserved0: 12, radius: 16, wisp_radius: 24, friction_along: 32, friction_against: 40, hair_friction_along: 48, hair_friction_against: 56, viscous_friction_along: 64, viscous_friction_against: 72, exempt_length: 80 }
+        shx_contact: 152 { strand: 0, arclength: 8, partner: 16, feature: 20, body: 24, other: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }
+        shx_constraint_def: 120 { struct_size: 0, hold: 4, strand: 8, arclength: 16, other: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112 }
+        shx_constraint_state: 72 { status: 0, reserved: 4, arclength: 8, error: 16, force: 24, torque: 48 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 21] = [
+const SOURCES: [&str; 26] = [
     "version",
     "errors",
     "types",
@@ -20,6 +20,11 @@ const SOURCES: [&str; 21] = [
     "level_of_detail",
     "settle",
     "sampling",
+    "body_def",
+    "bodies",
+    "contact",
+    "contacts",
+    "constraints",
     "state",
     "fit",
     "settings",
@@ -29,13 +34,17 @@ const SOURCES: [&str; 21] = [
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 26] = [
+const SECTIONS: [(&str, &str); 34] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
     ("#define SHX_LOG_ERROR ", "Levels of messages"),
     ("#define SHX_INTEGRATOR_LINEARLY_IMPLICIT ", "Options of a solver"),
     ("#define SHX_FREE_TWIST ", "Freedoms of a strand"),
+    ("#define SHX_SHAPE_SPHERE ", "Shapes of bodies"),
+    ("#define SHX_CONTACT_PENALTY ", "Models of contact"),
+    ("#define SHX_PARTNER_BODY ", "What a strand met"),
+    ("#define SHX_HOLD_POINT ", "Constraints"),
     ("#define SHX_PRESET_PREVIEW ", "Presets and measured scenes"),
     ("#define SHX_OBSERVABLE_SPAN ", "Fitting friction"),
     ("typedef struct shx_curves ", "Handles"),
@@ -50,6 +59,10 @@ const SECTIONS: [(&str, &str); 26] = [
     ("SHX_API shx_result shx_solver_set_element_count(", "Level of detail"),
     ("SHX_API shx_result shx_settle_def_init(", "Static rest"),
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
+    ("SHX_API shx_result shx_body_def_init(", "Bodies"),
+    ("SHX_API shx_result shx_contact_options_init(", "Contact"),
+    ("SHX_API shx_result shx_solver_contact_count(", "What touches"),
+    ("SHX_API shx_result shx_constraint_def_init(", "Constraints"),
     ("SHX_API shx_result shx_solver_snapshot(", "State"),
     ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
     ("SHX_API shx_result shx_settings_init(", "Settings"),

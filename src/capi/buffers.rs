@@ -3,13 +3,13 @@
 use std::ffi::c_void;
 
 use super::types::{
-    MAX_COUNT, SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, SHX_FORMAT_FRAME, shx_frame, shx_input,
-    shx_output, shx_strand_id,
+    MAX_COUNT, SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, SHX_FORMAT_FRAME, shx_body_id,
+    shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id,
 };
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
 use crate::solver::Sample;
-use crate::solver::id::StrandId;
+use crate::solver::id::{BodyId, ConstraintId, StrandId};
 
 /// Checks a count and a pointer to packed items.
 pub(crate) fn check_array<T>(argument: &str, count_argument: &str, data: *const T, count: usize) -> Result<()> {
@@ -52,9 +52,42 @@ pub(crate) unsafe fn strand_ids(ids: *const shx_strand_id, count: usize) -> Resu
     Ok(ids.iter().map(|id| StrandId::from_bits(id.bits)).collect())
 }
 
-/// Something of each of the caller's strands; an error says which of the ids it is about.
-pub(crate) fn each<T>(ids: &[StrandId], item: impl Fn(StrandId) -> Result<T>) -> Result<Vec<T>> {
-    let named = |(index, id): (usize, &StrandId)| {
+/// The caller's ids.
+///
+/// # Safety
+/// As [`array`].
+pub(crate) unsafe fn body_ids(ids: *const shx_body_id, count: usize) -> Result<Vec<BodyId>> {
+    // SAFETY: the same.
+    let ids = unsafe { array("ids", "count", ids, count)? };
+    Ok(ids.iter().map(|id| BodyId::from_bits(id.bits)).collect())
+}
+
+/// The caller's ids.
+///
+/// # Safety
+/// As [`array`].
+pub(crate) unsafe fn constraint_ids(ids: *const shx_constraint_id, count: usize) -> Result<Vec<ConstraintId>> {
+    // SAFETY: the same.
+    let ids = unsafe { array("ids", "count", ids, count)? };
+    Ok(ids.iter().map(|id| ConstraintId::from_bits(id.bits)).collect())
+}
+
+/// One frame for each of the caller's `count` ids.
+///
+/// # Safety
+/// `frames` is null or a shx_input whose memory is there.
+pub(crate) unsafe fn frames_of(frames: *const shx_input, count: usize) -> Result<Vec<Frame>> {
+    // SAFETY: the same.
+    let reader = unsafe { Reader::new("frames", frames, &[SHX_FORMAT_FRAME])? };
+    if reader.count() != count {
+        return Err(Error::invalid("frames.count", reader.count(), format!("{count}, one for each id")));
+    }
+    (0..count).map(|index| reader.frame("frames", index)).collect()
+}
+
+/// Something of each of the caller's ids; an error says which of them it is about.
+pub(crate) fn each<I: Copy, T>(ids: &[I], item: impl Fn(I) -> Result<T>) -> Result<Vec<T>> {
+    let named = |(index, id): (usize, &I)| {
         item(*id).map_err(|error| match error {
             Error::InvalidId { bits, .. } => Error::InvalidId { argument: format!("ids[{index}]"), bits },
             other => other,
@@ -127,6 +160,55 @@ impl<T: Copy> Places<T> {
         if !values.is_empty() {
             // SAFETY: `new` was promised room for `capacity` items, and there are no more than that.
             unsafe { std::ptr::copy_nonoverlapping(values.as_ptr(), self.pointer, values.len()) };
+        }
+        Ok(())
+    }
+}
+
+/// Room for plain items, a stride apart; bytes between them are left alone.
+pub(crate) struct Strided<T> {
+    argument: &'static str,
+    pointer: *mut T,
+    stride: usize,
+    capacity: usize,
+}
+
+impl<T: Copy> Strided<T> {
+    /// `stride` 0: packed.
+    ///
+    /// # Safety
+    /// `pointer` is null or points to room for `capacity` items, `stride` bytes apart, until `write`.
+    pub(crate) unsafe fn new(
+        argument: &'static str,
+        count_argument: &str,
+        pointer: *mut T,
+        stride: usize,
+        capacity: usize,
+    ) -> Result<Self> {
+        let size = size_of::<T>();
+        if stride != 0 && stride < size {
+            return Err(Error::invalid("stride", stride, format!("0 (packed) or at least {size} bytes")));
+        }
+        let stride = if stride == 0 { size } else { stride };
+        if capacity > MAX_COUNT {
+            return Err(Error::invalid(count_argument, capacity, format!("a count up to {MAX_COUNT}")));
+        }
+        if capacity.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
+            return Err(Error::invalid("stride", stride, "a stride whose items fit into memory"));
+        }
+        if capacity > 0 && pointer.is_null() {
+            return Err(Error::NullArgument { argument: argument.into() });
+        }
+        Ok(Self { argument, pointer, stride, capacity })
+    }
+
+    pub(crate) fn write(self, values: &[T]) -> Result<()> {
+        if values.len() > self.capacity {
+            return Err(Error::BufferTooSmall { argument: self.argument.into(), capacity: self.capacity, needed: values.len() });
+        }
+        for (index, value) in values.iter().enumerate() {
+            // SAFETY: `new` was promised room for `capacity` items, and there are no more than that. Any alignment.
+            unsafe { self.pointer.wrapping_byte_add(index * self.stride).write_unaligned(*value) };
         }
         Ok(())
     }

@@ -14,7 +14,12 @@
 #![allow(unsafe_code, non_camel_case_types)]
 #![allow(clippy::missing_safety_doc)] // said once, above
 
+pub mod bodies;
+pub mod body_def;
 mod buffers;
+pub mod constraints;
+pub mod contact;
+pub mod contacts;
 pub mod curves;
 pub mod errors;
 pub mod fit;

@@ -1,24 +1,9 @@
 //! Roots: the host moves them, the strands follow.
 
-use super::buffers::{FRAME_FORMATS, Reader, Writer, each, strand_ids};
+use super::buffers::{FRAME_FORMATS, Writer, each, frames_of, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
-use super::types::{SHX_FORMAT_FRAME, shx_input, shx_output, shx_strand_id};
-use crate::error::{Error, Result};
-use crate::math::frame::Frame;
-
-/// One frame for each of `count` strands.
-///
-/// # Safety
-/// `frames` is null or a shx_input whose memory is there.
-unsafe fn root_frames(frames: *const shx_input, count: usize) -> Result<Vec<Frame>> {
-    // SAFETY: the same.
-    let reader = unsafe { Reader::new("frames", frames, &[SHX_FORMAT_FRAME])? };
-    if reader.count() != count {
-        return Err(Error::invalid("frames.count", reader.count(), format!("{count}, one for each id")));
-    }
-    (0..count).map(|index| reader.frame("frames", index)).collect()
-}
+use super::types::{shx_input, shx_output, shx_strand_id};
 
 /// Moves the roots of count strands smoothly, in position and rotation, to the given frames (SHX_FORMAT_FRAME, one for each id)
 /// over the next over_seconds of simulated time (0 or above; 0: within the next substep). One call a frame for all roots. All or
@@ -36,7 +21,7 @@ pub unsafe extern "C" fn shx_solver_set_root_frames(
     // SAFETY: the caller's handle, count ids and frames.
     unsafe {
         write("shx_solver_set_root_frames", solver, |core, _| {
-            core.set_root_frames(&strand_ids(ids, count)?, &root_frames(frames, count)?, over_seconds)
+            core.set_root_frames(&strand_ids(ids, count)?, &frames_of(frames, count)?, over_seconds)
         })
     }
 }
@@ -54,7 +39,7 @@ pub unsafe extern "C" fn shx_solver_teleport_roots(
     // SAFETY: the caller's handle, count ids and frames.
     unsafe {
         write("shx_solver_teleport_roots", solver, |core, _| {
-            core.teleport_roots(&strand_ids(ids, count)?, &root_frames(frames, count)?)
+            core.teleport_roots(&strand_ids(ids, count)?, &frames_of(frames, count)?)
         })
     }
 }

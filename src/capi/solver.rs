@@ -50,6 +50,22 @@ pub struct shx_step_report {
     /// The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length
     /// (0 where the solver has no error_tolerance).
     pub max_error: f64,
+    /// Contacts that carried a force at the end of the last substep.
+    pub contacts: u32,
+    /// Searches that found contacts which the one at a substep's start had not.
+    pub contact_searches: u32,
+    /// Newton iterations of those strands that touch or are held together that took most.
+    pub contact_iterations: u32,
+    /// Such sets of strands whose iteration ended elsewhere than it should.
+    pub contact_unconverged: u32,
+    /// Sweeps of the contact problem's solver, all of them together.
+    pub contact_sweeps: u64,
+    /// Largest residual of the laws of contact and friction, relative.
+    pub contact_residual: f64,
+    /// How deep surfaces were in each other at the end of a substep at most, m.
+    pub max_penetration: f64,
+    /// The largest distance of a constraint from holding at the end of a substep, m.
+    pub max_constraint_error: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -62,8 +78,8 @@ unsafe impl Versioned for shx_step_report {
 }
 
 const _: () = {
-    assert!(size_of::<shx_step_report>() == 88 && offset_of!(shx_step_report, max_residual) == 16);
-    assert!(offset_of!(shx_step_report, substeps) == 56);
+    assert!(size_of::<shx_step_report>() == 136 && offset_of!(shx_step_report, max_residual) == 16);
+    assert!(offset_of!(shx_step_report, substeps) == 56 && offset_of!(shx_step_report, contacts) == 88);
 };
 
 impl shx_step_report {
@@ -83,6 +99,14 @@ impl shx_step_report {
             mean_iterations: report.mean_iterations,
             max_condition: report.max_condition,
             max_error: report.max_error,
+            contacts: report.contact.touches,
+            contact_searches: report.contact.searches,
+            contact_iterations: report.contact.iterations,
+            contact_unconverged: report.contact.unconverged,
+            contact_sweeps: report.contact.sweeps,
+            contact_residual: report.contact.residual,
+            max_penetration: report.contact.penetration,
+            max_constraint_error: report.contact.constraint_error,
         }
     }
 }
@@ -181,6 +205,15 @@ fn tell(log: &LogSink, report: &StepReport) {
             format_args!(
                 "shx_solver_step: {} strand-substeps unconverged, residual up to {:e} rad",
                 report.unconverged, report.max_residual
+            ),
+        );
+    }
+    if report.contact.unconverged > 0 {
+        log.message(
+            SHX_LOG_WARN,
+            format_args!(
+                "shx_solver_step: contact of {} sets of strands unconverged, penetration up to {:e} m, constraints off by up to {:e} m",
+                report.contact.unconverged, report.contact.penetration, report.contact.constraint_error
             ),
         );
     }

@@ -6,8 +6,8 @@ use super::buffers::{Place, Places, array};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 
-/// Writes an image of everything that a step depends on (strands, roots, states, gravity, wind, options; not callbacks and
-/// threads) into image, which holds capacity bytes, and its size into *out_size. image null: only the size, with capacity 0.
+/// Writes an image of everything that a step depends on (strands, roots, states, bodies, constraints, gravity, wind, options; not
+/// callbacks and threads) into image, which holds capacity bytes, and its size into *out_size. image null: only the size, with capacity 0.
 /// The image is for this version of the library on machines of the same byte order.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
 #[unsafe(no_mangle)]

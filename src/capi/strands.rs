@@ -5,48 +5,12 @@ use super::errors::{SHX_ERROR_QUARANTINED, SHX_OK, SHX_UNCONVERGED, shx_result};
 use super::guard::{read, shx_solver, write};
 use super::log::{LogSink, SHX_LOG_WARN};
 use super::strand_def::shx_strand_def;
-use super::types::{MAX_COUNT, shx_strand_id};
-use super::versioned::read_versioned;
-use crate::error::{Error, Result};
+use super::types::shx_strand_id;
+use super::versioned::definitions;
 use crate::rod::turning::{Shapes, coarse_strands};
 use crate::solver::definition::StrandDef;
 use crate::solver::id::StrandId;
 use crate::solver::report::StrandStatus;
-
-/// Definitions in the caller's memory, a stride apart.
-///
-/// # Safety
-/// `defs` is null or points to `count` structures, `stride` bytes apart, each of the size that it states.
-unsafe fn definitions(defs: *const shx_strand_def, stride: usize, count: usize) -> Result<Vec<StrandDef>> {
-    if count > MAX_COUNT {
-        return Err(Error::invalid("count", count, format!("a count up to {MAX_COUNT}")));
-    }
-    if count == 0 {
-        return Ok(Vec::new());
-    }
-    if defs.is_null() {
-        return Err(Error::NullArgument { argument: "defs".into() });
-    }
-    if stride == 0 || count.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
-        return Err(Error::invalid("def_stride", stride, "sizeof(shx_strand_def), or the stride of a structure that holds one"));
-    }
-    let one = |index: usize, argument: &str| {
-        let def = defs.wrapping_byte_add(index * stride);
-        // SAFETY: one of the caller's structures, of the size that it states.
-        let def = unsafe { read_versioned(argument, def)? };
-        if def.struct_size as usize > stride {
-            return Err(Error::invalid("def_stride", stride, format!("at least {argument}.struct_size, {}", def.struct_size)));
-        }
-        // SAFETY: its arrays are the caller's.
-        unsafe { def.definition(argument) }
-    };
-    let mut definitions = Vec::new();
-    for index in 0..count {
-        // Named only where it is wrong.
-        definitions.push(one(index, "defs").or_else(|_| one(index, &format!("defs[{index}]")))?);
-    }
-    Ok(definitions)
-}
 
 /// One line, whatever the number of strands.
 fn warn_of_coarse(log: &LogSink, definitions: &[StrandDef]) {
@@ -85,7 +49,8 @@ pub unsafe extern "C" fn shx_solver_add_strands(
     unsafe {
         write("shx_solver_add_strands", solver, |core, log| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
-            let definitions = definitions(defs, def_stride, count)?;
+            let read = |def: &shx_strand_def, argument: &str| def.definition(argument);
+            let definitions = definitions("shx_strand_def", defs, def_stride, count, read)?;
             let ids = core.add_strands(&definitions)?;
             warn_of_coarse(log, &definitions);
             places.write(&ids.iter().map(|id| shx_strand_id { bits: id.bits() }).collect::<Vec<_>>())

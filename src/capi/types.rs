@@ -13,6 +13,22 @@ pub struct shx_strand_id {
     pub bits: u64,
 }
 
+/// Names a body of one solver, as shx_strand_id names a strand; never the same bits as a strand's or a constraint's.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct shx_body_id {
+    /// For comparing, hashing and storing; the value means nothing else.
+    pub bits: u64,
+}
+
+/// Names a constraint of one solver, as shx_strand_id names a strand; never the same bits as a strand's or a body's.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct shx_constraint_id {
+    /// For comparing, hashing and storing; the value means nothing else.
+    pub bits: u64,
+}
+
 /// A right-handed pose in the world: where a root or a cross-section sits and how it is turned.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,7 +87,7 @@ pub const SHX_FORMAT_FRAME: u32 = 5;
 pub(crate) const MAX_COUNT: usize = u32::MAX as usize;
 
 const _: () = {
-    assert!(size_of::<shx_strand_id>() == 8);
+    assert!(size_of::<shx_strand_id>() == 8 && size_of::<shx_body_id>() == 8 && size_of::<shx_constraint_id>() == 8);
     assert!(size_of::<shx_frame>() == 56 && offset_of!(shx_frame, rotation) == 24);
 };
 

@@ -5,6 +5,7 @@ use std::mem::size_of;
 
 use super::errors::shx_result;
 use super::guard::call;
+use super::types::MAX_COUNT;
 use crate::error::{Error, Result};
 
 /// More than any version of any structure will have: a larger number is memory that was never initialised.
@@ -61,6 +62,46 @@ pub(crate) unsafe fn read_versioned<T: Versioned>(argument: &str, pointer: *cons
     // SAFETY: both sides hold that many bytes, and any bytes are a value of T.
     unsafe { std::ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast::<u8>(), size.min(size_of::<T>())) };
     Ok(value)
+}
+
+/// Definitions in the caller's memory, a stride apart, each read by `read`, which gets its name. `name` is the structure's.
+///
+/// # Safety
+/// `defs` is null or points to `count` structures, `stride` bytes apart, each of the size that it states.
+pub(crate) unsafe fn definitions<T: Versioned, D>(
+    name: &str,
+    defs: *const T,
+    stride: usize,
+    count: usize,
+    read: impl Fn(&T, &str) -> Result<D>,
+) -> Result<Vec<D>> {
+    if count > MAX_COUNT {
+        return Err(Error::invalid("count", count, format!("a count up to {MAX_COUNT}")));
+    }
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    if defs.is_null() {
+        return Err(Error::NullArgument { argument: "defs".into() });
+    }
+    if stride == 0 || count.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
+        return Err(Error::invalid("def_stride", stride, format!("sizeof({name}), or the stride of a structure that holds one")));
+    }
+    let one = |index: usize, argument: &str| {
+        let def = defs.wrapping_byte_add(index * stride);
+        // SAFETY: one of the caller's structures, of the size that it states.
+        let (def, size) = unsafe { (read_versioned(argument, def)?, stated_size(argument, def)?) };
+        if size > stride {
+            return Err(Error::invalid("def_stride", stride, format!("at least {argument}.struct_size, {size}")));
+        }
+        read(&def, argument)
+    };
+    let mut definitions = Vec::new();
+    for index in 0..count {
+        // Named only where it is wrong.
+        definitions.push(one(index, "defs").or_else(|_| one(index, &format!("defs[{index}]")))?);
+    }
+    Ok(definitions)
 }
 
 /// A host's structure that the library fills, its size checked before anything is done.

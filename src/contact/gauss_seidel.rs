@@ -40,6 +40,8 @@ pub struct Report {
     pub dependent: Vec<DependentBond>,
 }
 
+/// Looks at the residual in which it must halve.
+const PATIENCE: u32 = 10;
 /// Problems of at most so many touches are taken whole by Newton's iteration first.
 const WHOLE: usize = 100;
 /// And so many where they are one block's, or where sweeps are slow.
@@ -82,11 +84,19 @@ impl GaussSeidel {
         let most = if system.blocks() == 1 { RESCUE } else { WHOLE };
         let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= RESCUE);
         let mut last = f64::INFINITY;
+        let (mut best, mut since) = (f64::INFINITY, 0);
         self.conjugate.restart(system, &self.forces);
         loop {
             scales(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
             if report.residual <= settings.tolerance || report.sweeps >= settings.max_sweeps {
+                break;
+            }
+            // What does not get on will not: Newton's next iteration asks again, from elsewhere.
+            since += 1;
+            if report.residual < 0.5 * best {
+                (best, since) = (report.residual, 0);
+            } else if since > PATIENCE {
                 break;
             }
             let slow = report.residual > SLOW * last;

@@ -4,7 +4,11 @@
 //! holds until a piece has moved by more than its margin, and that is asked at every iterate, so that no pair is ever missed. Motion that
 //! all strands share (a head that turns) does not count: it is measured against the motion that the roots share.
 
+mod memory;
+
 use nalgebra::{Matrix3, Vector3};
+
+pub(crate) use memory::PairMemory;
 
 use super::grid::{Bounds, Grid};
 use super::pieces::{Pieces, Wisp};
@@ -172,7 +176,7 @@ impl HairPairs {
     }
 
     fn search(&mut self) {
-        let Self { wisps, pieces, boxes, candidates, groups, now, carried, .. } = self;
+        let Self { wisps, pieces, boxes, candidates, now, carried, .. } = self;
         let sagittas = &self.sagittas[1];
         let pieces = &pieces.pieces;
         boxes.clear();
@@ -213,6 +217,17 @@ impl HairPairs {
             }
         });
         candidates.sort_unstable_by_key(|(i, j)| (pieces[*i as usize].strand, pieces[*j as usize].strand, *i, *j));
+        self.found_at.clone_from(now);
+        self.found_roots.clone_from(&self.roots[1]);
+        self.found_sagittas.clone_from(sagittas);
+        self.counts.searches += 1;
+        self.group();
+    }
+
+    /// Groups the candidates by their strands.
+    fn group(&mut self) {
+        let Self { pieces, candidates, groups, counts, .. } = self;
+        let pieces = &pieces.pieces;
         groups.clear();
         for (index, (i, j)) in candidates.iter().enumerate() {
             let (a, b) = (pieces[*i as usize].strand, pieces[*j as usize].strand);
@@ -221,11 +236,7 @@ impl HairPairs {
                 _ => groups.push(Group { a, b, from: index as u32, to: index as u32 + 1 }),
             }
         }
-        self.found_at.clone_from(now);
-        self.found_roots.clone_from(&self.roots[1]);
-        self.found_sagittas.clone_from(sagittas);
-        self.counts.searches += 1;
-        (self.counts.pieces, self.counts.candidates, self.counts.groups) = (pieces.len(), candidates.len(), groups.len());
+        (counts.pieces, counts.candidates, counts.groups) = (pieces.len(), candidates.len(), groups.len());
     }
 
     /// Pairs of strands that may touch, by first and second strand. Stays until the next search.

@@ -8,6 +8,9 @@ use super::gauss_seidel::{GaussSeidel, Report, Settings};
 use super::held_strand::HeldStrand;
 use super::joint::{Joint, JointKind};
 use super::law::Law;
+use super::law::coefficient::Coefficient;
+use super::law::contact::Friction;
+use super::law::response::Response;
 use super::nearest::nearest;
 use super::options::{ContactModel, ContactOptions};
 use crate::chain::load::Station;
@@ -17,13 +20,15 @@ use crate::error::Result;
 const BOND_TOLERANCE: f64 = 1e-10;
 /// The residual to which the contact problem is solved where friction need not be exact.
 const ROUGH: f64 = 1e-4;
-/// Where surfaces may sink into each other a strand is done when no element may be further than this from the end, rad.
-const SOFT_TOLERANCE: f64 = 1e-4;
+/// But with the exact model a strand is done when no element may be further than this from the end, rad.
+const ROUGH_TOLERANCE: f64 = 1e-4;
+/// A strand that ends further from the end than this, rad, has come to nowhere.
+const LOST: f64 = 0.1;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
-/// In how many of an island's first iterations touches are asked whether they press and so rub (viscous friction): asked for ever, one that
-/// its friction lifts off would come and go.
+/// In how many of an island's first iterations a touch that presses begins to rub (viscous friction): one that its friction lifts off would
+/// come and go for ever.
 const ASKED: u32 = 3;
 
 /// How far from a body's surface a touch is looked at again, m.
@@ -50,8 +55,10 @@ pub struct Island {
     pub done: bool,
     /// Whether they have ended where they should.
     pub converged: bool,
-    /// Its constraints could not be held exactly, and give way: see [`Island::relax`].
+    /// Its joints could not be held exactly, and give way: see [`Island::relax`].
     pub relaxed: bool,
+    /// Not even so: its strands stay as the step found them.
+    pub lost: bool,
     space: ContactSpace,
     solver: GaussSeidel,
     forces: Vec<Vector3<f64>>,
@@ -64,7 +71,7 @@ impl Island {
         self.strands.clear();
         self.joints.clear();
         (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
-        (self.done, self.converged, self.relaxed) = (false, false, false);
+        (self.done, self.converged, self.relaxed, self.lost) = (false, false, false, false);
     }
 
     /// Finds every joint's ends among its strands' attachments, once they are in order.
@@ -84,10 +91,10 @@ impl Island {
         self.done && !self.converged
     }
 
-    /// If constraints were not to be held, a second attempt from the start in which they give way: what contradicts itself, or is out of a
-    /// strand's reach, is drawn as near as it goes. True if there is to be one.
+    /// If its joints were not to be held, a second attempt from the start in which they give way, and touches do not rub: what contradicts
+    /// itself, or is out of a strand's reach, is drawn as near as it goes. True if there is to be one.
     pub fn relax(&mut self) -> bool {
-        let again = self.failed() && !self.relaxed && self.joints.iter().any(|joint| joint.constraint().is_some());
+        let again = self.failed() && !self.relaxed && !self.joints.is_empty();
         if again {
             (self.iterations, self.done, self.relaxed) = (0, false, true);
             self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
@@ -128,8 +135,18 @@ impl Island {
         let a = first.end_state(&joint.first.station);
         let b = joint.second.map_or(a, |end| second.end_state(&end.station));
         let (mut law, u) = joint.evaluate([a, b], [&first.contact, &second.contact], options, step);
-        if let (true, Law::Bond(bond)) = (self.relaxed, &mut law) {
-            bond.compliance = bond.compliance.max(RELAXED * step * step / first.mass.min(second.mass));
+        if self.relaxed {
+            let compliance = RELAXED * step * step / first.mass.min(second.mass);
+            match &mut law {
+                Law::Bond(bond) => bond.compliance = bond.compliance.max(compliance),
+                Law::Ring(ring) => ring.friction = Coefficient::uniform(0.0),
+                Law::Contact(contact) => {
+                    if contact.response == Response::Hard {
+                        contact.response = Response::Penalty { stiffness: 1.0 / compliance, damping: 0.0, depth_at_start: 0.0 };
+                    }
+                    contact.friction = Friction::None;
+                }
+            }
         }
         (law, u)
     }
@@ -156,9 +173,8 @@ impl Island {
         }
         self.forces.clear();
         for joint in 0..self.joints.len() {
-            if self.iterations <= ASKED {
-                self.joints[joint].rubs = self.joints[joint].presses();
-            }
+            let presses = self.joints[joint].presses();
+            self.joints[joint].rubs = presses && (self.iterations <= ASKED || self.joints[joint].rubs);
             let (law, mut free) = self.evaluate(joint, strands, options, step);
             let [first, second] = self.ends[joint];
             let at = |end: End| strands[self.strands[end.strand as usize] as usize].free(end.point);
@@ -183,8 +199,9 @@ impl Island {
     /// After the second half: whether the iteration has ended, by the strands' residuals and by how far the laws are from holding where
     /// the strands are now.
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
-        let soft = options.model.is_soft();
-        let tolerance = if soft { tolerance.max(SOFT_TOLERANCE) } else { tolerance };
+        let soft = options.model.is_soft() || self.relaxed;
+        let exact = options.model == ContactModel::Coulomb || !self.joints.iter().any(Joint::is_touch);
+        let tolerance = if exact { tolerance } else { tolerance.max(ROUGH_TOLERANCE) };
         let mut good = self.strands.iter().all(|held| strands[*held as usize].residual <= tolerance);
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
         self.residual = 0.0;
@@ -210,5 +227,6 @@ impl Island {
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
         self.done = good || lost || self.iterations >= options.max_iterations;
+        self.lost = self.done && self.relaxed && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
     }
 }

@@ -2,6 +2,7 @@
 
 mod block_newton;
 pub mod body;
+mod body_sweep;
 pub mod bonds;
 mod conjugate;
 pub mod contact_space;
@@ -10,6 +11,7 @@ mod descent;
 mod element_path;
 pub mod gauss_seidel;
 pub mod grid;
+mod ground;
 pub mod hair_pairs;
 pub mod held_strand;
 pub mod helix_distance;
@@ -18,6 +20,7 @@ pub mod joint;
 pub mod law;
 pub mod nearest;
 pub mod options;
+mod overlooked;
 pub mod pieces;
 mod rank;
 pub mod segment_distance;

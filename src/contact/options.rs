@@ -115,7 +115,7 @@ impl Friction {
         Self { along: value, against: value }
     }
 
-    fn check(&self, argument: &str) -> Result<()> {
+    pub(crate) fn check(&self, argument: &str) -> Result<()> {
         check_not_negative(|| format!("{argument}.along"), self.along)?;
         check_not_negative(|| format!("{argument}.against"), self.against)
     }

@@ -68,6 +68,11 @@ pub fn write(path: impl AsRef<Path>, grid: &DistanceGrid) -> Result<()> {
     write_file(path.as_ref(), &write_to_bytes(grid)?)
 }
 
+/// How many bytes [`write_to_bytes`] makes of a grid with so many nodes along x, y and z.
+pub fn size(counts: [u32; 3]) -> usize {
+    HEADER + 4 * counts.iter().map(|count| *count as usize).product::<usize>()
+}
+
 /// A grid as bytes; [`read_from_bytes`] gives back the same grid, bit for bit.
 ///
 /// # Errors

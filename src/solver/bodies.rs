@@ -75,7 +75,7 @@ impl Solver {
         let mut ids = Vec::with_capacity(made.len());
         for body in made {
             let Some(id) = self.body_slots.insert(self.bodies.len()) else {
-                self.reset_body_frames(&ids)?;
+                self.remove_bodies(&ids)?;
                 return Err(Error::OutOfMemory { bytes: size_of::<SceneBody>() });
             };
             self.bodies.push(SceneBody { id, body, wrench: Wrench::default() });
@@ -92,7 +92,7 @@ impl Solver {
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for an identifier given twice.
-    pub fn reset_body_frames(&mut self, ids: &[BodyId]) -> Result<()> {
+    pub fn remove_bodies(&mut self, ids: &[BodyId]) -> Result<()> {
         let mut gone = vec![false; self.bodies.len()];
         for (k, id) in ids.iter().enumerate() {
             let index = self.body_index(|| format!("ids[{k}]"), *id)?;
@@ -208,6 +208,24 @@ impl Solver {
         }
         for index in self.indices(ids)? {
             self.strands[index].contact = contact.map(|contact| Box::new(*contact));
+        }
+        self.holding.forget_pairs();
+        Ok(())
+    }
+
+    /// The same for strands that differ: one for each.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `contacts[i].field`, or for counts that differ.
+    pub fn set_contacts(&mut self, ids: &[StrandId], contacts: &[StrandContact]) -> Result<()> {
+        if contacts.len() != ids.len() {
+            return Err(Error::invalid("contacts (count)", contacts.len(), format!("{}, one a strand", ids.len())));
+        }
+        for (k, contact) in contacts.iter().enumerate() {
+            contact.check(&format!("contacts[{k}]"))?;
+        }
+        for (index, contact) in self.indices(ids)?.into_iter().zip(contacts) {
+            self.strands[index].contact = Some(Box::new(*contact));
         }
         self.holding.forget_pairs();
         Ok(())

@@ -245,7 +245,7 @@ impl Solver {
         let mut ids = Vec::with_capacity(constraints.len());
         for def in constraints {
             let Some(id) = self.constraint_slots.insert(self.constraints.len()) else {
-                self.reset_constraint_targets(&ids)?;
+                self.remove_constraints(&ids)?;
                 return Err(Error::OutOfMemory { bytes: size_of::<Constraint>() });
             };
             let state = ConstraintState { arclength: def.arclength, ..ConstraintState::default() };
@@ -305,7 +305,7 @@ impl Solver {
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`, also for an identifier given twice.
-    pub fn reset_constraint_targets(&mut self, ids: &[ConstraintId]) -> Result<()> {
+    pub fn remove_constraints(&mut self, ids: &[ConstraintId]) -> Result<()> {
         let mut gone = vec![false; self.constraints.len()];
         for (k, id) in ids.iter().enumerate() {
             let index = self.constraint_index(|| format!("ids[{k}]"), *id)?;

@@ -11,7 +11,7 @@ use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Wrench;
 use super::strand::{self, Strand, Tally};
-use super::touching::Touching;
+use super::touching::{TouchMemory, Touching};
 use super::workers::Crew;
 use crate::chain::load::Station;
 use crate::contact::body::BodyAt;
@@ -89,6 +89,17 @@ impl Holding {
     /// Forgets which strands are near each other.
     pub fn forget_pairs(&mut self) {
         self.touching.forget_pairs();
+    }
+
+    /// What is kept of the last substep's touches.
+    pub fn memory(&self) -> TouchMemory {
+        self.touching.memory()
+    }
+
+    /// A solver's memory as it was, see [`Touching::take_up`].
+    pub fn taken_up<'a>(memory: TouchMemory, elements: impl Fn(u32) -> Option<&'a [f64]>, bodies: usize) -> Option<Self> {
+        let mut new = Self::default();
+        new.touching.take_up(memory, elements, bodies).then_some(new)
     }
 
     /// Marks the strands that this substep of `h` seconds holds.
@@ -291,7 +302,7 @@ impl Holding {
                     island.find_ends(strands);
                     // A number that is not finite: the strand that it comes from is told apart at the end.
                     if island.solve(strands, options, h).is_err() {
-                        island.done = true;
+                        (island.done, island.lost) = (true, island.relaxed);
                     }
                 }
             });
@@ -315,8 +326,13 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let setting = scene.setting;
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
-            held.held.outcome.converged = islands[held.island as usize].converged;
-            with_one(strand, |one| held.held.end(one, setting, h, &mut scratch.rule));
+            let island = &islands[held.island as usize];
+            held.held.outcome.converged = island.converged;
+            held.held.outcome.quarantined |= island.lost;
+            // No step bends a strand by more than the energy of going its own length in it.
+            let speed = strand.model.length() / h;
+            let most_elastic = strand.energies.elastic + held.mass * speed * speed;
+            with_one(strand, |one| held.held.end(one, setting, h, most_elastic, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
             strand.touched =

@@ -102,6 +102,10 @@ impl Solver {
                 body.body.finish(h);
             }
         }
+        // Where nothing holds strands any more the next step looks for none.
+        for strand in &mut self.strands {
+            strand.held = false;
+        }
         Ok(contact)
     }
 

@@ -1,6 +1,10 @@
 //! Who touches whom in a substep: bodies and strands found near held strands, as joints.
 
+mod memory;
+
 use nalgebra::Vector3;
+
+pub(super) use memory::{NearStrands, TouchMemory};
 
 use super::holding::Scene;
 use crate::chain::load::Station;
@@ -22,18 +26,18 @@ const SAME: f64 = 0.02;
 
 /// What a touch is with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum With {
+pub(super) enum With {
     Body(u32),
     Strand(u32),
 }
 
 /// A touch of the last substep.
 #[derive(Debug, Clone, Copy)]
-struct Remembered {
-    strand: u32,
-    with: With,
-    along: f64,
-    force: Vector3<f64>,
+pub(super) struct Remembered {
+    pub strand: u32,
+    pub with: With,
+    pub along: f64,
+    pub force: Vector3<f64>,
 }
 
 /// The search and its memory.

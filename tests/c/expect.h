@@ -46,6 +46,37 @@ static inline uint64_t state_hash(const shx_solver *solver) {
   return hash;
 }
 
+/* Puts a ball under the strands of the scene, lets them touch it and each other, and pins a tip. */
+static inline void add_obstacles(shx_solver *solver, const shx_strand_id ids[SCENE_STRANDS]) {
+  shx_body_def ball;
+  shx_body_id ball_id;
+  shx_contact_options options;
+  shx_strand_contact contact;
+  shx_constraint_def pin;
+  shx_constraint_id pin_id;
+  EXPECT(shx_body_def_init(&ball, sizeof ball) == SHX_OK);
+  ball.shape = SHX_SHAPE_SPHERE;
+  ball.radius = 0.05;
+  ball.pose.origin[0] = 0.05;
+  ball.pose.origin[1] = 0.1;
+  ball.pose.origin[2] = -0.06;
+  EXPECT(shx_solver_add_bodies(solver, &ball, sizeof ball, 1, &ball_id) == SHX_OK);
+  EXPECT(shx_contact_options_init(&options, sizeof options) == SHX_OK);
+  options.model = SHX_CONTACT_PENALTY;
+  options.hair = 1;
+  EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
+  EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
+  contact.wisp_radius = 0.003;
+  contact.exempt_length = 0.01;
+  EXPECT(shx_solver_set_contact(solver, ids, SCENE_STRANDS, &contact, 0) == SHX_OK);
+  EXPECT(shx_constraint_def_init(&pin, sizeof pin) == SHX_OK);
+  pin.strand = ids[3];
+  pin.arclength = 0.08;
+  pin.target.origin[0] = 0.05;
+  pin.target.origin[1] = 0.03;
+  EXPECT(shx_solver_add_constraints(solver, &pin, sizeof pin, 1, &pin_id) == SHX_OK);
+}
+
 /* Ten steps of a moving scene. */
 static inline void run_scene(shx_solver *solver, const shx_strand_id ids[SCENE_STRANDS]) {
   for (int frame = 1; frame <= 10; frame++) {

@@ -38,7 +38,7 @@ static void parallel_for(void *user, uint32_t count, uint32_t min_range, shx_ran
   set_mode(before);
 }
 
-static uint64_t hash_in(unsigned wanted, int host_tasks) {
+static uint64_t hash_in(unsigned wanted, int host_tasks, int contact) {
   unsigned seen_by_tasks = 0;
   shx_solver_def def;
   EXPECT(shx_solver_def_init(&def, sizeof def) == SHX_OK);
@@ -61,6 +61,8 @@ static uint64_t hash_in(unsigned wanted, int host_tasks) {
     }
   const double dt = 1.0 / 60;
   set_mode(wanted);
+  if (contact)
+    add_obstacles(solver, ids);
   for (int frame = 0; frame < 10; frame++) {
     const shx_input input = {roots[frame], 0, SCENE_STRANDS, SHX_FORMAT_FRAME, 0};
     const shx_result moved = shx_solver_set_root_frames(solver, ids, SCENE_STRANDS, &input, dt);
@@ -79,15 +81,19 @@ static uint64_t hash_in(unsigned wanted, int host_tasks) {
   EXPECT(seen_by_log == wanted);
   EXPECT(!host_tasks || seen_by_tasks == wanted);
   const uint64_t hash = state_hash(solver);
+  size_t touching = 0;
+  EXPECT(shx_solver_contact_count(solver, &touching) == SHX_OK && (touching > 0) == contact);
   shx_solver_destroy(solver);
   return hash;
 }
 
 int main(void) {
-  const uint64_t plain = hash_in(PLAIN, 0);
-  EXPECT(hash_in(HOSTILE, 0) == plain);
-  EXPECT(hash_in(HOSTILE, 1) == plain);
-  EXPECT(hash_in(PLAIN, 1) == plain);
+  for (int contact = 0; contact <= 1; contact++) {
+    const uint64_t plain = hash_in(PLAIN, 0, contact);
+    EXPECT(hash_in(HOSTILE, 0, contact) == plain);
+    EXPECT(hash_in(HOSTILE, 1, contact) == plain);
+    EXPECT(hash_in(PLAIN, 1, contact) == plain);
+  }
   printf("the same bits in every floating-point mode, and the mode is the host's again\n");
   return 0;
 }

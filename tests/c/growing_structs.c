@@ -74,9 +74,44 @@ int main(void) {
   EXPECT(shx_solver_step(solver, 0.01, 2, &older.report) == SHX_OK);
   EXPECT(older.report.struct_size == offsetof(shx_step_report, substeps) && older.report.seconds > 0.0);
   EXPECT(older.report.substeps == 0xeeeeeeee && older.canary == 0xeeeeeeeeeeeeeeee);
+  memset(&older, 0xee, sizeof older);
+  EXPECT(shx_step_report_init(&older.report, offsetof(shx_step_report, contacts)) == SHX_OK);
+  EXPECT(shx_solver_step(solver, 0.01, 2, &older.report) == SHX_OK);
+  EXPECT(older.report.substeps == 2 && older.report.contacts == 0xeeeeeeee && older.canary == 0xeeeeeeeeeeeeeeee);
   shx_step_report full;
   EXPECT(shx_step_report_init(&full, sizeof full) == SHX_OK);
   EXPECT(shx_solver_step(solver, 0.01, 2, &full) == SHX_OK && full.substeps == 2 && full.struct_size == sizeof full);
+
+  /* Bodies, constraints and what strands are to contact: newer hosts, in structures of their own. */
+  struct { char name[16]; shx_body_def def; uint64_t future; } bodies[2];
+  struct { shx_constraint_def def; uint64_t future; int note; } pins[2];
+  struct { shx_strand_contact contact; uint64_t future; } touching[3];
+  shx_body_id body_ids[2];
+  shx_constraint_id pin_ids[2];
+  for (int i = 0; i < 2; i++) {
+    EXPECT(shx_body_def_init(&bodies[i].def, sizeof(shx_body_def) + 8) == SHX_OK && bodies[i].future == 0);
+    bodies[i].def.shape = SHX_SHAPE_SPHERE;
+    bodies[i].def.radius = 0.01;
+    EXPECT(shx_constraint_def_init(&pins[i].def, sizeof(shx_constraint_def) + 8) == SHX_OK && pins[i].future == 0);
+    pins[i].def.strand = ids[i];
+  }
+  for (int i = 0; i < 3; i++) {
+    EXPECT(shx_strand_contact_init(&touching[i].contact, sizeof touching[i]) == SHX_OK && touching[i].future == 0);
+    touching[i].contact.radius = 1e-4 * (i + 1);
+  }
+  EXPECT(shx_solver_add_bodies(solver, &bodies[0].def, sizeof bodies[0], 2, body_ids) == SHX_OK);
+  EXPECT(shx_solver_add_constraints(solver, &pins[0].def, sizeof pins[0], 2, pin_ids) == SHX_OK);
+  EXPECT(shx_solver_set_contact(solver, ids, 3, &touching[0].contact, sizeof touching[0]) == SHX_OK);
+  for (int i = 0; i < 3; i++) {
+    shx_strand_contact read;
+    uint32_t touches;
+    EXPECT(shx_strand_contact_init(&read, sizeof read) == SHX_OK);
+    EXPECT(shx_solver_get_contact(solver, ids[i], &read, &touches) == SHX_OK && touches == 1 && read.radius == 1e-4 * (i + 1));
+  }
+  bodies[1].future = pins[1].future = touching[2].future = 1;
+  EXPECT(shx_solver_add_bodies(solver, &bodies[0].def, sizeof bodies[0], 2, body_ids) == SHX_ERROR_STRUCT_SIZE);
+  EXPECT(shx_solver_add_constraints(solver, &pins[0].def, sizeof pins[0], 2, pin_ids) == SHX_ERROR_STRUCT_SIZE);
+  EXPECT(shx_solver_set_contact(solver, ids, 3, &touching[0].contact, sizeof touching[0]) == SHX_ERROR_STRUCT_SIZE);
   shx_solver_destroy(solver);
   printf("older and newer structures work\n");
   return 0;

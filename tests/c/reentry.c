@@ -4,7 +4,7 @@
 
 typedef struct host {
   shx_solver *self, *other;
-  shx_result changing, reading, other_one;
+  shx_result changing, reading, other_one, adding, listing;
   bool has;
   shx_strand_id id;
   int calls;
@@ -18,6 +18,15 @@ static void call_in(host *h) {
   h->changing = shx_solver_step(h->self, 0.01, 1, NULL);
   h->reading = shx_solver_strand_count(h->self, &count);
   if (count != 12345)
+    exit(1);
+  shx_body_def def;
+  shx_body_id id = {12345};
+  EXPECT(shx_body_def_init(&def, sizeof def) == SHX_OK);
+  def.shape = SHX_SHAPE_SPHERE;
+  def.radius = 1.0;
+  h->adding = shx_solver_add_bodies(h->self, &def, sizeof def, 1, &id);
+  h->listing = shx_solver_contacts(h->self, NULL, 0, 0, &count);
+  if (count != 12345 || id.bits != 12345)
     exit(1);
   h->has = shx_solver_has_strand(h->self, h->id);
   shx_solver_destroy(h->self);
@@ -36,8 +45,8 @@ static void parallel_for(void *user, uint32_t count, uint32_t min_range, shx_ran
   function(task, 0, count, 0);
 }
 
-static void check(int from_log) {
-  host h = {NULL, NULL, SHX_OK, SHX_OK, SHX_OK, true, {0}, 0};
+static void check(int from_log, int contact) {
+  host h = {NULL, NULL, SHX_OK, SHX_OK, SHX_OK, SHX_OK, SHX_OK, true, {0}, 0};
   shx_solver_def def;
   EXPECT(shx_solver_def_init(&def, sizeof def) == SHX_OK);
   if (from_log) {
@@ -54,11 +63,16 @@ static void check(int from_log) {
   EXPECT(shx_solver_create(NULL, &h.other) == SHX_OK);
   add_scene(solver, ids);
   add_scene(h.other, other_ids);
+  if (contact) {
+    add_obstacles(solver, ids);
+    add_obstacles(h.other, other_ids);
+  }
   h.id = ids[0];
   h.self = solver;
   EXPECT(shx_solver_step(solver, 0.01, 1, NULL) == SHX_OK);
   EXPECT(h.calls == 1);
   EXPECT(h.changing == SHX_ERROR_BUSY && h.reading == SHX_ERROR_BUSY && !h.has && h.other_one == SHX_OK);
+  EXPECT(h.adding == SHX_ERROR_BUSY && h.listing == SHX_ERROR_BUSY);
   /* The solver was not hurt: it goes on like one that was left in peace. */
   EXPECT(shx_solver_step(solver, 0.01, 1, NULL) == SHX_OK);
   EXPECT(shx_solver_step(h.other, 0.01, 1, NULL) == SHX_OK);
@@ -69,8 +83,10 @@ static void check(int from_log) {
 }
 
 int main(void) {
-  check(1);
-  check(0);
+  for (int contact = 0; contact <= 1; contact++) {
+    check(1, contact);
+    check(0, contact);
+  }
   printf("re-entry is refused and harmless\n");
   return 0;
 }

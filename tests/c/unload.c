@@ -1,4 +1,5 @@
-/* Rule 8: dlclose after destroy unloads the library, 100 times, after serial, pooled and dense solvers, static rests, errors and fits.
+/* Rule 8: dlclose after destroy unloads the library, 100 times, after serial, pooled and dense solvers, contact, static rests, errors
+ * and fits.
  *   unload LIBRARY.so */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -41,6 +42,14 @@ static void use(uint32_t workers, uint32_t linear_solver) {
   LOAD(shx_solver_step);
   LOAD(shx_solver_destroy);
   LOAD(shx_solver_settle);
+  LOAD(shx_body_def_init);
+  LOAD(shx_solver_add_bodies);
+  LOAD(shx_strand_contact_init);
+  LOAD(shx_solver_set_contact);
+  LOAD(shx_contact_options_init);
+  LOAD(shx_solver_set_contact_options);
+  LOAD(shx_constraint_def_init);
+  LOAD(shx_solver_add_constraints);
   LOAD(shx_last_error);
   shx_solver_def def;
   MUST(p_shx_solver_def_init(&def, sizeof def));
@@ -56,6 +65,35 @@ static void use(uint32_t workers, uint32_t linear_solver) {
     strands[i].element_count = 12;
   }
   MUST(p_shx_solver_add_strands(solver, strands, sizeof strands[0], 20, ids));
+  /* Hair on hair, on a mesh and a hull, and a pin. */
+  static const double corners[4][3] = {{0, 0, -0.05}, {0.05, 0, -0.05}, {0, 0.05, -0.05}, {0, 0, 0}};
+  static const uint32_t triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  const shx_input vertices = {corners, 0, 4, SHX_FORMAT_F64X3, 0};
+  shx_body_def bodies[2];
+  shx_body_id body_ids[2];
+  for (int i = 0; i < 2; i++) {
+    MUST(p_shx_body_def_init(&bodies[i], sizeof bodies[i]));
+    bodies[i].shape = i == 0 ? SHX_SHAPE_MESH : SHX_SHAPE_HULL;
+    bodies[i].vertices = vertices;
+    bodies[i].triangles = &triangles[0][0];
+    bodies[i].triangle_count = 4;
+  }
+  MUST(p_shx_solver_add_bodies(solver, bodies, sizeof bodies[0], 2, body_ids));
+  shx_contact_options options;
+  MUST(p_shx_contact_options_init(&options, sizeof options));
+  options.hair = 1;
+  MUST(p_shx_solver_set_contact_options(solver, &options));
+  shx_strand_contact contact;
+  MUST(p_shx_strand_contact_init(&contact, sizeof contact));
+  contact.wisp_radius = 0.001;
+  MUST(p_shx_solver_set_contact(solver, ids, 3, &contact, 0));
+  shx_constraint_def pin;
+  shx_constraint_id pin_id;
+  MUST(p_shx_constraint_def_init(&pin, sizeof pin));
+  pin.strand = ids[4];
+  pin.arclength = 0.1;
+  pin.target.origin[0] = 0.09;
+  MUST(p_shx_solver_add_constraints(solver, &pin, sizeof pin, 1, &pin_id));
   MUST(p_shx_solver_step(solver, 0.01, 1, NULL));
   MUST(p_shx_solver_settle(solver, ids, workers > 1 ? 10 : 2, NULL, NULL, NULL, NULL, NULL));
   char text[64];

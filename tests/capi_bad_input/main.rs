@@ -2,6 +2,9 @@
 //! give its code and a text that names the argument, write no output, and leave the solver's state as it was.
 #![allow(unsafe_code, clippy::macro_metavars_in_unsafe)] // the table is made of C calls
 
+mod bodies;
+mod constraints;
+mod contact;
 mod curves;
 mod definitions;
 mod fit;
@@ -21,6 +24,11 @@ use std::collections::BTreeSet;
 use std::ptr::{null, null_mut};
 
 use scene::{Scene, UNTOUCHED, strand};
+use superhelix::capi::bodies::*;
+use superhelix::capi::body_def::*;
+use superhelix::capi::constraints::*;
+use superhelix::capi::contact::*;
+use superhelix::capi::contacts::*;
 use superhelix::capi::curves::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
@@ -140,6 +148,9 @@ fn table() -> Vec<Case> {
         level_of_detail::cases,
         suggest::cases,
         sampling::cases,
+        bodies::cases,
+        contact::cases,
+        constraints::cases,
         fit::cases,
         settings::cases,
         friction_fit::cases,

@@ -3,6 +3,13 @@
 use std::ffi::{CString, c_void};
 use std::ptr::{null, null_mut};
 
+use superhelix::capi::bodies::{shx_solver_add_bodies, shx_solver_remove_bodies};
+use superhelix::capi::body_def::{SHX_SHAPE_MESH, SHX_SHAPE_SPHERE, shx_body_def, shx_body_def_init};
+use superhelix::capi::constraints::{
+    shx_constraint_def, shx_constraint_def_init, shx_solver_add_constraints, shx_solver_remove_constraints,
+};
+use superhelix::capi::contact::{shx_solver_set_contact, shx_strand_contact, shx_strand_contact_init};
+use superhelix::capi::contacts::shx_solver_contact_count;
 use superhelix::capi::curves::{shx_curves, shx_curves_read};
 use superhelix::capi::errors::SHX_OK;
 use superhelix::capi::guard::shx_solver;
@@ -10,7 +17,9 @@ use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy, shx_solver
 use superhelix::capi::state::shx_solver_state_hash;
 use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
 use superhelix::capi::strands::{shx_solver_add_strands, shx_solver_remove_strands};
-use superhelix::capi::types::{SHX_FORMAT_F64X3, SHX_FORMAT_FRAME, shx_frame, shx_input, shx_output, shx_strand_id};
+use superhelix::capi::types::{
+    SHX_FORMAT_F64X3, SHX_FORMAT_FRAME, shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id,
+};
 
 /// What outputs are filled with; it must still be there after an error.
 pub const UNTOUCHED: u8 = 0xa5;
@@ -18,11 +27,23 @@ pub const UNTOUCHED: u8 = 0xa5;
 /// Elements of each strand.
 pub const ELEMENTS: usize = 3;
 
+/// Corners and triangles of a closed mesh.
+pub const CORNERS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [0.01, 0.0, 0.0], [0.0, 0.01, 0.0], [0.0, 0.0, 0.01]];
+pub const TRIANGLES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+
 pub struct Scene {
     pub solver: *mut shx_solver,
     pub ids: [shx_strand_id; 2],
     pub stale: [shx_strand_id; 1],
     pub foreign: [shx_strand_id; 1],
+    /// A sphere, which the first strand touches, and a mesh.
+    pub bodies: [shx_body_id; 2],
+    pub stale_body: shx_body_id,
+    pub foreign_body: shx_body_id,
+    /// Pins of the second strand's tip and root.
+    pub constraints: [shx_constraint_id; 2],
+    pub stale_constraint: shx_constraint_id,
+    pub foreign_constraint: shx_constraint_id,
     pub other: *mut shx_solver,
     pub curves: *mut shx_curves,
     pub groom: CString,
@@ -45,11 +66,54 @@ pub fn strand() -> shx_strand_def {
     }
 }
 
+/// What a call filled.
+fn filled<T>(fill: impl FnOnce(*mut T) -> i32) -> T {
+    let mut made = std::mem::MaybeUninit::uninit();
+    assert_eq!(fill(made.as_mut_ptr()), SHX_OK);
+    // SAFETY: the call went well, so it filled the structure.
+    unsafe { made.assume_init() }
+}
+
+/// A sphere.
+pub fn body() -> shx_body_def {
+    // SAFETY: room for one definition.
+    let def = filled(|def| unsafe { shx_body_def_init(def, size_of::<shx_body_def>()) });
+    let pose = shx_frame { origin: [0.05, 0.0, -0.0201], rotation: [0.0, 0.0, 0.0, 1.0] };
+    shx_body_def { shape: SHX_SHAPE_SPHERE, radius: 0.02, pose, ..def }
+}
+
+/// A closed mesh, far away.
+pub fn mesh() -> shx_body_def {
+    shx_body_def {
+        shape: SHX_SHAPE_MESH,
+        pose: shx_frame { origin: [1.0, 0.0, 0.0], rotation: [0.0, 0.0, 0.0, 1.0] },
+        vertices: input(CORNERS.as_ptr().cast(), 4, SHX_FORMAT_F64X3),
+        triangles: TRIANGLES.as_ptr().cast(),
+        triangle_count: 4,
+        ..body()
+    }
+}
+
+/// A pin of a strand's tip where it is when it hangs straight.
+pub fn pin(strand: shx_strand_id) -> shx_constraint_def {
+    // SAFETY: room for one definition.
+    let def = filled(|def| unsafe { shx_constraint_def_init(def, size_of::<shx_constraint_def>()) });
+    let target = shx_frame { origin: [0.09, 0.0, 0.0], rotation: [0.0, 0.0, 0.0, 1.0] };
+    shx_constraint_def { strand, arclength: 0.1, target, ..def }
+}
+
+pub fn strand_contact() -> shx_strand_contact {
+    // SAFETY: room for one structure.
+    filled(|contact| unsafe { shx_strand_contact_init(contact, size_of::<shx_strand_contact>()) })
+}
+
 impl Scene {
     pub fn new() -> Self {
         let (mut solver, mut other, mut curves) = (null_mut(), null_mut(), null_mut());
         let none = shx_strand_id { bits: 0 };
         let (mut ids, mut gone, mut foreign) = ([none; 2], [none; 1], [none; 1]);
+        let (mut bodies, mut foreign_body) = ([shx_body_id { bits: 0 }; 3], shx_body_id { bits: 0 });
+        let (mut constraints, mut foreign_constraint) = ([shx_constraint_id { bits: 0 }; 3], shx_constraint_id { bits: 0 });
         let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("bad_input_{}.obj", std::process::id()));
         std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 0 0 1\nv 1 0 1\nl 1 2 3\nl 4 5\n").expect("a groom");
         let groom = CString::new(path.to_str().expect("UTF-8")).expect("a path");
@@ -63,7 +127,20 @@ impl Scene {
             assert_eq!(shx_solver_add_strands(solver, def.as_ptr(), size, 1, gone.as_mut_ptr()), SHX_OK);
             assert_eq!(shx_solver_remove_strands(solver, gone.as_ptr(), 1), SHX_OK);
             assert_eq!(shx_solver_add_strands(other, def.as_ptr(), size, 1, foreign.as_mut_ptr()), SHX_OK);
+            let (contact, sphere, size) = (strand_contact(), [body(), mesh(), body()], size_of::<shx_body_def>());
+            assert_eq!(shx_solver_set_contact(solver, ids.as_ptr(), 1, &raw const contact, 0), SHX_OK);
+            assert_eq!(shx_solver_add_bodies(solver, sphere.as_ptr(), size, 3, bodies.as_mut_ptr()), SHX_OK);
+            assert_eq!(shx_solver_remove_bodies(solver, &raw const bodies[2], 1), SHX_OK);
+            assert_eq!(shx_solver_add_bodies(other, sphere.as_ptr(), size, 1, &raw mut foreign_body), SHX_OK);
+            let (pins, size) = ([pin(ids[1]), pin(ids[1]), pin(ids[1])], size_of::<shx_constraint_def>());
+            assert_eq!(shx_solver_add_constraints(solver, pins.as_ptr(), size, 3, constraints.as_mut_ptr()), SHX_OK);
+            assert_eq!(shx_solver_remove_constraints(solver, &raw const constraints[2], 1), SHX_OK);
+            let theirs = pin(foreign[0]);
+            assert_eq!(shx_solver_add_constraints(other, &raw const theirs, size, 1, &raw mut foreign_constraint), SHX_OK);
             assert_eq!(shx_solver_step(solver, 0.01, 1, null_mut()), SHX_OK);
+            let mut touching = 0;
+            assert_eq!(shx_solver_contact_count(solver, &raw mut touching), SHX_OK);
+            assert!(touching > 0, "the first strand lies on the sphere");
             assert_eq!(shx_curves_read(groom.as_ptr(), &raw mut curves), SHX_OK);
         }
         let frame = shx_frame { origin: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0] };
@@ -72,6 +149,12 @@ impl Scene {
             ids,
             stale: gone,
             foreign,
+            bodies: [bodies[0], bodies[1]],
+            stale_body: bodies[2],
+            foreign_body,
+            constraints: [constraints[0], constraints[1]],
+            stale_constraint: constraints[2],
+            foreign_constraint,
             other,
             curves,
             groom,

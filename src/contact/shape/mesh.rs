@@ -6,6 +6,7 @@ use parry3d_f64::math::Vector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
 use super::bounds::Bounds;
+use super::flat_triangle::FlatTriangle;
 use super::mesh_normals::Normals;
 use crate::error::{Error, Result, check_finite, check_positive};
 
@@ -34,10 +35,19 @@ pub struct Mesh {
     /// At the step's end; nearest points are told of these.
     pub(super) vertices: Vec<Vector3<f64>>,
     pub(super) moving: bool,
+    travel: f64,
     pub(super) normals: Normals,
+    /// Those at the step's start while it moves.
+    pub(super) normals_before: Normals,
     /// For each edge of each triangle the triangle on its other side; `u32::MAX` at a rim.
     pub(super) neighbours: Box<[[u32; 3]]>,
     pub(super) bvh: Bvh,
+    /// A ball around each triangle over the step: its centre and radius.
+    pub(super) balls: Vec<(Vector3<f64>, f64)>,
+    /// Each triangle at the step's end.
+    pub(super) flats: Vec<FlatTriangle>,
+    /// Of the vertices' bits: what was gathered from a mesh holds for all meshes of this stamp.
+    stamp: u64,
     bounds: Bounds,
     edge_length: f64,
 }
@@ -53,21 +63,8 @@ impl Mesh {
     /// range; a triangle without area; for [`Sides::Solid`] an edge that is not shared by exactly two triangles wound alike, or a mesh
     /// wound inward; for [`Sides::Front`] an edge where neighbours are wound against each other, or a depth not above zero.
     pub fn new(vertices: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>, sides: Sides) -> Result<Self> {
-        if let Sides::Front { depth } = sides {
-            check_positive(|| "sides.depth".into(), depth)?;
-        }
-        check_vertices("vertices", &vertices)?;
-        if triangles.is_empty() || triangles.len() >= RIM as usize {
-            return Err(Error::invalid("triangles", format!("{} long", triangles.len()), "from one to 2^32 − 2 triangles"));
-        }
+        check_parts(&vertices, &triangles, sides)?;
         for (index, triangle) in triangles.iter().enumerate() {
-            if let Some(corner) = triangle.iter().position(|vertex| *vertex as usize >= vertices.len()) {
-                return Err(Error::invalid(
-                    format!("triangles[{index}][{corner}]"),
-                    triangle[corner],
-                    format!("an index below the number of vertices, {}", vertices.len()),
-                ));
-            }
             let [a, b, c] = triangle.map(|vertex| vertices[vertex as usize]);
             if (b - a).cross(&(c - a)).norm_squared() == 0.0 {
                 return Err(Error::invalid(
@@ -88,9 +85,35 @@ impl Mesh {
                 ));
             }
         }
+        Ok(Self::assembled(vertices, triangles, sides, neighbours))
+    }
+
+    /// A mesh as it was in the middle of a run: it may have lost area or volume since it was made.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] as [`Mesh::new`], but for what says of areas and the volume.
+    pub(crate) fn in_motion(
+        before: Vec<Vector3<f64>>,
+        vertices: Vec<Vector3<f64>>,
+        triangles: Vec<[u32; 3]>,
+        sides: Sides,
+    ) -> Result<Self> {
+        check_parts(&vertices, &triangles, sides)?;
+        let neighbours = neighbours(&triangles, sides)?;
+        let mut mesh = Self::assembled(vertices, triangles, sides, neighbours);
+        mesh.check_replacement(&before)?;
+        if before != mesh.vertices {
+            mesh.before = before;
+            mesh.refit();
+        }
+        Ok(mesh)
+    }
+
+    fn assembled(vertices: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>, sides: Sides, neighbours: Box<[[u32; 3]]>) -> Self {
         let boxes: Vec<Aabb> = triangles.iter().map(|triangle| leaf(triangle, &vertices, &vertices)).collect();
         let mut mesh = Self {
             normals: Normals::default(),
+            normals_before: Normals::default(),
             bvh: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes),
             bounds: Bounds::of_points(used(&triangles, &vertices)),
             edge_length: 0.0,
@@ -99,11 +122,16 @@ impl Mesh {
             before: vertices.clone(),
             vertices,
             moving: false,
+            travel: 0.0,
+            balls: Vec::new(),
+            flats: Vec::new(),
+            stamp: 0,
             neighbours,
         };
         mesh.normals.update(&mesh.vertices, &mesh.triangles, &mesh.neighbours);
+        mesh.mark();
         mesh.edge_length = mesh.mean_edge();
-        Ok(mesh)
+        mesh
     }
 
     /// Vertices at the step's end, m.
@@ -187,15 +215,51 @@ impl Mesh {
 
     /// Brings boxes and normals to the vertices. A leaf's box holds its triangle at start and end.
     fn refit(&mut self) {
-        self.moving = self.before != self.vertices;
+        let travel =
+            self.before.iter().zip(&self.vertices).map(|(before, after)| (after - before).norm_squared()).fold(0.0, f64::max);
+        (self.travel, self.moving) = (travel.sqrt(), travel > 0.0);
         for (index, triangle) in self.triangles.iter().enumerate() {
             let _ = self.bvh.insert_or_update_partially(leaf(triangle, &self.before, &self.vertices), index as u32, 0.0);
         }
         self.bvh.refit_without_opt();
         self.normals.update(&self.vertices, &self.triangles, &self.neighbours);
+        if self.moving && self.sides == Sides::Solid {
+            self.normals_before.update(&self.before, &self.triangles, &self.neighbours);
+        }
+        self.mark();
         let used = used(&self.triangles, &self.vertices).chain(used(&self.triangles, &self.before));
         self.bounds = Bounds::of_points(used);
         self.edge_length = self.mean_edge();
+    }
+
+    /// Brings balls, flat triangles and stamp to the vertices.
+    fn mark(&mut self) {
+        self.balls.clear();
+        self.flats.clear();
+        for (index, triangle) in self.triangles.iter().enumerate() {
+            let after = triangle.map(|vertex| self.vertices[vertex as usize]);
+            let before = triangle.map(|vertex| self.before[vertex as usize]);
+            let both = || after.iter().chain(&before);
+            let centre = both().sum::<Vector3<f64>>() / 6.0;
+            let radius = both().map(|corner| (corner - centre).norm_squared()).fold(0.0, f64::max).sqrt();
+            self.balls.push((centre, radius));
+            self.flats.push(FlatTriangle::new(&after, &self.normals.face(index as u32)));
+        }
+        let mix = |stamp: u64, bits: u64| (stamp ^ bits).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
+        let coordinates = self.before.iter().chain(&self.vertices).flat_map(|vertex| [vertex.x, vertex.y, vertex.z]);
+        let corners = self.triangles.iter().flatten();
+        let stamp = coordinates.fold(self.triangles.len() as u64, |stamp, x| mix(stamp, x.to_bits()));
+        self.stamp = corners.fold(stamp, |stamp, corner| mix(stamp, u64::from(*corner)));
+    }
+
+    /// Tells meshes apart by where their triangles are during the step.
+    pub(in crate::contact) fn stamp(&self) -> u64 {
+        self.stamp
+    }
+
+    /// How far the vertex goes that goes farthest during the step, m.
+    pub(in crate::contact) fn farthest_travel(&self) -> f64 {
+        self.travel
     }
 
     /// A triangle's corners at the step's end.
@@ -225,7 +289,10 @@ impl Mesh {
         size_of_val::<[[u32; 3]]>(&self.triangles)
             + size_of_val::<[[u32; 3]]>(&self.neighbours)
             + (self.before.capacity() + self.vertices.capacity()) * size_of::<Vector3<f64>>()
+            + self.flats.capacity() * size_of::<FlatTriangle>()
+            + self.balls.capacity() * size_of::<(Vector3<f64>, f64)>()
             + self.normals.heap_bytes()
+            + self.normals_before.heap_bytes()
             + self.bvh.heap_memory_size()
     }
 }
@@ -250,6 +317,27 @@ fn volume(vertices: &[Vector3<f64>], triangles: &[[u32; 3]]) -> f64 {
 fn leaf(triangle: &[u32; 3], before: &[Vector3<f64>], after: &[Vector3<f64>]) -> Aabb {
     let bounds = Bounds::of_points(triangle.iter().flat_map(|vertex| [before[*vertex as usize], after[*vertex as usize]]));
     Aabb::new(Vector::from_array(bounds.low.into()), Vector::from_array(bounds.high.into()))
+}
+
+/// What holds of a mesh whatever happens to its vertices.
+fn check_parts(vertices: &[Vector3<f64>], triangles: &[[u32; 3]], sides: Sides) -> Result<()> {
+    if let Sides::Front { depth } = sides {
+        check_positive(|| "sides.depth".into(), depth)?;
+    }
+    check_vertices("vertices", vertices)?;
+    if triangles.is_empty() || triangles.len() >= RIM as usize {
+        return Err(Error::invalid("triangles", format!("{} long", triangles.len()), "from one to 2^32 − 2 triangles"));
+    }
+    for (index, triangle) in triangles.iter().enumerate() {
+        if let Some(corner) = triangle.iter().position(|vertex| *vertex as usize >= vertices.len()) {
+            return Err(Error::invalid(
+                format!("triangles[{index}][{corner}]"),
+                triangle[corner],
+                format!("an index below the number of vertices, {}", vertices.len()),
+            ));
+        }
+    }
+    Ok(())
 }
 
 fn check_vertices(argument: &str, vertices: &[Vector3<f64>]) -> Result<()> {

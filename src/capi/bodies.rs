@@ -1,0 +1,239 @@
+//! Bodies: what strands are kept out of. The host moves them, and reads what strands do to them.
+
+use super::body_def::{points, shx_body_def};
+use super::buffers::{FRAME_FORMATS, Place, Places, VECTOR_FORMATS, Writer, body_ids, each, frames_of};
+use super::errors::{SHX_OK, shx_result};
+use super::guard::{read, shx_solver, write};
+use super::types::{shx_body_id, shx_input, shx_output};
+use super::versioned::definitions;
+use crate::error::Error;
+use crate::solver::id::BodyId;
+
+/// Adds count bodies, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_body_def)). out_ids
+/// receives count ids, in the order of the definitions. Strands touch bodies once they have been made to: shx_solver_set_contact.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].radius", or the triangle
+/// where a mesh is not closed), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_add_bodies(
+    solver: *mut shx_solver,
+    defs: *const shx_body_def,
+    def_stride: usize,
+    count: usize,
+    out_ids: *mut shx_body_id,
+) -> shx_result {
+    // SAFETY: the caller's handle, structures, their arrays, and place for count ids.
+    unsafe {
+        write("shx_solver_add_bodies", solver, |core, _| {
+            let places = Places::new("out_ids", "count", out_ids, count)?;
+            let read = |def: &shx_body_def, argument: &str| def.definition(argument);
+            let definitions = definitions("shx_body_def", defs, def_stride, count, read)?;
+            let ids = core.add_bodies(definitions).map_err(|error| error.renamed("bodies", "defs"))?;
+            places.write(&ids.iter().map(|id| shx_body_id { bits: id.bits() }).collect::<Vec<_>>())
+        })
+    }
+}
+
+/// Removes count bodies, all or none. Their ids are stale from then on.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_remove_bodies(solver: *mut shx_solver, ids: *const shx_body_id, count: usize) -> shx_result {
+    // SAFETY: the caller's handle and count ids.
+    unsafe { write("shx_solver_remove_bodies", solver, |core, _| core.remove_bodies(&body_ids(ids, count)?)) }
+}
+
+/// Whether an id names a body of this solver. False for the null id, a removed body, another solver's body, a null or poisoned solver
+/// (shx_last_error then has the text). May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_has_body(solver: *const shx_solver, id: shx_body_id) -> bool {
+    let mut found = false;
+    // SAFETY: the caller's handle, null or alive.
+    let result = unsafe {
+        read("shx_solver_has_body", solver, |core| {
+            found = core.body(BodyId::from_bits(id.bits)).is_ok();
+            Ok(())
+        })
+    };
+    result == SHX_OK && found
+}
+
+/// How many bodies there are.
+/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_body_count(solver: *const shx_solver, out_count: *mut usize) -> shx_result {
+    // SAFETY: the caller's handle and place for one number.
+    unsafe {
+        read("shx_solver_body_count", solver, |core| {
+            Place::new("out_count", out_count)?.write(core.body_ids().len());
+            Ok(())
+        })
+    }
+}
+
+/// The ids of all bodies, in the order they were added, into out_ids, which holds capacity ids.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_body_count). May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_body_ids(
+    solver: *const shx_solver,
+    out_ids: *mut shx_body_id,
+    capacity: usize,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for capacity ids.
+    unsafe {
+        read("shx_solver_body_ids", solver, |core| {
+            let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
+            places.write(&core.body_ids().iter().map(|id| shx_body_id { bits: id.bits() }).collect::<Vec<_>>())
+        })
+    }
+}
+
+/// Moves count bodies smoothly to the given frames (SHX_FORMAT_FRAME, one for each id) over the next over_seconds of simulated time (0 or
+/// above; 0: within the next substep); they sweep what lies between, and push it. All or none. Bodies that are not named stay on their
+/// way or still.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a number that is not finite, a quaternion whose
+/// length is not 1, over_seconds below 0). Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_body_frames(
+    solver: *mut shx_solver,
+    ids: *const shx_body_id,
+    count: usize,
+    frames: *const shx_input,
+    over_seconds: f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and frames.
+    unsafe {
+        write("shx_solver_set_body_frames", solver, |core, _| {
+            core.set_body_frames(&body_ids(ids, count)?, &frames_of(frames, count)?, over_seconds)
+        })
+    }
+}
+
+/// Puts count bodies at the given frames at once, at rest: they do not sweep what lies between. All or none.
+/// Errors: as shx_solver_set_body_frames. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_teleport_bodies(
+    solver: *mut shx_solver,
+    ids: *const shx_body_id,
+    count: usize,
+    frames: *const shx_input,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and frames.
+    unsafe {
+        write("shx_solver_teleport_bodies", solver, |core, _| {
+            core.teleport_bodies(&body_ids(ids, count)?, &frames_of(frames, count)?)
+        })
+    }
+}
+
+/// The frames of count bodies as they are now, into frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_body_frames(
+    solver: *const shx_solver,
+    ids: *const shx_body_id,
+    count: usize,
+    frames: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and memory for frames.
+    unsafe {
+        read("shx_solver_get_body_frames", solver, |core| {
+            let ids = body_ids(ids, count)?;
+            let writer = Writer::required("frames", frames, FRAME_FORMATS, count)?;
+            let found = each(&ids, |id| core.body(id).map(|body| body.pose))?;
+            for (index, frame) in found.iter().enumerate() {
+                writer.frame(index, frame);
+            }
+            Ok(())
+        })
+    }
+}
+
+/// Sends the vertices of a mesh (SHX_FORMAT_F32X3 or _F64X3, m, the body's axes, as many as it was made with) to new places over the next
+/// over_seconds of simulated time (0: within the next substep), each straight and evenly. For skin that deforms: once a frame.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (another count, a number that is not finite,
+/// over_seconds below 0), SHX_ERROR_UNSUPPORTED (the body is no mesh). Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_body_vertices(
+    solver: *mut shx_solver,
+    id: shx_body_id,
+    vertices: *const shx_input,
+    over_seconds: f64,
+) -> shx_result {
+    // SAFETY: the caller's handle and points.
+    unsafe {
+        write("shx_solver_set_body_vertices", solver, |core, _| {
+            let vertices = points("vertices", vertices)?;
+            core.set_body_vertices(BodyId::from_bits(id.bits), &vertices, over_seconds)
+                .map_err(|error| error.renamed("body", "id"))
+        })
+    }
+}
+
+/// Changes how far outside its shape a body's surface lies (m), and what it multiplies the strands' coefficients of Coulomb and of
+/// viscous friction by; all zero or above.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_body_surface(
+    solver: *mut shx_solver,
+    id: shx_body_id,
+    thickness: f64,
+    friction: f64,
+    viscous_friction: f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, null or alive.
+    unsafe {
+        write("shx_solver_set_body_surface", solver, |core, _| {
+            core.set_body_surface(BodyId::from_bits(id.bits), thickness, friction, viscous_friction)
+        })
+    }
+}
+
+/// Changes which groups a body is in and which it touches (bits; any are allowed).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_body_filter(
+    solver: *mut shx_solver,
+    id: shx_body_id,
+    group: u32,
+    mask: u32,
+) -> shx_result {
+    // SAFETY: the caller's handle, null or alive.
+    unsafe {
+        write("shx_solver_set_body_filter", solver, |core, _| core.set_body_filter(BodyId::from_bits(id.bits), group, mask))
+    }
+}
+
+/// What strands did to each of count bodies in the last substep: force (N) and torque about the body's origin (N m), world axes.
+/// SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_body_wrenches(
+    solver: *const shx_solver,
+    ids: *const shx_body_id,
+    count: usize,
+    forces: *const shx_output,
+    torques: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle, ids and memory for the outputs.
+    unsafe {
+        read("shx_solver_body_wrenches", solver, |core| {
+            if forces.is_null() && torques.is_null() {
+                return Err(Error::NullArgument { argument: "forces (and torques)".into() });
+            }
+            let ids = body_ids(ids, count)?;
+            let forces = Writer::optional("forces", forces, VECTOR_FORMATS, count)?;
+            let torques = Writer::optional("torques", torques, VECTOR_FORMATS, count)?;
+            let wrenches = each(&ids, |id| core.body_wrench(id))?;
+            for (index, wrench) in wrenches.iter().enumerate() {
+                if let Some(forces) = &forces {
+                    forces.vector(index, wrench.force.into());
+                }
+                if let Some(torques) = &torques {
+                    torques.vector(index, wrench.torque.into());
+                }
+            }
+            Ok(())
+        })
+    }
+}

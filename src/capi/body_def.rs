@@ -1,0 +1,273 @@
+//! What a body is made from.
+
+use std::ffi::c_void;
+use std::mem::{offset_of, size_of};
+use std::sync::Arc;
+
+use nalgebra::Vector3;
+
+use super::buffers::{Place, Places, Reader, VECTOR_FORMATS, array};
+use super::errors::shx_result;
+use super::guard::call;
+use super::types::{SHX_FORMAT_F64X3, shx_frame, shx_input};
+use super::versioned::{Versioned, initialise};
+use crate::contact::body::BodyDef;
+use crate::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
+use crate::error::{Error, Result, check_finite};
+use crate::files::distance_grid;
+use crate::math::frame::Frame;
+
+/// A sphere about the body's origin: radius.
+pub const SHX_SHAPE_SPHERE: u32 = 1;
+/// All points within radius of the segment from a to b.
+pub const SHX_SHAPE_CAPSULE: u32 = 2;
+/// An ellipsoid about the body's origin: semi_axes.
+pub const SHX_SHAPE_ELLIPSOID: u32 = 3;
+/// A box about the body's origin: half_edges.
+pub const SHX_SHAPE_BOX: u32 = 4;
+/// All that lies behind the plane through the body's origin across normal.
+pub const SHX_SHAPE_HALF_SPACE: u32 = 5;
+/// The convex hull of vertices.
+pub const SHX_SHAPE_HULL: u32 = 6;
+/// A triangle mesh: vertices, triangles, sides. The only shape that may deform (shx_solver_set_body_vertices).
+pub const SHX_SHAPE_MESH: u32 = 7;
+/// A signed distance grid, as shx_bake_distance_grid made it: grid. Cheap for large closed meshes that do not deform; edges are rounded
+/// by about a cell.
+pub const SHX_SHAPE_GRID: u32 = 8;
+
+/// The mesh is closed and wound outward; what is inside is pushed out, however deep.
+pub const SHX_SIDES_SOLID: u32 = 1;
+/// Strands are kept on the side from which triangles are seen wound anticlockwise; what lies behind by less than depth is pushed to the
+/// front.
+pub const SHX_SIDES_FRONT: u32 = 2;
+/// Both sides, like a sheet: a strand stays on the side where the step found it.
+pub const SHX_SIDES_BOTH: u32 = 3;
+
+/// What a body is made from. Fill with shx_body_def_init, then set shape and the fields that it needs; those of other shapes are not
+/// looked at. Arrays that it points to are read during the call and not kept.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_body_def {
+    /// Set by shx_body_def_init.
+    pub struct_size: u32,
+    /// SHX_SHAPE_. Default 0: set it.
+    pub shape: u32,
+    /// Where the body is, world. Default: at the origin, along the world's axes.
+    pub pose: shx_frame,
+    /// Sphere, capsule: m, above zero. Default 0: set it.
+    pub radius: f64,
+    /// Capsule: one end of its axis, m, the body's axes. Default 0.
+    pub a: [f64; 3],
+    /// Capsule: the other end, another point than a. Default 0: set it.
+    pub b: [f64; 3],
+    /// Ellipsoid: along the body's axes, m, each above zero. Default 0: set it.
+    pub semi_axes: [f64; 3],
+    /// Box: half its edges along the body's axes, m, each above zero. Default 0: set it.
+    pub half_edges: [f64; 3],
+    /// Half-space: points out of it, the body's axes; any length above zero. Default (0, 0, 1).
+    pub normal: [f64; 3],
+    /// Hull, mesh: points, m, the body's axes (SHX_FORMAT_F32X3 or _F64X3). Default: none.
+    pub vertices: shx_input,
+    /// Mesh: three indices of vertices a triangle, anticlockwise seen from outside; 3 triangle_count numbers. Default null.
+    pub triangles: *const u32,
+    /// Mesh: how many triangles. Default 0: set it.
+    pub triangle_count: usize,
+    /// Mesh: SHX_SIDES_. Default SHX_SIDES_SOLID.
+    pub sides: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// Mesh with SHX_SIDES_FRONT: how far behind its triangles it acts, m, above zero. Default 0: set it.
+    pub depth: f64,
+    /// Grid: the bytes that shx_bake_distance_grid wrote. Default null.
+    pub grid: *const c_void,
+    /// Grid: how many bytes. Default 0.
+    pub grid_size: usize,
+    /// How far outside its shape the body's surface lies, m; zero or above. Default 0.
+    pub thickness: f64,
+    /// Multiplies the strands' coefficients of Coulomb friction; zero or above. Default 1.
+    pub friction: f64,
+    /// Multiplies the strands' coefficients of viscous friction; zero or above. Default 1.
+    pub viscous_friction: f64,
+    /// Bits of the groups that the body is in. Default 1.
+    pub group: u32,
+    /// Bits of the groups that it touches: a body and a strand meet where each is in a group that the other touches. Default all.
+    pub mask: u32,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
+unsafe impl Versioned for shx_body_def {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        let pose = Frame::default();
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            shape: 0,
+            pose: shx_frame { origin: pose.origin.into(), rotation: pose.rotation_xyzw() },
+            radius: 0.0,
+            a: [0.0; 3],
+            b: [0.0; 3],
+            semi_axes: [0.0; 3],
+            half_edges: [0.0; 3],
+            normal: [0.0, 0.0, 1.0],
+            vertices: shx_input { data: std::ptr::null(), stride: 0, count: 0, format: SHX_FORMAT_F64X3, reserved: 0 },
+            triangles: std::ptr::null(),
+            triangle_count: 0,
+            sides: SHX_SIDES_SOLID,
+            reserved0: 0,
+            depth: 0.0,
+            grid: std::ptr::null(),
+            grid_size: 0,
+            thickness: 0.0,
+            friction: 1.0,
+            viscous_friction: 1.0,
+            group: 1,
+            mask: u32::MAX,
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_body_def>() == 304);
+    assert!(offset_of!(shx_body_def, radius) == 64 && offset_of!(shx_body_def, vertices) == 192);
+    assert!(offset_of!(shx_body_def, sides) == 240 && offset_of!(shx_body_def, group) == 296);
+};
+
+/// Points of three finite numbers.
+///
+/// # Safety
+/// `vertices` is null or a shx_input whose memory is there.
+pub(super) unsafe fn points(argument: &str, vertices: *const shx_input) -> Result<Vec<Vector3<f64>>> {
+    // SAFETY: the same.
+    let reader = unsafe { Reader::new(argument, vertices, VECTOR_FORMATS)? };
+    let mut points = Vec::with_capacity(reader.count());
+    for index in 0..reader.count() {
+        let point = reader.point(index);
+        for (axis, number) in point.iter().enumerate() {
+            check_finite(|| format!("{argument}[{index}][{axis}]"), *number)?;
+        }
+        points.push(Vector3::from(point));
+    }
+    Ok(points)
+}
+
+/// # Safety
+/// `triangles` is null or points to three indices for each of `count` triangles.
+unsafe fn corners(triangles: *const u32, count: usize) -> Result<Vec<[u32; 3]>> {
+    // SAFETY: the same. A triangle is three indices.
+    unsafe { array("triangles", "triangle_count", triangles.cast::<[u32; 3]>(), count) }.map(<[_]>::to_vec)
+}
+
+impl shx_body_def {
+    /// The engine's own definition; the numbers of its surface are checked where it is added.
+    ///
+    /// # Safety
+    /// The arrays that it points to are there.
+    pub(super) unsafe fn definition(&self, argument: &str) -> Result<BodyDef> {
+        if self.reserved0 != 0 {
+            return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
+        }
+        // SAFETY: the same.
+        let shape = unsafe { self.shape() }.map_err(|error| error.inside(argument))?;
+        Ok(BodyDef {
+            shape: Arc::new(shape),
+            pose: Frame::from_arrays(&format!("{argument}.pose"), self.pose.origin, self.pose.rotation)?,
+            thickness: self.thickness,
+            friction: self.friction,
+            viscous_friction: self.viscous_friction,
+            group: self.group,
+            mask: self.mask,
+        })
+    }
+
+    /// # Safety
+    /// As [`Self::definition`].
+    unsafe fn shape(&self) -> Result<Shape> {
+        match self.shape {
+            SHX_SHAPE_SPHERE => Shape::new_sphere(self.radius),
+            SHX_SHAPE_CAPSULE => Shape::new_capsule(self.a.into(), self.b.into(), self.radius),
+            SHX_SHAPE_ELLIPSOID => Shape::new_ellipsoid(self.semi_axes.into()),
+            SHX_SHAPE_BOX => Shape::new_box(self.half_edges.into()),
+            SHX_SHAPE_HALF_SPACE => Shape::new_half_space(self.normal.into()),
+            SHX_SHAPE_HULL => {
+                // SAFETY: the caller's points.
+                let points = unsafe { points("vertices", &raw const self.vertices)? };
+                Shape::new_hull(&points).map_err(|error| error.renamed("points", "vertices"))
+            }
+            SHX_SHAPE_MESH => {
+                let sides = match self.sides {
+                    SHX_SIDES_SOLID => Sides::Solid,
+                    SHX_SIDES_FRONT => Sides::Front { depth: self.depth },
+                    SHX_SIDES_BOTH => Sides::Both,
+                    other => return Err(Error::invalid("sides", other, "one of SHX_SIDES_")),
+                };
+                // SAFETY: the caller's points and indices.
+                let (vertices, triangles) =
+                    unsafe { (points("vertices", &raw const self.vertices)?, corners(self.triangles, self.triangle_count)?) };
+                Shape::new_mesh(vertices, triangles, sides).map_err(|error| error.renamed("sides.depth", "depth"))
+            }
+            SHX_SHAPE_GRID => {
+                // SAFETY: the caller's bytes. A null grid is a mistake even when its size is 0.
+                let bytes = unsafe {
+                    let size = self.grid_size.max(usize::from(self.grid.is_null()));
+                    array("grid", "grid_size", self.grid.cast::<u8>(), size)?
+                };
+                match distance_grid::read_from_bytes("it", bytes) {
+                    Ok(grid) => Ok(Shape::new_grid(grid)),
+                    Err(Error::File { reason, .. }) => {
+                        Err(Error::invalid("grid", format!("no distance grid ({reason})"), "what shx_bake_distance_grid wrote"))
+                    }
+                    Err(other) => Err(other),
+                }
+            }
+            other => Err(Error::invalid("shape", other, "one of SHX_SHAPE_")),
+        }
+    }
+}
+
+/// Fills a definition with the defaults. size is sizeof(shx_body_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_body_def_init(def: *mut shx_body_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_body_def_init", "def", def, size) }
+}
+
+/// Bakes a closed mesh into a signed distance grid, for bodies of SHX_SHAPE_GRID: its distances at the nodes of a lattice of cell metres
+/// that reaches at least band metres beyond it. A strand is told of the body within that band, inside at any depth. vertices:
+/// SHX_FORMAT_F32X3 or _F64X3, m; triangles: three indices each, anticlockwise seen from outside. Writes the grid into image, which
+/// holds capacity bytes, and its size into *out_size; image null with capacity 0: only the size, which bakes nothing. The bytes may be
+/// kept in a file; they are the same on every machine. Takes about a microsecond a node.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (also: the mesh is not closed, or more than 2^27 nodes),
+/// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_bake_distance_grid(
+    vertices: *const shx_input,
+    triangles: *const u32,
+    triangle_count: usize,
+    cell: f64,
+    band: f64,
+    image: *mut c_void,
+    capacity: usize,
+    out_size: *mut usize,
+) -> shx_result {
+    let body = || {
+        // SAFETY: the caller's place for a number, points and indices.
+        let (place, mesh) = unsafe {
+            let place = Place::new("out_size", out_size)?;
+            let mesh = Mesh::new(points("vertices", vertices)?, corners(triangles, triangle_count)?, Sides::Solid)?;
+            (place, mesh)
+        };
+        let size = distance_grid::size(DistanceGrid::baked_counts(&mesh, cell, band)?);
+        if !(image.is_null() && capacity == 0) {
+            // SAFETY: the caller's capacity bytes.
+            let places = unsafe { Places::new("image", "capacity", image.cast::<u8>(), capacity)? };
+            places.check_room(size)?;
+            places.write(&distance_grid::write_to_bytes(&DistanceGrid::bake(&mesh, cell, band)?)?)?;
+        }
+        place.write(size);
+        Ok(())
+    };
+    call("shx_bake_distance_grid", body)
+}

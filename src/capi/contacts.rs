@@ -1,0 +1,114 @@
+//! The list of contacts: where something met strands at the end of the last substep.
+
+use std::mem::{offset_of, size_of};
+
+use super::buffers::{Place, Strided};
+use super::errors::shx_result;
+use super::guard::{read, shx_solver};
+use super::types::{shx_body_id, shx_strand_id};
+use crate::solver::bodies::{Contact, ContactPartner};
+
+/// The strand met a body.
+pub const SHX_PARTNER_BODY: u32 = 1;
+/// The strand met another strand, or itself elsewhere.
+pub const SHX_PARTNER_STRAND: u32 = 2;
+
+/// Where something met a strand at the end of the last substep.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_contact {
+    /// The strand.
+    pub strand: shx_strand_id,
+    /// Arclength on it, m.
+    pub arclength: f64,
+    /// What it met: SHX_PARTNER_.
+    pub partner: u32,
+    /// Which triangle of a mesh; else 0.
+    pub feature: u32,
+    /// The body that it met; null for a strand.
+    pub body: shx_body_id,
+    /// The strand that it met; null for a body.
+    pub other: shx_strand_id,
+    /// Arclength on that strand, m; 0 for a body.
+    pub other_arclength: f64,
+    /// On the strand's centreline, m, world.
+    pub position: [f64; 3],
+    /// Unit normal, world, from the partner to the strand.
+    pub normal: [f64; 3],
+    /// Force on the strand, N, world; on the partner it is the opposite.
+    pub force: [f64; 3],
+    /// How far the strand slid over its partner during the substep, m, world, along the surface.
+    pub slip: [f64; 3],
+    /// Distance of the surfaces, m; negative where they overlap.
+    pub gap: f64,
+}
+
+const _: () = {
+    assert!(size_of::<shx_contact>() == 152 && offset_of!(shx_contact, body) == 24);
+    assert!(offset_of!(shx_contact, position) == 48 && offset_of!(shx_contact, gap) == 144);
+};
+
+impl From<&Contact> for shx_contact {
+    fn from(contact: &Contact) -> Self {
+        let (none, nothing) = (shx_strand_id { bits: 0 }, shx_body_id { bits: 0 });
+        let (partner, feature, body, other, other_arclength) = match contact.partner {
+            ContactPartner::Body { body, feature } => (SHX_PARTNER_BODY, feature, shx_body_id { bits: body.bits() }, none, 0.0),
+            ContactPartner::Strand { strand, arclength } => {
+                (SHX_PARTNER_STRAND, 0, nothing, shx_strand_id { bits: strand.bits() }, arclength)
+            }
+        };
+        Self {
+            strand: shx_strand_id { bits: contact.strand.bits() },
+            arclength: contact.arclength,
+            partner,
+            feature,
+            body,
+            other,
+            other_arclength,
+            position: contact.position.into(),
+            normal: contact.normal.into(),
+            force: contact.force.into(),
+            slip: contact.slip.into(),
+            gap: contact.gap,
+        }
+    }
+}
+
+/// How many contacts carried a force at the end of the last substep: what shx_solver_contacts needs room for.
+/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_contact_count(solver: *const shx_solver, out_count: *mut usize) -> shx_result {
+    // SAFETY: the caller's handle and place for one number.
+    unsafe {
+        read("shx_solver_contact_count", solver, |core| {
+            Place::new("out_count", out_count)?.write(core.contacts().len());
+            Ok(())
+        })
+    }
+}
+
+/// The contacts that carried a force at the end of the last substep into contacts, which has room for capacity of them, stride bytes
+/// apart (0: packed; any alignment), and their number into *out_count. Always in the same order, whatever the number of threads. The list
+/// is empty after strands or bodies were removed and after shx_solver_restore, until the next step.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (stride), SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_contact_count).
+/// May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_contacts(
+    solver: *const shx_solver,
+    contacts: *mut shx_contact,
+    stride: usize,
+    capacity: usize,
+    out_count: *mut usize,
+) -> shx_result {
+    // SAFETY: the caller's handle, room for capacity contacts and place for one number.
+    unsafe {
+        read("shx_solver_contacts", solver, |core| {
+            let count = Place::new("out_count", out_count)?;
+            let places = Strided::new("contacts", "capacity", contacts, stride, capacity)?;
+            let found: Vec<shx_contact> = core.contacts().iter().map(shx_contact::from).collect();
+            places.write(&found)?;
+            count.write(found.len());
+            Ok(())
+        })
+    }
+}

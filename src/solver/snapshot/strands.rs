@@ -1,0 +1,171 @@
+//! Strands: constants and states.
+
+use super::bytes::{Reader, Writer, bad, of_part};
+use crate::error::Result;
+use crate::math::quadrature::Rules;
+use crate::math::vector::Vec3;
+use crate::rod::freedoms::Freedoms;
+use crate::rod::material::Material;
+use crate::rod::strand::StrandModel;
+use crate::solver::id::StrandId;
+use crate::solver::report::Energies;
+use crate::solver::sections::Sections;
+use crate::solver::strand::{Authored, Fared, Strand};
+use crate::step::state::{Earlier, Past, StrandState};
+
+impl Writer {
+    /// The natural shape as it was given, where it has other elements. Apart from the strand: no step depends on it.
+    pub fn authored(&mut self, authored: Option<&Authored>) {
+        self.u64(authored.map_or(0, |authored| authored.lengths.len() as u64));
+        if let Some(authored) = authored {
+            authored.lengths.iter().for_each(|length| self.f64(*length));
+            self.rows(&authored.natural);
+        }
+    }
+
+    /// A strand's constants and state; the identifier stands apart.
+    pub fn strand(&mut self, strand: &Strand) {
+        let (model, state, material) = (&strand.model, &strand.state, &strand.model.material);
+        self.u64(strand.user_data);
+        self.u64(model.element_count() as u64);
+        model.lengths.iter().for_each(|length| self.f64(*length));
+        self.rows(&model.natural);
+        for value in [
+            material.radius[0],
+            material.radius[1],
+            material.density,
+            material.youngs_modulus,
+            material.poisson_ratio,
+            material.internal_friction,
+            material.viscosity,
+            material.air_drag,
+        ] {
+            self.f64(value);
+        }
+        self.u32(model.freedoms.bits());
+        self.rows(&state.curvatures);
+        self.rows(&state.rates);
+        self.u32(state.rule as u32);
+        state.velocities.iter().for_each(|v| v.0.iter().for_each(|x| self.f64(*x)));
+        self.frame(&state.root);
+        self.vector(state.root_velocity);
+        self.vector(state.root_angular_velocity);
+        self.vector(state.wrench_force.into());
+        self.vector(state.wrench_torque.into());
+        self.u32(state.subdivision);
+        self.f64(state.past.step);
+        if state.past.step > 0.0 {
+            self.rows(&state.past.curvatures);
+            state.past.velocities.iter().for_each(|v| v.0.iter().for_each(|x| self.f64(*x)));
+            self.frame(&state.past.root);
+        }
+        self.way(strand.root_move.as_deref());
+        self.u32(strand.fared.iterations);
+        self.u32(u32::from(strand.fared.converged));
+        self.u32(u32::from(strand.fared.quarantined));
+        self.f64(strand.energies.kinetic);
+        self.f64(strand.energies.elastic);
+        self.f64(strand.energies.gravity);
+    }
+}
+
+impl Reader<'_> {
+    fn past(&mut self, elements: usize, points: usize) -> Result<Past> {
+        let step = self.f64()?;
+        if step == 0.0 {
+            return Ok(Past::default());
+        }
+        if !(step.is_finite() && step > 0.0) {
+            return Err(bad(format!("a strand's last step took {step} s")));
+        }
+        let curvatures = self.rows(elements)?;
+        let velocities = self.rows(points)?;
+        if !curvatures.iter().chain(&velocities).flatten().all(|x| x.is_finite()) {
+            return Err(bad("a strand's past holds a number that is not finite"));
+        }
+        let velocities = velocities.into_iter().map(Vec3).collect();
+        Ok(Past::new(step, Earlier { curvatures, velocities, root: self.frame()? }))
+    }
+
+    /// The natural shape as it was given of a strand of that length.
+    pub fn authored(&mut self, length: f64) -> Result<Option<Box<Authored>>> {
+        let count = self.count(8 * 4)?;
+        if count == 0 {
+            return Ok(None);
+        }
+        let lengths = (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>()?;
+        let natural = self.rows(count)?;
+        let good = lengths.iter().all(|length| length.is_finite() && *length > 0.0)
+            && (lengths.iter().sum::<f64>() - length).abs() <= 1e-6 * length
+            && natural.iter().flatten().all(|x| x.is_finite());
+        if !good {
+            return Err(bad("a strand's given natural shape is none of its length"));
+        }
+        Ok(Some(Box::new(Authored { lengths: lengths.into(), natural: natural.into() })))
+    }
+
+    /// A strand, but for what it is to contact and the natural shape as it was given.
+    pub fn strand(&mut self, id: StrandId, rules: &Rules, sections: &mut Sections) -> Result<Strand> {
+        let user_data = self.u64()?;
+        let count = self.count(8 * 10)?;
+        if count == 0 {
+            return Err(bad("a strand has no elements"));
+        }
+        let lengths = (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>()?;
+        let natural = self.rows(count)?;
+        let material = Material {
+            radius: [self.f64()?, self.f64()?],
+            density: self.f64()?,
+            youngs_modulus: self.f64()?,
+            poisson_ratio: self.f64()?,
+            internal_friction: self.f64()?,
+            viscosity: self.f64()?,
+            air_drag: self.f64()?,
+        };
+        material.check("material").map_err(|error| of_part("a strand", &error))?;
+        let freedoms = Freedoms::from_bits("freedoms", self.u32()?).map_err(|error| of_part("a strand", &error))?;
+        let curvatures = self.rows(count)?;
+        let rates = self.rows(count)?;
+        let rule = self.u32()? as usize;
+        if rule >= rules.count() {
+            return Err(bad(format!("a strand's quadrature rule is {rule}")));
+        }
+        let velocities = self.rows(count * rules.rule(rule).len())?.into_iter().map(Vec3).collect();
+        let state = StrandState {
+            curvatures,
+            rates,
+            velocities,
+            rule,
+            root: self.frame()?,
+            root_velocity: self.vector()?,
+            root_angular_velocity: self.vector()?,
+            wrench_force: self.vector()?.into(),
+            wrench_torque: self.vector()?.into(),
+            subdivision: self.u32()?,
+            past: self.past(count, count * rules.rule(rule).len())?,
+        };
+        let lengths_are_right = lengths.iter().all(|length| length.is_finite() && *length > 0.0);
+        if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {
+            return Err(bad("a strand holds a number that is not finite, or a length not above zero"));
+        }
+        let root_move = self.way()?.map(Box::new);
+        let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
+        let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
+        let model = StrandModel::of_section(lengths, natural, sections.of(&material, freedoms));
+        let mut strand = Strand {
+            model,
+            state,
+            id,
+            user_data,
+            authored: None,
+            root_move,
+            energies,
+            fared,
+            held: false,
+            touched: false,
+            contact: None,
+        };
+        strand.shrink();
+        Ok(strand)
+    }
+}
