@@ -70,7 +70,7 @@ impl Default for ContactOptions {
             residual: 1e-6,
             separation_speed: 0.5,
             max_iterations: 50,
-            max_sweeps: 30,
+            max_sweeps: 500,
         }
     }
 }
