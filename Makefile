@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test demo soak bench instructions figures tradeoff peers clean
+.PHONY: help lib test demo soak bench contact instructions figures tradeoff peers clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -28,16 +28,21 @@ demo: ## a real groom on a walking head, hosted by a C program: out/demo/ holds 
 	@scripts/setup.sh build
 	scripts/demo.sh
 
-soak: ## strands from the whole space for a million strand-seconds (docs/extremes.md), and the randomised tests with 100000 cases each (an hour)
+soak: ## strands from the whole space for a million strand-seconds (docs/extremes.md), bodies thrown through hair for 100000 steps, and the randomised tests with 100000 cases each (an hour)
 	@scripts/setup.sh test
 	EXTREMES_CASES=$${EXTREMES_CASES:-12000} EXTREMES_LONG=$${EXTREMES_LONG:-7500} EXTREMES_CSV="$(CURDIR)/docs/figures" \
 	  cargo test --locked --profile demo --test extremes -- --nocapture
+	CONTACT_SOAK_STEPS=$${CONTACT_SOAK_STEPS:-100000} cargo test --locked --profile demo --test contact_soak -- --nocapture
 	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features \
 	  --test kernel_mathematics --test math_pose_spline --test files_fuzz --test hard_cases -- --nocapture
 
 bench: ## what the engine costs: every table of docs/performance.md, the costs that were asked for first (under 10 minutes)
 	@scripts/setup.sh build figures
 	scripts/bench.sh
+
+contact: ## what contact costs and errs by, a thousand guides on a shaken head: the tables of docs/contact.md (a few minutes)
+	@scripts/setup.sh build figures
+	scripts/bench_contact.sh
 
 instructions: ## instructions an element costs, by callgrind: docs/figures/instructions.csv (INSTRUCTIONS_CHECK=1 compares with it)
 	@scripts/setup.sh test

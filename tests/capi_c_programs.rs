@@ -287,7 +287,13 @@ fn example_comb() {
     // In the middle of the hair the tooth feels it; at the end, out of it, nothing.
     let force = |line: &str| -> f64 {
         let (_, numbers) = line.split_once('(').expect("a force");
-        numbers.split(')').next().expect("its end").split(',').map(|number| number.trim().parse::<f64>().expect("a number").powi(2)).sum()
+        numbers
+            .split(')')
+            .next()
+            .expect("its end")
+            .split(',')
+            .map(|number| number.trim().parse::<f64>().expect("a number").powi(2))
+            .sum()
     };
     assert!(lines[1..7].iter().any(|line| force(line) > 1.0) && force(lines[6]) == 0.0, "{}", printed[0]);
     let (_, depth) = lines[7].split_once("than ").expect("a depth");

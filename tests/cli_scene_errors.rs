@@ -130,15 +130,161 @@ fn values_out_of_range_are_named() {
 #[test]
 fn what_this_version_does_not_have_is_said() {
     let directory = directory("absent");
+    let dense = with(with(small_scene(), "/precision", json!("f32")), "/solver", json!("dense_svd"));
+    refuse(&directory, &dense.to_string(), "precision", "f32");
+}
+
+/// Refuses a scene with one collider.
+fn refuse_collider(directory: &std::path::Path, collider: Value, key: &str, value: &str) {
+    refuse(directory, &with(small_scene(), "/colliders", json!([collider])).to_string(), &format!("colliders[0]{key}"), value);
+}
+
+#[test]
+fn bad_colliders_are_named() {
+    let directory = directory("colliders");
+    let sphere = json!({"shape": "sphere", "radius": 0.1});
     for (pointer, value, key, shown) in [
-        ("/hair_contact", json!(true), "hair_contact", "not in this version"),
-        ("/colliders", json!([{"shape": "sphere"}]), "colliders[0]", "not in this version"),
-        ("/attachments", json!([{"strand": 0}]), "attachments[0]", "not in this version"),
+        ("/shape", json!("ball"), ".shape", "\"ball\""),
+        ("/shape", json!(3), ".shape", "3"),
+        ("/radius", json!(-0.25), ".radius", "-0.25"),
+        ("/radius", json!("large"), ".radius", "\"large\""),
+        ("/size", json!(2), ".size", "2"),
+        ("/normal", json!([0, 0, 1]), ".normal", "[0,0,1]"),
+        ("/thickness", json!(-1), ".thickness", "-1"),
+        ("/friction", json!(-0.5), ".friction", "-0.5"),
+        ("/friction", json!({"along": 1, "against": 1}), ".friction", "along"),
+        ("/viscous_friction", json!(-2), ".viscous_friction", "-2"),
+        ("/group", json!(-1), ".group", "-1"),
+        ("/mask", json!(4294967296u64), ".mask", "4294967296"),
+        ("/mask", json!(1.5), ".mask", "1.5"),
+        ("/pose", json!([0, 0, 0]), ".pose", "[0,0,0]"),
+        ("/pose", json!({"rotation": [0, 0, 0, 2]}), ".pose.rotation", "2"),
+        ("/pose", json!({"position": [1, 2, 3]}), ".pose.position", "[1,2,3]"),
+        ("/motion", json!({"times": [1, 0], "frames": []}), ".motion.times[1]", "0"),
+        ("/deformation", json!({}), ".deformation", "{}"),
+    ] {
+        refuse_collider(&directory, with(sphere.clone(), pointer, value), key, shown);
+    }
+    refuse(&directory, &with(small_scene(), "/colliders", json!({})).to_string(), "colliders", "{}");
+    for (collider, key, shown) in [
+        (json!(7), "", "7"),
+        (json!({"radius": 1}), ".shape", "missing"),
+        (json!({"shape": "sphere"}), ".radius", "missing"),
+        (json!({"shape": "capsule", "a": [0, 0, 0], "b": [0, 0, 0], "radius": 0.1}), ".b", "0.0"),
+        (json!({"shape": "capsule", "a": [0, 0], "b": [0, 0, 0], "radius": 0.1}), ".a", "[0,0]"),
+        (json!({"shape": "ellipsoid", "semi_axes": [1, 0, 1]}), ".semi_axes[1]", "0"),
+        (json!({"shape": "box", "half_edges": [1, 1, -3]}), ".half_edges[2]", "-3"),
+        (json!({"shape": "halfspace", "normal": [0, 0, 0]}), ".normal", "0.0"),
+        (json!({"shape": "hull", "points": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]}), ".points", "3"),
+        (json!({"shape": "hull"}), ".file", "missing"),
+        (json!({"shape": "hull", "points": [[0, 0, 0]], "file": "a.obj"}), ".file", "a.obj"),
+        (json!({"shape": "mesh"}), ".file", "missing"),
+        (json!({"shape": "mesh", "file": "no_such.obj"}), ".file", "no_such.obj"),
+        (json!({"shape": "mesh", "file": ""}), ".file", "\"\""),
+        (json!({"shape": "mesh", "file": 3}), ".file", "3"),
+        (json!({"shape": "mesh", "file": "a.obj", "scale": 0}), ".scale", "0"),
+        (json!({"shape": "mesh", "vertices": [], "triangles": [], "scale": 2}), ".scale", "2"),
+        (json!({"shape": "mesh", "vertices": [[0, 0, 0]]}), ".triangles", "missing"),
+        (json!({"shape": "mesh", "vertices": [[0, 0, 0]], "triangles": [[0, 0]]}), ".triangles[0]", "[0,0]"),
+        (json!({"shape": "mesh", "vertices": [[0, 0, 0]], "triangles": [[0, 1, 2]]}), ".triangles[0][1]", "1"),
+        (json!({"shape": "grid", "file": "no_such.shxgrid"}), ".file", "no_such.shxgrid"),
+    ] {
+        refuse_collider(&directory, collider, key, shown);
+    }
+    let triangle = json!({"shape": "mesh", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "triangles": [[0, 1, 2]]});
+    refuse_collider(&directory, triangle.clone(), ".triangles[0]", "edge");
+    refuse_collider(&directory, with(triangle.clone(), "/sides", json!("inside")), ".sides", "\"inside\"");
+    refuse_collider(&directory, with(triangle.clone(), "/sides", json!("front")), ".depth", "missing");
+    let both = with(triangle, "/sides", json!("both"));
+    refuse_collider(&directory, with(both.clone(), "/depth", json!(0.5)), ".depth", "0.5");
+    for (deformation, key, shown) in [
+        (json!({"times": [0]}), ".deformation.files", "missing"),
+        (json!({"times": [0, 1], "vertices": [[]]}), ".deformation.vertices", "1"),
+        (json!({"times": [0], "vertices": [[[0, 0, 0]]]}), ".deformation.vertices[0]", "1 vertices"),
+        (json!({"times": [0], "vertices": [[]], "files": []}), ".deformation.vertices", "beside files"),
+        (json!({"times": [0], "files": ["no_such.obj"]}), ".deformation.files[0]", "no_such.obj"),
+        (json!({"times": [0], "vertices": [[[0, 0, 0], [1, 0, 0], [2, 0, 0]]]}), ".deformation", "area"),
+    ] {
+        refuse_collider(&directory, with(both.clone(), "/deformation", deformation), key, shown);
+    }
+    // One collider that says what its friction is, one that does not, and a strand that does not either.
+    let two = json!([with(sphere.clone(), "/friction", json!(0.5)), sphere]);
+    refuse(&directory, &with(small_scene(), "/colliders", two).to_string(), "colliders[1].friction", "missing");
+}
+
+#[test]
+fn bad_contact_is_named() {
+    let directory = directory("contact");
+    for (pointer, value, key, shown) in [
+        ("/contact", json!(true), "contact", "true"),
+        ("/contact", json!({"modell": "hard"}), "contact.modell", "\"hard\""),
+        ("/contact", json!({"model": "soft"}), "contact.model", "\"soft\""),
+        ("/contact", json!({"stiffness": 0}), "contact.stiffness", "0"),
+        ("/contact", json!({"damping": -1}), "contact.damping", "-1"),
+        ("/contact", json!({"regularisation_depth": 0}), "contact.regularisation_depth", "0"),
+        ("/contact", json!({"tolerance": -2}), "contact.tolerance", "-2"),
+        ("/contact", json!({"residual": 2}), "contact.residual", "2"),
+        ("/contact", json!({"residual": 0}), "contact.residual", "0"),
+        ("/contact", json!({"separation_speed": 0}), "contact.separation_speed", "0"),
+        ("/contact", json!({"max_iterations": 0}), "contact.max_iterations", "0"),
+        ("/contact", json!({"max_sweeps": 1e7}), "contact.max_sweeps", "10000000"),
+        ("/contact", json!({"strands": {"wisp_radius": 1}}), "contact.strands.wisp_radius", "1"),
+        ("/contact", json!({"strands": {"radius": -1}}), "contact.strands.radius", "-1"),
+        ("/hair_contact", json!({"wisp_radius": 0}), "hair_contact.wisp_radius", "0"),
+        ("/hair_contact", json!({"radius": 1}), "hair_contact.radius", "1"),
+        ("/hair_contact", json!({"friction": {"along": 1}}), "hair_contact.friction.against", "missing"),
+        ("/hair_contact", json!(1), "hair_contact", "1"),
+        ("/strands/0/contact", json!(3), "strands[0].contact", "3"),
+        ("/strands/0/contact", json!({"wisp": 1}), "strands[0].contact.wisp", "1"),
+        ("/strands/0/contact", json!({"wisp_radius": -1}), "strands[0].contact.wisp_radius", "-1"),
+        ("/strands/0/contact", json!({"friction": "rough"}), "strands[0].contact.friction", "\"rough\""),
+        ("/strands/0/contact", json!({"friction": {"along": -1, "against": 1}}), "strands[0].contact.friction.along", "-1"),
+        ("/strands/0/contact", json!({"viscous_friction": -1}), "strands[0].contact.viscous_friction", "-1"),
+        ("/strands/0/contact", json!({"hair_friction": -3}), "strands[0].contact.hair_friction", "-3"),
+        ("/strands/0/contact", json!({"exempt_length": -1}), "strands[0].contact.exempt_length", "-1"),
+        ("/strands/0/contact", json!({"group": "all"}), "strands[0].contact.group", "\"all\""),
+        ("/strands/0/contact", json!({"mask": -1}), "strands[0].contact.mask", "-1"),
     ] {
         refuse(&directory, &with(small_scene(), pointer, value).to_string(), key, shown);
     }
-    let dense = with(with(small_scene(), "/precision", json!("f32")), "/solver", json!("dense_svd"));
-    refuse(&directory, &dense.to_string(), "precision", "f32");
+}
+
+#[test]
+fn bad_attachments_are_named() {
+    let directory = directory("attached");
+    let point = json!({"kind": "point", "strand": 0, "arclength": 0.05});
+    let tie = json!({"kind": "tie", "strand": 0, "arclength": 0.05, "other": 0, "other_arclength": 0.1});
+    let slide = with(point.clone(), "/kind", json!("slide"));
+    for (base, pointer, value, key, shown) in [
+        (&point, "/kind", json!("nail"), ".kind", "\"nail\""),
+        (&point, "/strand", json!(1), ".strand", "1"),
+        (&point, "/strand", json!(-1), ".strand", "-1"),
+        (&point, "/arclength", json!(0.11), ".arclength", "0.11"),
+        (&point, "/arclength", json!(-0.01), ".arclength", "-0.01"),
+        (&point, "/friction", json!(0.5), ".friction", "0.5"),
+        (&point, "/target", json!([1, 2]), ".target", "[1,2]"),
+        (&point, "/target", json!([0, 0, 0, 0, 0, 0, 3]), ".target", "3"),
+        (&point, "/target", json!({"place": 1}), ".target.place", "1"),
+        (&point, "/motion", json!({"times": [0]}), ".motion.frames", "missing"),
+        (&point, "/compliance", json!(-1), ".compliance", "-1"),
+        (&point, "/other", json!(0), ".other", "0"),
+        (&slide, "/friction", json!(-0.5), ".friction", "-0.5"),
+        (&slide, "/compliance", json!(0.5), ".compliance", "0.5"),
+        (&tie, "/target", json!([0, 0, 0]), ".target", "[0,0,0]"),
+        (&tie, "/other", json!(2), ".other", "2"),
+        (&tie, "/other_arclength", json!(0.2), ".other_arclength", "0.2"),
+        (&tie, "/other_arclength", json!(0.05), ".other_arclength", "0.05"),
+    ] {
+        let scene = with(small_scene(), "/attachments", json!([with(base.clone(), pointer, value)]));
+        refuse(&directory, &scene.to_string(), &format!("attachments[0]{key}"), shown);
+    }
+    for key in ["kind", "strand", "arclength"] {
+        let mut without = point.clone();
+        without.as_object_mut().unwrap().remove(key);
+        let scene = with(small_scene(), "/attachments", json!([without]));
+        refuse(&directory, &scene.to_string(), &format!("attachments[0].{key}"), "missing");
+    }
+    refuse(&directory, &with(small_scene(), "/attachments", json!([3])).to_string(), "attachments[0]", "3");
 }
 
 #[test]

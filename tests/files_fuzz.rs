@@ -10,7 +10,7 @@ use proptest::test_runner::TestRunner;
 use superhelix::files::curves::Curves;
 use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::files::recorded_curve::RecordedCurve;
-use superhelix::files::{hair, obj};
+use superhelix::files::{distance_grid, hair, obj, obj_mesh};
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
@@ -75,7 +75,31 @@ fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("table.csv", lines("walk_figure8_head.csv", 40)),
         ("walk.bvh", capture.into_bytes()),
         ("pendulum.curve", recorded.join("\n").into_bytes()),
+        ("bust.mesh", bust()),
+        ("ball.shxgrid", ball()),
     ]
+}
+
+/// Some vertices of a head, with triangles of all notations and a polygon that is not convex.
+fn bust() -> Vec<u8> {
+    let text = String::from_utf8(data("sintel_bust.obj")).unwrap();
+    let vertices: Vec<&str> = text.lines().filter(|line| line.starts_with('v')).take(40).collect();
+    let faces = "f 1 2 3\nf 4/1 5/2 6/3\nf -1//1 -3//2 -5//3\nf 8/1/1 11/1/1 9/1/1\n";
+    let polygon = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0.5 0.3 0\nv 0 1 0\nf -5 -4 -3 -2 -1\n";
+    format!("# a bust\n{}\n{faces}{polygon}", vertices.join("\n")).into_bytes()
+}
+
+/// A small grid of distances.
+fn ball() -> Vec<u8> {
+    let at = |node: u32, axis: u32| f64::from(node / 6_u32.pow(axis) % 6) - 2.5;
+    let values = (0..216).map(|node| ((0..3).map(|axis| at(node, axis).powi(2)).sum::<f64>().sqrt() - 1.8) as f32);
+    let low = nalgebra::Vector3::repeat(-2.5);
+    let grid = superhelix::contact::shape::DistanceGrid::from_parts(low, 1.0, 0.7, [6; 3], values.collect()).unwrap();
+    distance_grid::write_to_bytes(&grid).unwrap()
+}
+
+fn is_mesh(name: &str) -> bool {
+    name.ends_with(".mesh")
 }
 
 fn is_motion(name: &str) -> bool {
@@ -108,6 +132,26 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
             assert!(curve.root.as_ref().is_none_or(|root| root.len() == curve.times.len()));
         }
         return (curve.map(|curve| curve.times.len()), memory);
+    }
+    if is_mesh(name) {
+        let (result, memory) = peak(|| obj_mesh::read_from_bytes(name, bytes));
+        let mesh = result.ok();
+        if let Some(mesh) = &mesh {
+            assert!(mesh.vertices.iter().flatten().all(|value| value.is_finite()) && !mesh.triangles.is_empty());
+            let count = mesh.vertices.len() as u32;
+            assert!(mesh.triangles.iter().all(|[a, b, c]| a != b && b != c && c != a && [a, b, c].iter().all(|at| **at < count)));
+        }
+        return (mesh.map(|mesh| mesh.vertices.len()), memory);
+    }
+    if name.ends_with(".shxgrid") {
+        let (result, memory) = peak(|| distance_grid::read_from_bytes(name, bytes));
+        let grid = result.ok();
+        if let Some(grid) = &grid {
+            assert!(grid.values().iter().all(|value| value.is_finite()));
+            assert_eq!(grid.counts().iter().product::<u32>() as usize, grid.values().len());
+        }
+        // In curves' points, of twelve bytes.
+        return (grid.map(|grid| grid.values().len() / 3), memory);
     }
     let (result, memory) = peak(|| Curves::read_from_bytes(name, bytes));
     let curves = result.ok();
@@ -263,7 +307,7 @@ fn mutilated_files_are_survived() {
 static WHOLE: AtomicUsize = AtomicUsize::new(0);
 
 fn noise_is_survived() {
-    let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a.curve", "a", "HAIR"];
+    let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a.curve", "a.mesh", "a.shxgrid", "a", "HAIR"];
     let mut runner = TestRunner::new(ProptestConfig {
         cases: ProptestConfig::default().cases.max(10_000),
         failure_persistence: None,

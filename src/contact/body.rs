@@ -7,7 +7,8 @@ use nalgebra::{Matrix3, Vector3};
 use super::shape::{Bounds, Shape, Surface};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
-use crate::math::rotation::{PoseMove, rotation_vector};
+use crate::math::rotation::rotation_vector;
+use crate::math::way::Way;
 
 /// What a body is made of. [`BodyDef::new`] gives a body at the origin that touches every strand, with their own friction.
 #[derive(Debug, Clone)]
@@ -39,8 +40,8 @@ impl BodyDef {
 #[derive(Debug, Clone)]
 pub struct Body {
     def: BodyDef,
-    /// Where it is going, and how many seconds of the way are done.
-    pub(crate) way: Option<(PoseMove, f64)>,
+    /// Where it is going; its pose is the one told in `def`.
+    pub(crate) way: Way,
     pub(crate) bending: Option<Box<Bending>>,
 }
 
@@ -63,7 +64,7 @@ impl Body {
         check_not_negative(|| "friction".into(), def.friction)?;
         check_not_negative(|| "viscous_friction".into(), def.viscous_friction)?;
         check_pose("pose", &def.pose)?;
-        Ok(Self { def, way: None, bending: None })
+        Ok(Self { way: Way::at(def.pose), def, bending: None })
     }
 
     /// What it is made of; the pose is the present one.
@@ -100,9 +101,7 @@ impl Body {
     pub fn move_to(&mut self, pose: Frame, duration: f64) -> Result<()> {
         check_pose("pose", &pose)?;
         check_not_negative(|| "duration".into(), duration)?;
-        let (velocity, spin) = self.velocity();
-        let angular_velocity = self.def.pose.rotation.inverse() * spin;
-        self.way = Some((PoseMove { from: self.def.pose, to: pose, velocity, angular_velocity, duration }, 0.0));
+        self.way.send(pose, duration);
         Ok(())
     }
 
@@ -113,25 +112,8 @@ impl Body {
     pub fn place(&mut self, pose: Frame) -> Result<()> {
         check_pose("pose", &pose)?;
         self.def.pose = pose;
-        self.way = None;
+        self.way = Way::at(pose);
         Ok(())
-    }
-
-    /// Velocity (m/s) and angular velocity (rad/s), world, where the last move left it: those of its end if it is done, else zero.
-    fn velocity(&self) -> (Vector3<f64>, Vector3<f64>) {
-        match &self.way {
-            Some((way, elapsed)) if way.duration > 0.0 && *elapsed > 0.0 => {
-                if *elapsed >= way.duration {
-                    return (way.final_velocity(), self.def.pose.rotation * way.final_angular_velocity());
-                }
-                // In the middle of a way: the mean over a short stretch up to now.
-                let short = (1e-4 * way.duration).min(*elapsed);
-                let (before, now) = (way.at(elapsed - short), self.def.pose);
-                let turn = rotation_vector(&(now.rotation * before.rotation.inverse()));
-                ((now.origin - before.origin) / short, turn / short)
-            }
-            _ => (Vector3::zeros(), Vector3::zeros()),
-        }
     }
 
     /// Sends a mesh's vertices (m, the body's axes) to new places in `duration` seconds, each straight and evenly; in 0 seconds: within
@@ -167,11 +149,7 @@ impl Body {
 
     /// Readies the body for a substep of `h` seconds: a way to be gone at once takes it, a deforming mesh is brought to its start and end.
     pub fn begin(&mut self, h: f64) {
-        if let Some((way, _)) = &mut self.way
-            && way.duration == 0.0
-        {
-            way.duration = h;
-        }
+        self.way.begin(h);
         let Some(bending) = &mut self.bending else { return };
         if bending.duration == 0.0 {
             bending.duration = h;
@@ -194,23 +172,14 @@ impl Body {
             viscous_friction,
             group,
             mask,
-            ..BodyAt::new(index, &self.def.shape, self.def.pose, self.after(h), self.def.thickness)
+            ..BodyAt::new(index, &self.def.shape, self.way.pose, self.way.after(h), self.def.thickness)
         }
     }
 
     /// Counts the `h` seconds of a substep.
     pub fn finish(&mut self, h: f64) {
-        self.def.pose = self.after(h);
-        if let Some((way, elapsed)) = &mut self.way {
-            if *elapsed >= way.duration {
-                self.way = None;
-            } else {
-                *elapsed += h;
-                if *elapsed >= way.duration * (1.0 - 1e-12) {
-                    *elapsed = way.duration;
-                }
-            }
-        }
+        self.way.advance(h);
+        self.def.pose = self.way.pose;
         if let Some(bending) = &mut self.bending {
             bending.elapsed += h;
             if bending.elapsed >= bending.duration * (1.0 - 1e-12) {
@@ -223,18 +192,6 @@ impl Body {
     pub fn heap_bytes(&self) -> usize {
         let of = |bending: &Bending| (bending.from.capacity() + bending.to.capacity()) * size_of::<Vector3<f64>>();
         self.bending.as_deref().map_or(0, |bending| size_of::<Bending>() + of(bending))
-    }
-
-    /// The pose `h` seconds on.
-    fn after(&self, h: f64) -> Frame {
-        match &self.way {
-            Some((way, elapsed)) => {
-                let time = elapsed + h;
-                // A step meant to end with the move may miss its end by rounding.
-                if time >= way.duration * (1.0 - 1e-12) { way.to } else { way.at(time) }
-            }
-            None => self.def.pose,
-        }
     }
 }
 
@@ -271,6 +228,8 @@ pub struct BodyAt<'a> {
     pub mask: u32,
     /// A box around all the places of the shape (not its thickness) during the substep, world.
     pub bounds: Bounds,
+    /// Angle that it turns by, rad.
+    pub(super) turn: f64,
     pub(super) axes_start: Matrix3<f64>,
     pub(super) axes_end: Matrix3<f64>,
 }
@@ -279,20 +238,20 @@ impl<'a> BodyAt<'a> {
     /// A body that goes from pose to pose.
     pub fn new(index: u32, shape: &'a Shape, start: Frame, end: Frame, thickness: f64) -> Self {
         let (axes_start, axes_end) = (*start.rotation.to_rotation_matrix().matrix(), *end.rotation.to_rotation_matrix().matrix());
+        let turn = rotation_vector(&(start.rotation.inverse() * end.rotation)).norm();
         let local = shape.bounds();
         let bounds = if local.low.x.is_finite() {
             let corners = local.corners();
             let place =
                 |frame: &Frame, axes: &Matrix3<f64>| Bounds::of_points(corners.map(|corner| frame.origin + axes * corner));
             // A point that turns by an angle φ about the pose's origin leaves its chord by at most r (1 − cos φ/2) ≤ r φ²/8.
-            let turn = rotation_vector(&(start.rotation.inverse() * end.rotation)).norm();
             let farthest = corners.iter().map(|corner| corner.norm_squared()).fold(0.0, f64::max).sqrt();
             place(&start, &axes_start).union(&place(&end, &axes_end)).grown(farthest * (0.125 * turn * turn).min(1.0))
         } else {
             local
         };
         let (friction, viscous_friction, group, mask) = (1.0, 1.0, 1, u32::MAX);
-        Self { index, shape, start, end, thickness, friction, viscous_friction, group, mask, bounds, axes_start, axes_end }
+        Self { index, shape, start, end, thickness, friction, viscous_friction, group, mask, bounds, turn, axes_start, axes_end }
     }
 
     /// Its surface nearest to a point of the world at the substep's end, see [`Shape::closest`].
@@ -313,6 +272,21 @@ impl<'a> BodyAt<'a> {
     /// Whether it and something of these groups touch.
     pub fn meets(&self, group: u32, mask: u32) -> bool {
         self.group & mask != 0 && group & self.mask != 0
+    }
+
+    /// Whether all that goes straight (in the body's axes) from place to place within a box of the world stays farther than `margin` (m)
+    /// from the shape. False where that is not plain at once. `slack` (m): how far such ways may leave the box.
+    pub(super) fn is_clear_of(&self, region: &Bounds, margin: f64, slack: f64) -> bool {
+        match self.shape.plane() {
+            Some(normal) => {
+                let (middle, half) = (0.5 * (region.low + region.high), 0.5 * (region.high - region.low));
+                [(&self.start, &self.axes_start), (&self.end, &self.axes_end)].into_iter().all(|(frame, axes)| {
+                    let normal = axes * normal;
+                    normal.dot(&(middle - frame.origin)) - normal.abs().dot(&half) > margin
+                })
+            }
+            None => !region.meets(&self.bounds.grown(margin + slack)),
+        }
     }
 
     /// How far the body's material point at a place of its surface goes during the substep, world, m.

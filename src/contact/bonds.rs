@@ -63,6 +63,9 @@ pub struct Bonds {
     group_of: Vec<u32>,
     /// Where a strand's coordinates begin: those of a group stand together.
     bases: Vec<usize>,
+    /// (group, strand) and (group, bond's touch), sorted.
+    members: Vec<(u32, u32)>,
+    touches: Vec<(u32, u32)>,
     reduced: Vec<f64>,
     held: Vec<Held>,
     x: Vec<f64>,
@@ -78,6 +81,8 @@ impl Bonds {
         self.groups.clear();
         self.group_of.clear();
         self.bases.clear();
+        self.members.clear();
+        self.touches.clear();
         self.reduced.clear();
         self.held.clear();
         self.x.clear();
@@ -112,22 +117,38 @@ impl Bonds {
         }
         self.group_of.resize(strands, NONE);
         self.bases.resize(strands, 0);
-        let mut base = 0;
         // Leaders are the first of their groups: groups come in the order of their first strands.
+        let mut count = 0;
         for strand in 0..strands {
-            let (block, lead) = (space.block(strand), find(&mut leader, strand as u32) as usize);
-            if !bonded[strand] {
+            if bonded[strand] {
+                let lead = find(&mut leader, strand as u32) as usize;
+                if lead == strand {
+                    self.group_of[strand] = count;
+                    count += 1;
+                }
+                self.group_of[strand] = self.group_of[lead];
+                self.members.push((self.group_of[strand], strand as u32));
+            }
+        }
+        self.members.sort_unstable();
+        for (index, touch) in space.touches().iter().enumerate() {
+            if let Law::Bond(_) = touch.law {
+                self.touches.push((self.group_of[touch.first.strand as usize], index as u32));
+            }
+        }
+        self.touches.sort_unstable();
+        let mut base = 0;
+        for strand in 0..strands {
+            let index = self.group_of[strand];
+            if index == NONE {
                 self.bases[strand] = base;
-                base += block.size;
-            } else if lead == strand {
+                base += space.block(strand).size;
+            } else if index as usize == self.groups.len() {
                 let mut group = Group { base, size: 0, matrix: self.reduced.len(), first_held: 0, held: 0, x: 0, w: 0 };
-                for member in strand..strands {
-                    if bonded[member] && find(&mut leader, member as u32) as usize == strand {
-                        self.group_of[member] = self.groups.len() as u32;
-                        self.bases[member] = base;
-                        base += space.block(member).size;
-                        group.size += space.block(member).size;
-                    }
+                for (_, member) in of_group(&self.members, index) {
+                    self.bases[*member as usize] = base;
+                    base += space.block(*member as usize).size;
+                    group.size += space.block(*member as usize).size;
                 }
                 self.reduced.resize(group.matrix + group.size * group.size, 0.0);
                 self.groups.push(group);
@@ -140,21 +161,19 @@ impl Bonds {
         let mut group = self.groups[index];
         let size = group.size;
         let g = &mut self.reduced[group.matrix..];
-        for strand in 0..space.strands() {
-            if self.group_of[strand] as usize == index {
-                let (block, own, at) = (space.block(strand), space.response(strand), self.bases[strand] - group.base);
-                for column in 0..block.size {
-                    let from = &own[column * block.size..(column + 1) * block.size];
-                    g[(at + column) * size + at..][..block.size].copy_from_slice(from);
-                }
+        for (_, strand) in of_group(&self.members, index as u32) {
+            let strand = *strand as usize;
+            let (block, own, at) = (space.block(strand), space.response(strand), self.bases[strand] - group.base);
+            for column in 0..block.size {
+                let from = &own[column * block.size..(column + 1) * block.size];
+                g[(at + column) * size + at..][..block.size].copy_from_slice(from);
             }
         }
         group.first_held = self.held.len();
-        for (touch, SpaceTouch { first, second, law, free }) in space.touches().iter().enumerate() {
+        for (_, touch) in of_group(&self.touches, index as u32) {
+            let touch = *touch as usize;
+            let SpaceTouch { first, second, law, free } = &space.touches()[touch];
             let Law::Bond(bond) = law else { continue };
-            if self.group_of[first.strand as usize] as usize != index {
-                continue;
-            }
             let place = |end: &super::contact_space::End| self.bases[end.strand as usize] - group.base + 3 * end.point as usize;
             for direction in bond.directions() {
                 self.held.push(Held {
@@ -347,6 +366,13 @@ impl Held {
         let at = |at: usize| (0..3).map(|axis| displacements[at + axis] * self.direction[axis]).sum::<f64>();
         at(self.first) - self.second.map_or(0.0, at)
     }
+}
+
+/// A group's part of a sorted list.
+fn of_group(list: &[(u32, u32)], group: u32) -> &[(u32, u32)] {
+    let first = list.partition_point(|(of, _)| *of < group);
+    let end = list.partition_point(|(of, _)| *of <= group);
+    &list[first..end]
 }
 
 /// The leader of a strand's set, paths halved on the way.

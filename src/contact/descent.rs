@@ -22,13 +22,16 @@ pub(super) fn lowest<T: Copy>(
     let mut best = if a.value <= b.value { a } else { b };
     let mut width = b.s - a.s;
     for turn in 0..48 {
-        let rise = b.slope - a.slope;
-        let cut = (a.value - b.value + b.slope * (b.s - a.s)) / rise;
-        if rise <= 0.0 || best.value - (a.value + a.slope * cut) <= tolerance {
+        let (span, rise) = (b.s - a.s, b.slope - a.slope);
+        let cut = (a.value - b.value + b.slope * span) / rise;
+        // Tangents of a convex function meet between the ends; else nothing is told but by the slopes.
+        let convex = cut >= 0.0 && cut <= span;
+        let below = if convex { best.value - (a.value + a.slope * cut) } else { span * b.slope.max(-a.slope) };
+        if rise <= 0.0 || turn > 0 && below <= tolerance {
             break;
         }
-        let span = b.s - a.s;
         let place = match turn % 3 {
+            _ if !convex => 0.5 * span,
             0 => -a.slope / rise * span,
             1 => cut,
             // Neither may have helped.
@@ -38,7 +41,9 @@ pub(super) fn lowest<T: Copy>(
         if turn % 3 == 2 {
             width = span;
         }
-        let s = a.s + place.clamp(0.01 * span, 0.99 * span);
+        // One sample well inside first: between the ends of an arc the function need not be convex.
+        let rim = if turn == 0 { 0.1 } else { 0.01 };
+        let s = a.s + place.clamp(rim * span, (1.0 - rim) * span);
         if s <= a.s || s >= b.s {
             break;
         }

@@ -1,10 +1,12 @@
 //! The contact-space problem solved by nonsmooth block Gauss–Seidel: touch after touch, each by its law's exact solve
-//! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables).
+//! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables), accelerated ([`super::conjugate`]); small problems,
+//! and blocks where that is slow, by Newton's iteration on all their touches at once ([`super::block_newton`]).
 
 use nalgebra::Vector3;
 
 use super::block_newton::BlockNewton;
 use super::bonds::DependentBond;
+use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
 use super::system::System;
 
@@ -38,7 +40,20 @@ pub struct Report {
     pub dependent: Vec<DependentBond>,
 }
 
-/// The part of a block's residual that a visit may leave.
+/// Looks at the residual in which it must halve.
+const PATIENCE: u32 = 10;
+/// Problems of at most so many touches are taken whole by Newton's iteration first.
+const WHOLE: usize = 100;
+/// And so many where they are one block's, or where sweeps are slow.
+const RESCUE: usize = 400;
+/// Sweeps between looks at the residual, of several blocks.
+const ROUND: u32 = 20;
+/// A round that leaves more than this part of the residual is slow: blocks are solved in turn, each with its neighbours as they are.
+const SLOW: f64 = 0.5;
+/// That is of use only near the solution: elsewhere a visit to a block, of the price of some twenty sweeps of it, is soon undone by others.
+const NEAR: f64 = 0.1;
+/// The residual, as a part of what is asked for, and the part of its own residual that a visit to a block may leave.
+const AIM: f64 = 0.3;
 const PART: f64 = 0.1;
 
 /// The solver; keeps its memory.
@@ -48,6 +63,7 @@ pub struct GaussSeidel {
     pub system: System,
     forces: Vec<Vector3<f64>>,
     newton: BlockNewton,
+    conjugate: Conjugate,
     rows: Vec<u32>,
 }
 
@@ -65,21 +81,57 @@ impl GaussSeidel {
             }
         }
         let mut report = Report::default();
-        let blocks = system.blocks();
+        let most = if system.blocks() == 1 { RESCUE } else { WHOLE };
+        let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= RESCUE);
+        let mut last = f64::INFINITY;
+        let (mut best, mut since) = (f64::INFINITY, 0);
+        self.conjugate.restart(system, &self.forces);
         loop {
             scales(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
             if report.residual <= settings.tolerance || report.sweeps >= settings.max_sweeps {
                 break;
             }
-            // A block of its own is solved whole, several are solved in turn, each somewhat better than it stands.
-            let (aim, part) = if blocks == 1 { (settings.tolerance, 0.0) } else { (0.3 * settings.tolerance, PART) };
-            for block in 0..blocks {
-                self.rows.clear();
-                self.rows.extend_from_slice(system.rows_of(block));
-                self.newton.solve(space, system, &mut self.forces, &self.rows, &report, aim, part);
+            // What does not get on will not: Newton's next iteration asks again, from elsewhere.
+            since += 1;
+            if report.residual < 0.5 * best {
+                (best, since) = (report.residual, 0);
+            } else if since > PATIENCE {
+                break;
             }
-            report.sweeps += 1;
+            let slow = report.residual > SLOW * last;
+            last = report.residual;
+            let moved = if (whole && report.sweeps == 0) || (rescue && slow) {
+                self.rows.clear();
+                self.rows.extend(0..system.rows.len() as u32);
+                report.sweeps += 1;
+                self.newton.solve(space, system, &mut self.forces, &self.rows, &report, settings.tolerance, 0.0)
+            } else if slow && report.residual < NEAR {
+                for block in 0..system.blocks() {
+                    self.rows.clear();
+                    self.rows.extend_from_slice(system.rows_of(block));
+                    if self.rows.len() > RESCUE {
+                        continue;
+                    }
+                    self.newton.solve(space, system, &mut self.forces, &self.rows, &report, AIM * settings.tolerance, PART);
+                }
+                report.sweeps += 1;
+                true
+            } else {
+                false
+            };
+            if moved {
+                self.conjugate.restart(system, &self.forces);
+                if whole {
+                    continue;
+                }
+            }
+            for _ in 0..ROUND {
+                self.conjugate.sweep(space, system, &mut self.forces);
+            }
+            // What the direction left outside the laws comes back.
+            sweep(space, system, &mut self.forces);
+            report.sweeps += ROUND + 1;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
             forces[row.touch] = *force;

@@ -1,6 +1,8 @@
 //! A strand in the course of a step in which touches or constraints hold it: its stations, and what the joints of its island make of
 //! them.
 
+use std::sync::{Mutex, PoisonError};
+
 use nalgebra::Vector3;
 
 use super::body::BodyAt;
@@ -56,7 +58,8 @@ pub struct HeldStrand {
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
     bounds: PathBounds,
-    scratch: strand_body::Scratch,
+    /// Only ever taken by who may change the strand; the lock is there for those who look at it meanwhile.
+    scratch: Mutex<strand_body::Scratch>,
 }
 
 impl HeldStrand {
@@ -71,15 +74,16 @@ impl HeldStrand {
         if !self.touches {
             return;
         }
-        let (mut bounds, mut scratch, mut found) =
-            (std::mem::take(&mut self.bounds), std::mem::take(&mut self.scratch), std::mem::take(&mut self.found));
+        let (mut bounds, mut found) = (std::mem::take(&mut self.bounds), std::mem::take(&mut self.found));
+        let mut scratch = std::mem::take(self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner));
         let path = self.path();
         bounds.update(&path);
         let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
         for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
             strand_body::touches(&path, &bounds, Span { exempt }, radius, body, within, &mut scratch, &mut found);
         }
-        (self.bounds, self.scratch, self.found) = (bounds, scratch, found);
+        (self.bounds, self.found) = (bounds, found);
+        *self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner) = scratch;
     }
 
     /// What it is to other strands.

@@ -27,8 +27,8 @@ const LOST: f64 = 0.1;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
-/// In how many of an island's first iterations touches are asked whether they press and so rub (viscous friction): asked for ever, one that
-/// its friction lifts off would come and go.
+/// In how many of an island's first iterations a touch that presses begins to rub (viscous friction): one that its friction lifts off would
+/// come and go for ever.
 const ASKED: u32 = 3;
 
 /// How far from a body's surface a touch is looked at again, m.
@@ -173,9 +173,8 @@ impl Island {
         }
         self.forces.clear();
         for joint in 0..self.joints.len() {
-            if self.iterations <= ASKED {
-                self.joints[joint].rubs = self.joints[joint].presses();
-            }
+            let presses = self.joints[joint].presses();
+            self.joints[joint].rubs = presses && (self.iterations <= ASKED || self.joints[joint].rubs);
             let (law, mut free) = self.evaluate(joint, strands, options, step);
             let [first, second] = self.ends[joint];
             let at = |end: End| strands[self.strands[end.strand as usize] as usize].free(end.point);

@@ -2,13 +2,16 @@
 
 mod block_newton;
 pub mod body;
+mod body_sweep;
 pub mod bonds;
+mod conjugate;
 pub mod contact_space;
 mod dense;
 mod descent;
 mod element_path;
 pub mod gauss_seidel;
 pub mod grid;
+mod ground;
 pub mod hair_pairs;
 pub mod held_strand;
 pub mod helix_distance;
@@ -17,6 +20,7 @@ pub mod joint;
 pub mod law;
 pub mod nearest;
 pub mod options;
+mod overlooked;
 pub mod pieces;
 mod rank;
 pub mod segment_distance;

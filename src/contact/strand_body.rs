@@ -1,24 +1,34 @@
 //! Strand against body: where a strand's elements touch a body, or soon may.
 //!
 //! Along an element the body's signed distance is a function of arclength. Its minima are found between nodes, from its values and slopes
-//! there, and refined on the exact helix. Where a piece of the element may have gone through the body within the step, its way is swept
-//! (`sweep.rs`), and the side that it came from counts.
+//! there, and refined on the exact helix; what overlaps a mesh between them is seen to triangle by triangle (`overlooked.rs`). Where a piece
+//! of the element may have gone through the body within the step, its way is swept (`body_sweep.rs`), and the side that it came from counts.
+
+use std::cell::Cell;
 
 use nalgebra::Vector3;
 
 use super::body::BodyAt;
+use super::body_sweep;
 use super::descent::{self, Sample};
 use super::element_path::ElementPath;
-use super::shape::{Bounds, Candidate, Kind, Mesh, Sides, Surface};
-use super::sweep::{Hit, MovingChord, Near, first_hit};
+use super::ground::{Ground, Node, sample};
+use super::overlooked::{self, overlooked};
+use super::shape::{Ball, Bounds, Kind, Mesh, Patch, Region, Sides, Surface, Tube};
 use super::touch::{Partner, Place, StrandPath, Touch};
 
 /// How much deeper than an element's end or its neighbour a minimum must be to count as a touch of its own, and to what it is found, m:
 /// once the touches are resolved, nothing in between is deeper than about twice this.
-const PROMINENCE: f64 = 2e-7;
+const PROMINENCE: f64 = 1e-6;
 
 /// Most pieces into which an element is cut.
 const MOST_PIECES: usize = 64;
+
+/// How often a piece is halved where its ends do not tell what lies between.
+const DEEPEST_SPLIT: usize = 3;
+
+/// The tree of a mesh is asked for a box larger than an element needs by this share of its length, so that the answer holds for a while.
+const MARGIN: f64 = 0.3;
 
 /// Which part of a strand is touched.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -63,19 +73,40 @@ impl PathBounds {
 /// Lists that are used again from call to call.
 #[derive(Debug, Clone, Default)]
 pub struct Scratch {
-    candidates: Vec<Candidate>,
+    /// By body and element.
+    regions: Vec<(u32, Vec<Region>)>,
+    patch: Patch,
     nodes: Vec<Node>,
     hits: Vec<(f64, Surface)>,
+    pieces: Vec<Piece>,
+    close: Vec<Ball>,
+    more: Vec<Sample<Surface>>,
 }
 
-/// A node of an element: the element is looked at there first.
+/// A piece between two places, with what was found there, if the surface is near there, and how often it was halved.
 #[derive(Debug, Clone, Copy)]
-struct Node {
-    s: f64,
-    before: Vector3<f64>,
-    now: Vector3<f64>,
-    tangent: Vector3<f64>,
-    sample: Option<Sample<Surface>>,
+struct Piece {
+    ends: [f64; 2],
+    samples: [Option<Sample<Surface>>; 2],
+    depth: usize,
+}
+
+impl Scratch {
+    /// What is known of a mesh about an element.
+    fn region(&mut self, body: u32, element: usize) -> &mut Region {
+        let place = match self.regions.iter().position(|(of, _)| *of == body) {
+            Some(place) => place,
+            None => {
+                self.regions.push((body, Vec::new()));
+                self.regions.len() - 1
+            }
+        };
+        let regions = &mut self.regions[place].1;
+        if regions.len() <= element {
+            regions.resize_with(element + 1, Region::default);
+        }
+        &mut regions[element]
+    }
 }
 
 /// Finds where a strand touches a body at the present iterate, or is nearer than `within` (m) to it, and adds the touches to `out`, sorted
@@ -96,8 +127,8 @@ pub fn touches(
     out: &mut Vec<Touch>,
 ) {
     let thickness = radius + body.thickness;
-    let near = body.bounds.grown(thickness + within);
-    if !bounds.whole.meets(&near) {
+    let (margin, slack) = (thickness + within, turning_slack(bounds, body));
+    if body.is_clear_of(&bounds.whole, margin, slack) {
         return;
     }
     let mut search = Search { path, body, thickness, within, inside: None, first: true, scratch, out };
@@ -108,13 +139,26 @@ pub fn touches(
         if low >= state.length {
             continue;
         }
-        if bounds.elements[element].meets(&near) {
-            search.element(element, low, state.length);
-        } else {
+        if body.is_clear_of(&bounds.elements[element], margin, slack) {
             search.inside = Some(false);
+        } else {
+            search.element(element, low, state.length);
         }
         search.first = false;
     }
+}
+
+/// How far the ways of points of a strand, straight in the body's turning axes, may leave those in the world, m.
+///
+/// With a and b a point's places at start and end from the body's origin there, and θ the turn, the two differ at the fraction τ of the step by
+/// τ(1−τ) θ×(a−b) to first order in θ, and by at most θ²/8 max(|a|, |b|) beyond.
+fn turning_slack(bounds: &PathBounds, body: &BodyAt) -> f64 {
+    if body.turn == 0.0 {
+        return 0.0;
+    }
+    let farthest = |origin: &Vector3<f64>| (bounds.whole.low - origin).abs().sup(&(bounds.whole.high - origin).abs()).norm();
+    let (a, b) = (farthest(&body.start.origin), farthest(&body.end.origin));
+    body.turn * (0.25 * (a + b) + 0.125 * body.turn * a.max(b))
 }
 
 /// The search along one strand.
@@ -129,32 +173,6 @@ struct Search<'a, 'b> {
     first: bool,
     scratch: &'b mut Scratch,
     out: &'b mut Vec<Touch>,
-}
-
-/// What is asked for the distance of a point in the body's axes.
-struct Ground<'a> {
-    body: &'a BodyAt<'a>,
-    mesh: Option<&'a Mesh>,
-    candidates: &'a [Candidate],
-    reach: f64,
-}
-
-impl Ground<'_> {
-    /// The surface nearest to `now`, for a point that was at `before`; None if it is farther than the reach.
-    fn ask(&self, before: impl FnOnce() -> Vector3<f64>, now: Vector3<f64>, inside: Option<bool>) -> Option<Surface> {
-        let Some(mesh) = self.mesh else {
-            return match &self.body.shape.0 {
-                Kind::Grid(grid) => grid.closest(now),
-                _ => Some(self.body.shape.closest_smooth(now)),
-            };
-        };
-        let mut surface = mesh.closest_among(self.candidates, self.reach, inside, now)?;
-        if mesh.sides() == Sides::Both && Mesh::crosses(self.candidates, &before(), &now) {
-            surface.distance = -surface.distance;
-            surface.normal = -surface.normal;
-        }
-        Some(surface)
-    }
 }
 
 impl Search<'_, '_> {
@@ -175,26 +193,25 @@ impl Search<'_, '_> {
             return;
         }
         let piece = self.place_nodes(&path, low, high);
-        let reach = self.thickness + self.within + piece;
+        // The distance at places that are themselves farther than the limit tells where it falls.
+        let reach = self.thickness + self.within + if mesh.is_some() { 0.1 * piece } else { 0.5 * piece };
         let travel = self.scratch.nodes.iter().map(|node| (node.now - node.before).norm_squared()).fold(0.0, f64::max).sqrt();
+        let travel = travel + mesh.map_or(0.0, Mesh::farthest_travel);
         let swept = travel > 0.5 * self.thickness + shape.thinness();
         if let Some(mesh) = mesh {
-            let sagitta = 0.125 * piece * piece * path.now.bend().max(path.start.bend());
-            let points = self.scratch.nodes.iter().flat_map(|node| [node.before, node.now]);
-            mesh.gather(&Bounds::of_points(points).grown(reach + sagitta), &mut self.scratch.candidates);
-            if self.scratch.candidates.is_empty() {
-                if mesh.sides() != Sides::Solid || self.inside == Some(false) {
-                    return;
-                }
+            self.gather(mesh, index, piece, reach, 0.125 * piece * piece * path.now.bend().max(path.start.bend()), swept);
+            let outside = mesh.sides() == Sides::Both || self.inside == Some(false);
+            if outside && self.scratch.patch.triangles.is_empty() {
+                return;
             }
         }
-        let candidates = std::mem::take(&mut self.scratch.candidates);
+        let patch = std::mem::take(&mut self.scratch.patch);
         let mut nodes = std::mem::take(&mut self.scratch.nodes);
         let mut hits = std::mem::take(&mut self.scratch.hits);
-        let ground = Ground { body: self.body, mesh, candidates: &candidates, reach };
+        let ground = Ground { body: self.body, mesh, patch: &patch, reach, hint: Cell::default() };
         hits.clear();
         if swept {
-            self.sweep(&ground, &nodes, &mut hits);
+            body_sweep::sweep(&ground, self.thickness, &nodes, &mut hits);
         }
         for node in &mut nodes {
             let surface = ground.ask(|| node.before, node.now, self.inside);
@@ -211,15 +228,32 @@ impl Search<'_, '_> {
             self.keep_side(index, &path, piece, from, *s, hit, &ground);
         }
         self.out[from..].sort_by(|a, b| a.place.s.total_cmp(&b.place.s));
-        (self.scratch.candidates, self.scratch.nodes, self.scratch.hits) = (candidates, nodes, hits);
+        (self.scratch.patch, self.scratch.nodes, self.scratch.hits) = (patch, nodes, hits);
+    }
+
+    /// Picks the triangles near the element: those that the ends of its pieces are asked for, and, if it is swept, those on its way.
+    fn gather(&mut self, mesh: &Mesh, index: usize, piece: f64, reach: f64, sagitta: f64, swept: bool) {
+        let nodes = &self.scratch.nodes;
+        let (first, last) = (nodes[0].now, nodes[nodes.len() - 1].now);
+        let along = (last - first).try_normalize(0.0).unwrap_or_default();
+        let off = |node: &Node| (node.now - first) - along * along.dot(&(node.now - first));
+        let bulge = nodes.iter().map(|node| off(node).norm_squared()).fold(0.0, f64::max).sqrt();
+        let tube = Tube { ends: [first, last], radius: reach + bulge + sagitta };
+        let points = nodes.iter().flat_map(|node| [node.before, node.now]);
+        let bounds = Bounds::of_points(points).grown(reach + bulge + sagitta);
+        let margin = MARGIN * piece * (nodes.len() - 1) as f64;
+        let mut region = std::mem::take(self.scratch.region(self.body.index, index));
+        region.cover(mesh, &bounds, margin);
+        self.scratch.patch.take(mesh, &region, &tube, swept.then_some(&bounds));
+        *self.scratch.region(self.body.index, index) = region;
     }
 
     /// Cuts the element into pieces that bend by little and are no longer than the body's features; their length.
     fn place_nodes(&mut self, path: &ElementPath, low: f64, high: f64) -> f64 {
         let bend = path.now.bend().max(path.start.bend());
         let length = high - low;
-        // A quarter of the thickness for the chord's sagitta, half a radian for its turn.
-        let flat = (8.0 * (0.25 * self.thickness).max(2e-6) / bend).sqrt().min(0.5 / bend);
+        // A quarter of the thickness for the chord's sagitta, a quarter of a radian for its turn.
+        let flat = (8.0 * (0.25 * self.thickness).max(2e-6) / bend).sqrt().min(0.25 / bend);
         let longest = flat.min(self.body.shape.feature_length()).max(length / MOST_PIECES as f64);
         let count = ((length / longest).ceil() as usize).clamp(1, MOST_PIECES);
         let nodes = &mut self.scratch.nodes;
@@ -245,35 +279,93 @@ impl Search<'_, '_> {
         let mut before = left.sample.map_or(f64::INFINITY, |sample| sample.value);
         let mut crest = before;
         let mut added = 0;
+        let from = self.out.len();
+        self.scratch.more.clear();
+        let mut pieces = std::mem::take(&mut self.scratch.pieces);
+        let mut close = std::mem::take(&mut self.scratch.close);
         for pair in nodes.windows(2) {
-            let (Some(a), Some(b)) = (pair[0].sample, pair[1].sample) else {
-                (before, crest) = (f64::INFINITY, f64::INFINITY);
-                continue;
-            };
-            crest = crest.max(a.value);
-            // The slope is at most 1.
-            let may_touch = 0.5 * (a.value + b.value - (b.s - a.s)) < limit;
-            if !(may_touch && a.slope < 0.0 && b.slope >= 0.0) {
-                continue;
-            }
-            let found = descent::lowest(a, b, 0.5 * PROMINENCE, |s| {
+            close_to(ground, path, pair, limit, &mut close);
+            // Between places outside nothing is looked for deep inside.
+            let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);
+            let inside = (out(&pair[0]) && out(&pair[1])).then_some(false);
+            let ask = |s: f64| {
                 let (now, tangent) = path.now.at(s);
-                let surface = ground.ask(|| path.start.at(s).0, now, None)?;
-                Some(sample(s, surface, &tangent))
-            });
-            let counts = found.value < before.max(crest) - PROMINENCE;
-            if found.value < limit && counts && found.s > left.s && found.s < right.s {
-                self.add(index, &found);
-                added += 1;
-                (before, crest) = (found.value, found.value);
+                ground.ask_among(&close, || path.start.at(s).0, now, inside).map(|surface| sample(s, surface, &tangent))
+            };
+            let none_close = ground.mesh.is_some() && close.is_empty();
+            pieces.clear();
+            pieces.push(Piece { ends: [pair[0].s, pair[1].s], samples: [pair[0].sample, pair[1].sample], depth: 0 });
+            while let Some(Piece { ends, samples, depth }) = pieces.pop() {
+                let length = ends[1] - ends[0];
+                // The slope is at most 1; where nothing was found the surface is farther than the reach.
+                let value = |end: usize| samples[end].map_or(ground.reach, |sample| sample.value);
+                crest = crest.max(value(0));
+                if samples[0].is_none() {
+                    before = f64::INFINITY;
+                }
+                if 0.5 * (value(0) + value(1) - length) >= limit || none_close && samples[0].is_none() && samples[1].is_none() {
+                    continue;
+                }
+                let falls_and_rises = matches!(samples, [Some(a), Some(b)] if a.slope < 0.0 && b.slope >= 0.0);
+                let (Some(a), Some(b), true) = (samples[0], samples[1], falls_and_rises) else {
+                    // Where the mean slope is none between those at the ends, there is more to it than they tell.
+                    let told = samples[0].zip(samples[1]).is_some_and(|(a, b)| {
+                        let mean = (b.value - a.value) / length;
+                        mean >= a.slope.min(b.slope) - 1e-3 && mean <= a.slope.max(b.slope) + 1e-3
+                    });
+                    if !told && depth < DEEPEST_SPLIT {
+                        let s = 0.5 * (ends[0] + ends[1]);
+                        let middle = ask(s);
+                        pieces.push(Piece { ends: [s, ends[1]], samples: [middle, samples[1]], depth: depth + 1 });
+                        pieces.push(Piece { ends: [ends[0], s], samples: [samples[0], middle], depth: depth + 1 });
+                    }
+                    continue;
+                };
+                let found = descent::lowest(a, b, 0.5 * PROMINENCE, ask);
+                let counts = found.value < before.max(crest) - PROMINENCE;
+                if found.value < limit && counts && found.s > left.s && found.s < right.s {
+                    self.add(index, &found);
+                    added += 1;
+                    (before, crest) = (found.value, found.value);
+                }
+            }
+            if ground.mesh.is_some() {
+                self.overlooked(ground, path, &[pair[0], pair[1]], &close, from);
             }
         }
+        (self.scratch.pieces, self.scratch.close) = (pieces, close);
         if let Some(sample) = right.sample.filter(|sample| sample.value < limit) {
             // A minimum from which it rises to the end by nothing that counts is the end's own.
             if added > 0 && crest.max(sample.value) - before < PROMINENCE {
                 self.out.pop();
             }
             self.add(index, &sample);
+        }
+        for place in 0..self.scratch.more.len() {
+            let found = self.scratch.more[place];
+            let gap = found.value - self.thickness;
+            // A deeper touch close by is worth more; what is left then is found when that is resolved.
+            let seen = self.out[from..].iter().any(|touch| {
+                let off = (touch.place.s - found.s).abs();
+                off < 2e-3 && touch.gap <= gap || off < 2e-4 && touch.gap <= gap + overlooked::TOLERANCE
+            });
+            if !seen {
+                self.add(index, &found);
+            }
+        }
+    }
+
+    /// Takes down what overlaps between two nodes on triangles that have no touch there.
+    fn overlooked(&mut self, ground: &Ground, path: &ElementPath, nodes: &[Node; 2], close: &[Ball], from: usize) {
+        for ball in close {
+            // A triangle has one minimum.
+            let of_it = |touch: &Touch| matches!(touch.partner, Partner::Body { feature, .. } if feature == ball.triangle);
+            if self.out[from..].iter().any(|touch| of_it(touch) && touch.place.s >= nodes[0].s) {
+                continue;
+            }
+            if let Some(found) = overlooked(ground, path, nodes, ball, self.thickness) {
+                self.scratch.more.push(found);
+            }
         }
     }
 
@@ -291,80 +383,16 @@ impl Search<'_, '_> {
         });
     }
 
-    /// Finds where the element's pieces run into the body on their way: arclength and the surface there, as it is at the end.
-    fn sweep(&self, ground: &Ground, nodes: &[Node], hits: &mut Vec<(f64, Surface)>) {
-        let level = (0.5 * self.thickness).max(1e-6);
-        for pair in nodes.windows(2) {
-            let chord = MovingChord { before: [pair[0].before, pair[1].before], after: [pair[0].now, pair[1].now] };
-            let hit = match (&self.body.shape.0, ground.mesh) {
-                (_, Some(mesh)) => self.sweep_mesh(mesh, ground.candidates, &chord, level),
-                (Kind::Grid(_), _) => None,
-                (Kind::HalfSpace { .. }, _) => None,
-                _ => first_hit(&chord, level, |point, _| {
-                    let surface = self.body.shape.closest_smooth(*point);
-                    Near { normal: surface.normal, distance: surface.distance, coming: 0.0, what: surface }
-                }),
-            };
-            if let Some(hit) = hit {
-                let s = pair[0].s + (pair[1].s - pair[0].s) * hit.place;
-                // Pieces share their ends.
-                if hits.last().is_none_or(|(last, _)| (s - last).abs() > 1e-6) {
-                    hits.push((s, hit.near.what));
-                }
-            }
-        }
-        if let Kind::Grid(grid) = &self.body.shape.0 {
-            super::sweep::along_nodes(
-                nodes.iter().map(|node| (node.s, node.before, node.now)),
-                level,
-                0.5 * grid.cell(),
-                |point| grid.closest(point).ok_or_else(|| grid.clearance(&point)),
-                hits,
-            );
-        }
-    }
-
-    fn sweep_mesh(&self, mesh: &Mesh, candidates: &[Candidate], chord: &MovingChord, level: f64) -> Option<Hit<Surface>> {
-        let swept = Bounds::of_points(chord.before.into_iter().chain(chord.after)).grown(1.1 * level);
-        let mut earliest: Option<Hit<Surface>> = None;
-        for candidate in candidates {
-            let before: [Vector3<f64>; 3] = std::array::from_fn(|corner| candidate.corners[corner] - candidate.travel[corner]);
-            if !swept.meets(&Bounds::of_points(candidate.corners.into_iter().chain(before))) {
-                continue;
-            }
-            let hit = first_hit(chord, level, |point, time| {
-                let corners: [Vector3<f64>; 3] = std::array::from_fn(|corner| before[corner] + candidate.travel[corner] * time);
-                let (weights, on, out) = Mesh::closest_on(&corners, point);
-                let distance = out.norm();
-                let normal = if distance > 0.0 { out / distance } else { mesh.face_normal(candidate.index) };
-                let coming = if mesh.is_moving() {
-                    candidate.travel.iter().map(|travel| travel.dot(&normal)).fold(f64::NEG_INFINITY, f64::max)
-                } else {
-                    0.0
-                };
-                let what = Surface { point: on, normal, distance, feature: candidate.index, weights };
-                Near { normal, distance, coming, what }
-            });
-            let Some(mut hit) = hit else { continue };
-            let face = mesh.face_normal(candidate.index);
-            // A one-sided mesh stops nothing that comes from behind.
-            if mesh.sides() != Sides::Both && hit.near.normal.dot(&face) <= 0.0 {
-                continue;
-            }
-            if earliest.is_none_or(|earliest| hit.time < earliest.time) {
-                let surface = &mut hit.near.what;
-                surface.point = (0..3).map(|corner| candidate.corners[corner] * surface.weights[corner]).sum();
-                earliest = Some(hit);
-            }
-        }
-        earliest
-    }
-
     /// Sees to it that a piece of strand that ran into the body stays on the side that it came from.
     #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
     fn keep_side(&mut self, index: usize, path: &ElementPath, piece: f64, from: usize, s: f64, hit: &Surface, ground: &Ground) {
         /// Cosine of the angle up to which the nearest surface's normal counts as that of the side that was hit.
         const ALIKE: f64 = 0.7;
+        let (now, _) = path.now.at(s);
+        let gap = hit.normal.dot(&(now - hit.point)) - self.thickness;
+        if gap >= self.within {
+            return;
+        }
         let normal = self.body.axes_end * hit.normal;
         let mut kept = from;
         for touch in from..self.out.len() {
@@ -375,17 +403,37 @@ impl Search<'_, '_> {
             }
         }
         self.out.truncate(kept);
-        let (now, _) = path.now.at(s);
+        // Where the nearest surface is that which was hit, the touches beside it say more.
         let at_place = ground.ask(|| path.start.at(s).0, now, None);
-        let found_anyway = at_place
-            .is_some_and(|surface| surface.distance < self.thickness + self.within && surface.normal.dot(&hit.normal) >= ALIKE);
-        let gap = hit.normal.dot(&(now - hit.point)) - self.thickness;
-        if !found_anyway && gap < self.within {
+        let beside = self.out[from..].iter().any(|touch| (touch.place.s - s).abs() <= piece);
+        let found_anyway = beside
+            && at_place.is_some_and(|surface| {
+                surface.distance < self.thickness + self.within && surface.normal.dot(&hit.normal) >= ALIKE
+            });
+        if !found_anyway {
             self.push(index, s, hit, gap);
         }
     }
 }
 
-fn sample(s: f64, found: Surface, tangent: &Vector3<f64>) -> Sample<Surface> {
-    Sample { s, value: found.distance, slope: found.normal.dot(tangent), found }
+/// Picks the triangles of a mesh that can be nearest to a place between two nodes.
+fn close_to(ground: &Ground, path: &ElementPath, nodes: &[Node], limit: f64, close: &mut Vec<Ball>) {
+    close.clear();
+    let Some(mesh) = ground.mesh else { return };
+    let (left, right) = (&nodes[0], &nodes[1]);
+    let length = right.s - left.s;
+    let value = |node: &Node| node.sample.map_or(ground.reach, |sample| sample.value.abs());
+    if 0.5 * (value(left) + value(right) - length) >= limit {
+        return;
+    }
+    let sagitta = 0.125 * path.now.bend() * length * length;
+    let mut radius = limit + sagitta;
+    // Along the chord the distance to one triangle is convex, so that it is nowhere farther than at the farther end.
+    for (here, there) in [(left, right), (right, left)] {
+        if let Some(sample) = here.sample {
+            let there = mesh.flat(sample.found.feature).distance_squared(&there.now).sqrt();
+            radius = radius.min(sample.value.abs().max(there) + 2.0 * sagitta);
+        }
+    }
+    ground.patch.pick(&Tube { ends: [left.now, right.now], radius }, close);
 }

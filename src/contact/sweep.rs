@@ -45,39 +45,31 @@ pub(super) struct Hit<T> {
 /// The most advances; one that has come so far without an end grazes, and is taken for a hit.
 const ADVANCES: usize = 64;
 
-/// The first time that the piece comes within `level` of a convex thing. `ask(point, time)` tells the nearest place of it.
-/// None if it never does, or is inside the thing from the start.
+/// The first time up to `latest` that the piece comes within `level` of a convex thing. `ask(point, time)` tells the nearest place of it. Distances may be
+/// negative inside; where the piece lies inside from the start, that place is the hit. None if it never comes near, or if it starts at no
+/// distance at all and no side is told.
 pub(super) fn first_hit<T: Copy>(
     chord: &MovingChord,
     level: f64,
+    latest: f64,
     mut ask: impl FnMut(&Vector3<f64>, f64) -> Near<T>,
 ) -> Option<Hit<T>> {
     let mut time = 0.0;
     let velocity = [chord.after[0] - chord.before[0], chord.after[1] - chord.before[1]];
     for advance in 0..ADVANCES {
         let ends = [chord.before[0] + velocity[0] * time, chord.before[1] + velocity[1] * time];
-        let along = ends[1] - ends[0];
-        let mut sample = |u: f64| {
-            let near = ask(&(ends[0] + along * u), time);
-            Sample { s: u, value: near.distance, slope: near.normal.dot(&along), found: near }
-        };
-        let (low, high) = (sample(0.0), sample(1.0));
-        let nearest = if low.slope < 0.0 && high.slope > 0.0 {
-            descent::lowest(low, high, 0.05 * level, |u| Some(sample(u)))
-        } else if low.value <= high.value {
-            low
-        } else {
-            high
-        };
-        let near = nearest.found;
-        if near.distance <= 0.0 && time == 0.0 {
+        let mut nearest = nearest_along(&ends, 0.05 * level, |point| ask(point, time));
+        if nearest.found.distance == 0.0 && time == 0.0 {
             return None;
         }
-        if near.distance <= 1.1 * level || advance + 1 == ADVANCES {
-            return Some(Hit { time, place: nearest.s, near });
+        if nearest.found.distance <= 1.1 * level || advance + 1 == ADVANCES {
+            // The normal is kept, and its lever may be long: once more, finely.
+            nearest = nearest_along(&ends, 1e-6 * level, |point| ask(point, time));
+            return Some(Hit { time, place: nearest.s, near: nearest.found });
         }
+        let near = nearest.found;
         // The ends' heights over the plane through the body's nearest point, and when the first comes down to the level.
-        let foot = ends[0] + along * nearest.s - near.normal * near.distance;
+        let foot = ends[0] + (ends[1] - ends[0]) * nearest.s - near.normal * near.distance;
         let mut next = f64::INFINITY;
         for (end, velocity) in ends.iter().zip(&velocity) {
             let height = near.normal.dot(&(end - foot));
@@ -88,11 +80,32 @@ pub(super) fn first_hit<T: Copy>(
             }
         }
         time += next;
-        if time > 1.0 {
+        if time > latest {
             return None;
         }
     }
     None
+}
+
+/// The place of a straight piece that is nearest to a convex thing, to `tolerance`.
+fn nearest_along<T: Copy>(
+    ends: &[Vector3<f64>; 2],
+    tolerance: f64,
+    mut ask: impl FnMut(&Vector3<f64>) -> Near<T>,
+) -> Sample<Near<T>> {
+    let along = ends[1] - ends[0];
+    let mut sample = |u: f64| {
+        let near = ask(&(ends[0] + along * u));
+        Sample { s: u, value: near.distance, slope: near.normal.dot(&along), found: near }
+    };
+    let (low, high) = (sample(0.0), sample(1.0));
+    if low.slope < 0.0 && high.slope > 0.0 {
+        descent::lowest(low, high, tolerance, |u| Some(sample(u)))
+    } else if low.value <= high.value {
+        low
+    } else {
+        high
+    }
 }
 
 /// For bodies that are known by their distance alone: where nodes of a strand run into one on their straight ways. Advances by the distance,

@@ -1,7 +1,7 @@
 //! Wavefront OBJ with polylines: `v x y z` for each point, `l a b c ...` for each strand.
 //!
 //! Groups, objects, materials and comments are read past; faces and all else that is no polyline is refused, as are points that
-//! are on no line.
+//! are on no line. Meshes are read by [`obj_mesh`](super::obj_mesh).
 
 use std::io::Write;
 use std::path::Path;
@@ -9,10 +9,8 @@ use std::path::Path;
 use crate::error::{Error, Result};
 use crate::files::bytes;
 use crate::files::curves::{Curves, CurvesFormat, Extras};
+use crate::files::obj_lines::{is_left, vertex_index};
 use crate::files::text::{Quote, Text, single};
-
-/// First words of lines that say nothing about points.
-const LEFT: [&str; 5] = ["o", "g", "s", "usemtl", "mtllib"];
 
 /// Reads the polylines of an OBJ file.
 ///
@@ -81,7 +79,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
                 }
                 counts.push(count);
             }
-            Some(word) if LEFT.contains(&word) || word.starts_with('#') => {}
+            Some(word) if is_left(word) => {}
             _ => {
                 let expected = "only polylines (v and l) are read";
                 return Err(text.error(line, format_args!("{}: {expected}", Quote(content))));
@@ -95,13 +93,6 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
         return Err(Error::file(name, format_args!("vertex {} is on no polyline", index + 1)));
     }
     Curves::from_parts(CurvesFormat::Obj, counts, points, Extras::default())
-}
-
-/// The place of a vertex that a line names: from 1 on, or from -1 backwards.
-fn vertex_index(word: &str, known: usize) -> Option<usize> {
-    let index = word.parse::<i64>().ok()?;
-    let index = if index < 0 { (known as i64).checked_add(index)? } else { index - 1 };
-    usize::try_from(index).ok().filter(|index| *index < known)
 }
 
 /// Writes curves as one OBJ frame: a `v` line a point, then an `l` line a strand. Numbers are written so that reading them

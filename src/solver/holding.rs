@@ -329,7 +329,10 @@ impl Holding {
             let island = &islands[held.island as usize];
             held.held.outcome.converged = island.converged;
             held.held.outcome.quarantined |= island.lost;
-            with_one(strand, |one| held.held.end(one, setting, h, &mut scratch.rule));
+            // No step bends a strand by more than the energy of going its own length in it.
+            let speed = strand.model.length() / h;
+            let most_elastic = strand.energies.elastic + held.mass * speed * speed;
+            with_one(strand, |one| held.held.end(one, setting, h, most_elastic, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
             strand.touched =

@@ -241,8 +241,16 @@ impl Held {
         self.outcome.residual
     }
 
-    /// Ends the step: its end becomes the strand's state, unless it is not finite.
-    pub fn end(&mut self, one: &mut One, setting: &Setting, h: f64, scratch: &mut RuleScratch) -> StrandOutcome {
+    /// Ends the step: its end becomes the strand's state, unless it is not finite, or has not converged and is bent by more than
+    /// `most_elastic` (J): it is then come to nowhere.
+    pub fn end(
+        &mut self,
+        one: &mut One,
+        setting: &Setting,
+        h: f64,
+        most_elastic: f64,
+        scratch: &mut RuleScratch,
+    ) -> StrandOutcome {
         let workspace = &mut self.bench.workspace;
         let axes = self.freedoms.axes();
         forces(&mut workspace.iterate);
@@ -258,18 +266,14 @@ impl Held {
         let mut outcomes = [self.outcome; MAX_LANES];
         whole::energies(one, setting, workspace, &mut outcomes);
         self.outcome = outcomes[0];
-        self.outcome.quarantined |= whole::finiteness(workspace) != 0.0;
+        let nowhere = !self.outcome.converged && self.outcome.energies.elastic > most_elastic;
+        self.outcome.quarantined |= nowhere || whole::finiteness(workspace) != 0.0;
         if self.outcome.quarantined {
             self.outcome.converged = false;
         } else {
             keep(one, 0, setting, h, workspace, scratch);
         }
         self.outcome
-    }
-
-    /// Bytes on the heap.
-    pub fn kinematics(&self) -> &Kinematics<f64> {
-        &self.bench.workspace.iterate.kinematics
     }
 }
 

@@ -94,8 +94,51 @@ fn a_grid_that_cannot_be_is_refused() {
     says(DistanceGrid::bake(&mesh, f64::NAN, 0.1), "cell is NaN");
     says(DistanceGrid::bake(&mesh, 0.01, 0.0), "band is 0");
     let (vertices, triangles) = sheet(0.1, 2);
-    says(DistanceGrid::bake(&Mesh::new(vertices, triangles, Sides::Both).unwrap(), 0.01, 0.01), "mesh.sides is Both");
+    says(
+        DistanceGrid::bake(&Mesh::new(vertices, triangles, Sides::Both).unwrap(), 0.01, 0.01),
+        "mesh is too open to have an inside",
+    );
     says(DistanceGrid::from_parts(Vector3::zeros(), 1.0, 1.0, [2, 2, 2], vec![0.0; 7].into()), "values is 7 long");
     let grid = DistanceGrid::bake(&mesh, 0.03, 0.01).unwrap();
     assert!(Shape::new_grid(grid).grid().is_some());
+}
+
+#[test]
+fn a_mesh_with_an_opening_is_baked_as_if_closed() {
+    // A ball whose bottom is cut off, and one of whose triangles is missing elsewhere; the closed ball tells what the grid should be.
+    let (vertices, triangles) = ball(0.1, 4);
+    let solid = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
+    let middle = |triangle: &[u32; 3]| triangle.iter().map(|v| vertices[*v as usize]).sum::<Vector3<f64>>() / 3.0;
+    let mut open: Vec<_> = triangles.iter().copied().filter(|triangle| middle(triangle).z > -0.09).collect();
+    open.remove(0);
+    let mesh = Mesh::new(vertices.clone(), open, Sides::Both).unwrap();
+    let (grid, whole) = (DistanceGrid::bake(&mesh, 0.004, 0.02).unwrap(), DistanceGrid::bake(&solid, 0.004, 0.02).unwrap());
+    let mut dice = Dice(12);
+    let mut inside = 0;
+    for _ in 0..3000 {
+        let point = dice.cube() * 0.115;
+        let (Some(found), Some(expected)) = (grid.closest(point), whole.closest(point)) else { continue };
+        // The surface is the same but about the bottom, closed by a cap somewhere within the ball's, and the missing triangle.
+        let missing = point.normalize().dot(&middle(&triangles[0]).normalize()) > 0.95;
+        if point.z > 0.0 && expected.distance > -0.05 && !missing {
+            // The lattices lie elsewhere: twice what interpolation errs by, (3/8) cell²/r with r down to 5 cm.
+            assert!((found.distance - expected.distance).abs() < 2.4e-4, "{point} {found:?} {expected:?}");
+            inside += usize::from(found.distance < 0.0);
+        }
+        // A distance it is everywhere: it grows by no more than the way, to what spreading and interpolation leave.
+        let step = dice.direction() * 0.004;
+        if let Some(there) = grid.closest(point + step) {
+            assert!((there.distance - found.distance).abs() < 1.8 * 0.004, "{point}: {} {}", found.distance, there.distance);
+        }
+    }
+    assert!(inside > 300, "{inside}");
+    // A mesh of two sides may be wound inward.
+    let inward = mesh.triangles().iter().map(|[a, b, c]| [*a, *c, *b]).collect();
+    let turned = Mesh::new(vertices.clone(), inward, Sides::Both).unwrap();
+    let (turned, near) = (DistanceGrid::bake(&turned, 0.008, 0.02).unwrap(), DistanceGrid::bake(&mesh, 0.008, 0.02).unwrap());
+    assert!(turned.values().iter().zip(near.values()).all(|(a, b)| (a - b).abs() < 1e-4));
+    // A bowl is too open.
+    let bowl: Vec<_> = triangles.iter().copied().filter(|triangle| middle(triangle).z > 0.06).collect();
+    let error = DistanceGrid::bake(&Mesh::new(vertices, bowl, Sides::Both).unwrap(), 0.004, 0.02).unwrap_err().to_string();
+    assert!(error.starts_with("mesh is too open"), "{error}");
 }

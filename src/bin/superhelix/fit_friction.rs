@@ -1,6 +1,5 @@
 //! `superhelix fit-friction`: friction coefficients from a recorded curve.
 
-use std::fs;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -141,10 +140,15 @@ struct Answer {
 /// Runs the command.
 pub fn run(arguments: &FitFrictionArguments) -> Result<(), Failure> {
     let path = &arguments.scene;
-    let bytes = fs::read(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
-    let text =
-        String::from_utf8(bytes).map_err(|error| Failure::BadScene(format!("{}: is not UTF-8: {error}", path.display())))?;
-    let scene = scene::parse(&text).map_err(|complaint| Failure::scene(path, &complaint))?;
+    let scene = scene::load(path)?;
+    if !(scene.colliders.is_empty() && scene.attachments.is_empty()) {
+        return Err(Failure::BadScene(format!(
+            "{}: has {} colliders and {} attachments; expected none: the fit knows no contact",
+            path.display(),
+            scene.colliders.len(),
+            scene.attachments.len()
+        )));
+    }
     let Some(strand) = scene.strands.get(arguments.strand) else {
         let count = scene.strands.len();
         return Err(Failure::Other(format!("--strand is {}; {} has {count} strands", arguments.strand, path.display())));

@@ -276,11 +276,6 @@ impl<'a> Node<'a> {
         Ok(numbers)
     }
 
-    /// true or false.
-    pub fn boolean(&self) -> Result<bool, Complaint> {
-        self.value.as_bool().ok_or_else(|| self.complain("true or false"))
-    }
-
     /// One of some names.
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, Complaint> {
         let found = self.value.as_str().and_then(|name| choices.iter().find(|(candidate, _)| *candidate == name));

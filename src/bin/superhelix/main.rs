@@ -1,6 +1,7 @@
 //! The command line: scenes, grooms with head motion, and pictures of what came out.
 
 mod atomic_file;
+mod bake;
 mod bench;
 mod failure;
 mod fit_friction;
@@ -13,6 +14,7 @@ mod material_arguments;
 mod picture;
 mod presets;
 mod progress;
+mod report;
 mod resolution;
 mod result;
 mod run;
@@ -20,8 +22,10 @@ mod scene;
 mod settings;
 mod settled;
 mod simulate;
+mod simulate_body;
 mod simulate_report;
 mod suggested;
+mod surface;
 mod timeline;
 
 use std::io::Write;
@@ -42,6 +46,7 @@ enum Command {
     Run(run::RunArguments),
     Simulate(Box<simulate::SimulateArguments>),
     Info(info::InfoArguments),
+    Bake(bake::BakeArguments),
     Picture(picture::PictureArguments),
     Settings(settings::SettingsArguments),
     FitFriction(Box<fit_friction::FitFrictionArguments>),
@@ -72,6 +77,7 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Info(arguments) => info::run(arguments),
+        Command::Bake(arguments) => bake::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
         Command::Settings(arguments) => settings::run(arguments),
         Command::FitFriction(arguments) => fit_friction::run(arguments),

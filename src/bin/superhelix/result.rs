@@ -1,11 +1,17 @@
 //! What a run of a scene gives: the document of docs/scene_format.md, section "Result".
 
+use std::collections::HashMap;
+
 use serde::Serialize;
 use superhelix::error::Result;
 use superhelix::solver::Solver;
-use superhelix::solver::id::StrandId;
-use superhelix::solver::report::StepReport;
+use superhelix::solver::bodies::{Contact, ContactPartner};
+use superhelix::solver::constraints::{ConstraintState, ConstraintStatus};
+use superhelix::solver::id::{BodyId, ConstraintId, StrandId};
+use superhelix::solver::report::Wrench;
 
+use crate::report::Report;
+use crate::run::Things;
 use crate::scene::{Output, Request};
 
 /// One list entry an output time.
@@ -20,10 +26,69 @@ pub struct RunResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     energies: Series<EnergiesEntry>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    contacts: Series<[(); 0]>,
+    contacts: Series<Vec<ContactEntry>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    colliders: Vec<ColliderResult>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    attachments: Vec<AttachmentResult>,
     report: Report,
     #[serde(skip)]
     requests: Vec<Request>,
+    #[serde(skip)]
+    things: Places,
+}
+
+/// The places of identifiers in the scene.
+#[derive(Debug)]
+struct Places {
+    strands: Vec<StrandId>,
+    bodies: Vec<BodyId>,
+    constraints: Vec<ConstraintId>,
+    of_strands: HashMap<StrandId, usize>,
+    of_bodies: HashMap<BodyId, usize>,
+}
+
+/// A touch at the end of a step.
+#[derive(Debug, Serialize)]
+struct ContactEntry {
+    strand: usize,
+    arclength: f64,
+    #[serde(flatten)]
+    partner: PartnerEntry,
+    position: [f64; 3],
+    normal: [f64; 3],
+    force: [f64; 3],
+    gap: f64,
+    slip: [f64; 3],
+}
+
+/// What it is with.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum PartnerEntry {
+    Collider { collider: usize, feature: u32 },
+    Strand { other: usize, other_arclength: f64 },
+}
+
+/// What strands did to a collider; one entry an output time.
+#[derive(Debug, Serialize)]
+struct ColliderResult {
+    wrenches: Vec<WrenchEntry>,
+}
+
+/// How an attachment fared; one entry an output time.
+#[derive(Debug, Serialize)]
+struct AttachmentResult {
+    states: Vec<StateEntry>,
+}
+
+#[derive(Debug, Serialize)]
+struct StateEntry {
+    status: &'static str,
+    force: [f64; 3],
+    torque: [f64; 3],
+    error: f64,
+    arclength: f64,
 }
 
 /// What was asked for of one strand; one entry an output time in every list.
@@ -58,50 +123,13 @@ struct WrenchEntry {
     torque: [f64; 3],
 }
 
-/// How the steps went, all together.
-#[derive(Debug, Clone, Default, Serialize)]
-pub struct Report {
-    /// Time steps taken.
-    pub steps: u64,
-    /// Mean Newton iterations a strand and step.
-    pub iterations_mean: f64,
-    /// Most Newton iterations of a strand in a step.
-    pub iterations_max: u32,
-    /// Strand-steps that stopped before reaching the tolerance.
-    pub unconverged: u64,
-    /// Strand-steps rolled back because the state turned non-finite.
-    pub quarantined: u64,
-    /// Strand-steps that were taken in parts.
-    pub subdivided: u64,
-    /// The most that a strand's step added to the error of a position, in its lengths; 0 where errors were not looked at.
-    pub error_max: f64,
-    /// Wall time of stepping alone, s.
-    pub seconds: f64,
-}
-
-impl Report {
-    /// Adds a step's report.
-    pub fn add(&mut self, step: &StepReport) {
-        let substeps = u64::from(step.substeps);
-        let total = self.steps + substeps;
-        if total > 0 {
-            self.iterations_mean += (step.mean_iterations - self.iterations_mean) * substeps as f64 / total as f64;
-        }
-        self.steps = total;
-        self.iterations_max = self.iterations_max.max(step.max_iterations);
-        self.unconverged += u64::from(step.unconverged);
-        self.quarantined += u64::from(step.quarantined);
-        self.subdivided += u64::from(step.subdivided);
-        self.error_max = self.error_max.max(step.max_error);
-        self.seconds += step.seconds;
-    }
-}
-
 impl RunResult {
-    /// An empty result for that many strands.
-    pub fn new(strand_count: usize, requests: &[Request]) -> Self {
+    /// An empty result for a scene's things.
+    pub fn new(things: &Things, requests: &[Request]) -> Self {
         let asked = |output: Output| requests.iter().any(|request| request.output == output);
-        let strands = (0..strand_count)
+        let strands = things
+            .strands
+            .iter()
             .map(|_| StrandResult {
                 tips: asked(Output::Tips).then(Vec::new),
                 points: asked(Output::Points).then(Vec::new),
@@ -118,13 +146,27 @@ impl RunResult {
             strands,
             energies: asked(Output::Energies).then(Vec::new),
             contacts: asked(Output::Contacts).then(Vec::new),
+            colliders: Vec::from_iter(
+                things.bodies.iter().filter(|_| asked(Output::Wrenches)).map(|_| ColliderResult { wrenches: Vec::new() }),
+            ),
+            attachments: Vec::from_iter(
+                things.constraints.iter().filter(|_| asked(Output::Attachments)).map(|_| AttachmentResult { states: Vec::new() }),
+            ),
             report: Report::default(),
             requests: requests.to_vec(),
+            things: Places {
+                strands: things.strands.clone(),
+                bodies: things.bodies.clone(),
+                constraints: things.constraints.clone(),
+                of_strands: things.strands.iter().enumerate().map(|(index, id)| (*id, index)).collect(),
+                of_bodies: things.bodies.iter().enumerate().map(|(index, id)| (*id, index)).collect(),
+            },
         }
     }
 
     /// Adds the solver's present state as that of `time`.
-    pub fn record(&mut self, time: f64, solver: &Solver, ids: &[StrandId]) -> Result<()> {
+    pub fn record(&mut self, time: f64, solver: &Solver) -> Result<()> {
+        let ids = &self.things.strands;
         self.times.push(time);
         for request in &self.requests {
             if matches!(request.output, Output::Points | Output::Frames | Output::Velocities) {
@@ -149,7 +191,13 @@ impl RunResult {
             energies.push(sum);
         }
         if let Some(contacts) = &mut self.contacts {
-            contacts.push([]);
+            contacts.push(solver.contacts().iter().map(|contact| self.things.contact(contact)).collect());
+        }
+        for (collider, id) in self.colliders.iter_mut().zip(&self.things.bodies) {
+            collider.wrenches.push(WrenchEntry::from(solver.body_wrench(*id)?));
+        }
+        for (attachment, id) in self.attachments.iter_mut().zip(&self.things.constraints) {
+            attachment.states.push(StateEntry::from(solver.constraint_state(*id)?));
         }
         Ok(())
     }
@@ -157,6 +205,49 @@ impl RunResult {
     /// Sets how the steps went.
     pub fn set_report(&mut self, report: Report) {
         self.report = report;
+    }
+}
+
+impl Places {
+    fn contact(&self, contact: &Contact) -> ContactEntry {
+        ContactEntry {
+            strand: self.of_strands[&contact.strand],
+            arclength: contact.arclength,
+            partner: match contact.partner {
+                ContactPartner::Body { body, feature } => PartnerEntry::Collider { collider: self.of_bodies[&body], feature },
+                ContactPartner::Strand { strand, arclength } => {
+                    PartnerEntry::Strand { other: self.of_strands[&strand], other_arclength: arclength }
+                }
+            },
+            position: contact.position.into(),
+            normal: contact.normal.into(),
+            force: contact.force.into(),
+            gap: contact.gap,
+            slip: contact.slip.into(),
+        }
+    }
+}
+
+impl From<Wrench> for WrenchEntry {
+    fn from(wrench: Wrench) -> Self {
+        Self { force: wrench.force.into(), torque: wrench.torque.into() }
+    }
+}
+
+impl From<ConstraintState> for StateEntry {
+    fn from(state: ConstraintState) -> Self {
+        Self {
+            status: match state.status {
+                ConstraintStatus::Holds => "holds",
+                ConstraintStatus::Dependent => "dependent",
+                ConstraintStatus::Violated => "violated",
+                ConstraintStatus::Released => "released",
+            },
+            force: state.force.into(),
+            torque: state.torque.into(),
+            error: state.error,
+            arclength: state.arclength,
+        }
     }
 }
 
@@ -198,8 +289,7 @@ impl StrandResult {
             rates.push(solver.rates(id)?.to_vec());
         }
         if let Some(wrenches) = &mut self.wrenches {
-            let wrench = solver.root_wrench(id)?;
-            wrenches.push(WrenchEntry { force: wrench.force.into(), torque: wrench.torque.into() });
+            wrenches.push(WrenchEntry::from(solver.root_wrench(id)?));
         }
         Ok(())
     }

@@ -1,20 +1,21 @@
 //! `superhelix run`: a scene file in, a result file out.
 
-use std::fs;
 use std::io::Write;
 use std::path::PathBuf;
 
 use clap::Args;
+use superhelix::math::frame::Frame;
 use superhelix::math::pose_spline::PoseSpline;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::StrandDef;
-use superhelix::solver::id::StrandId;
+use superhelix::solver::id::{BodyId, ConstraintId, StrandId};
 
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
 use crate::progress;
+use crate::report::Report;
 use crate::resolution;
-use crate::result::{Report, RunResult};
+use crate::result::RunResult;
 use crate::scene::{self, Scene};
 use crate::settled;
 use crate::timeline;
@@ -41,10 +42,7 @@ pub struct RunArguments {
 /// Runs the command.
 pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let path = &arguments.scene;
-    let bytes = fs::read(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
-    let text =
-        String::from_utf8(bytes).map_err(|error| Failure::BadScene(format!("{}: is not UTF-8: {error}", path.display())))?;
-    let scene = scene::parse(&text).map_err(|complaint| Failure::scene(path, &complaint))?;
+    let scene = scene::load(path)?;
 
     // The solver has the last word on what it can do: its complaints about the scene are the scene's.
     let complain = |error: superhelix::error::Error| match error {
@@ -66,38 +64,99 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         resolution::warn(definitions.iter(), resolution::Shapes::All, |index| format!("{}: strands[{index}]", path.display()));
     }
 
+    let things = Things::make(&scene, &mut solver, ids).map_err(complain)?;
+
     let mut out = AtomicFile::create(&arguments.out)?;
-    let result = simulate(&scene, &mut solver, &ids, arguments.quiet)?;
+    let result = simulate(&scene, &mut solver, &things, arguments.quiet)?;
     let unwritable = |error: &dyn std::fmt::Display| Failure::file(&arguments.out, format!("cannot be written: {error}"));
     serde_json::to_writer(&mut out, &result).map_err(|error| unwritable(&error))?;
     out.write_all(b"\n").map_err(|error| unwritable(&error))?;
     out.commit()
 }
 
-fn simulate(scene: &Scene, solver: &mut Solver, ids: &[StrandId], quiet: bool) -> Result<RunResult, Failure> {
+/// What is in the solver, in the scene's order.
+#[derive(Debug)]
+pub struct Things {
+    /// The strands.
+    pub strands: Vec<StrandId>,
+    /// The colliders.
+    pub bodies: Vec<BodyId>,
+    /// The attachments.
+    pub constraints: Vec<ConstraintId>,
+}
+
+impl Things {
+    /// Adds a scene's colliders and attachments to a solver that has its strands.
+    fn make(scene: &Scene, solver: &mut Solver, strands: Vec<StrandId>) -> superhelix::error::Result<Self> {
+        let bodies = solver.add_bodies(scene.colliders.iter().map(|collider| collider.definition.clone()).collect())?;
+        for (strand, id) in scene.strands.iter().zip(&strands) {
+            if let Some(contact) = &strand.contact {
+                solver.set_contact(&[*id], Some(contact))?;
+            }
+        }
+        let constraints = scene.attachments.iter().map(|attachment| attachment.constraint(solver, &strands));
+        let constraints = constraints.collect::<superhelix::error::Result<Vec<_>>>()?;
+        let constraints = solver.add_constraints(&constraints)?;
+        Ok(Self { strands, bodies, constraints })
+    }
+}
+
+/// Those of some things that move, with their motions.
+struct Moving<'a, Id> {
+    ids: Vec<Id>,
+    motions: Vec<&'a PoseSpline>,
+    frames: Vec<Frame>,
+}
+
+impl<'a, Id: Copy> Moving<'a, Id> {
+    fn of(ids: &[Id], motions: impl Iterator<Item = Option<&'a PoseSpline>>) -> Self {
+        let (ids, motions): (Vec<Id>, Vec<&PoseSpline>) =
+            ids.iter().zip(motions).filter_map(|(id, motion)| Some((*id, motion?))).unzip();
+        Self { frames: Vec::with_capacity(ids.len()), ids, motions }
+    }
+
+    /// Where they are at a time; none where nothing moves.
+    fn at(&mut self, time: f64) -> Option<(&[Id], &[Frame])> {
+        self.frames.clear();
+        self.frames.extend(self.motions.iter().map(|motion| motion.at(time)));
+        (!self.ids.is_empty()).then_some((&self.ids, &self.frames))
+    }
+}
+
+fn simulate(scene: &Scene, solver: &mut Solver, things: &Things, quiet: bool) -> Result<RunResult, Failure> {
     let times = timeline::output_times(scene.duration, scene.output_interval);
     let bar = progress::bar(times.len() as u64 - 1, "states", quiet);
-    let motions: Vec<(StrandId, &PoseSpline)> =
-        ids.iter().zip(&scene.strands).filter_map(|(id, strand)| Some((*id, strand.motion.as_ref()?))).collect();
-    let moving: Vec<StrandId> = motions.iter().map(|(id, _)| *id).collect();
-    let mut frames = Vec::with_capacity(moving.len());
+    let mut roots = Moving::of(&things.strands, scene.strands.iter().map(|strand| strand.motion.as_ref()));
+    let mut bodies = Moving::of(&things.bodies, scene.colliders.iter().map(|collider| collider.motion.as_ref()));
+    let mut targets = Moving::of(&things.constraints, scene.attachments.iter().map(|attachment| attachment.motion.as_ref()));
+    let deforming: Vec<_> =
+        things.bodies.iter().zip(&scene.colliders).filter_map(|(id, body)| Some((*id, body.deformation.as_ref()?))).collect();
 
-    let mut result = RunResult::new(ids.len(), &scene.outputs);
+    let mut result = RunResult::new(things, &scene.outputs);
     let mut report = Report::default();
-    result.record(times[0], solver, ids)?;
+    result.record(times[0], solver)?;
     for pair in times.windows(2) {
         for (end, length) in timeline::steps_between(pair[0], pair[1], scene.time_step) {
-            if !moving.is_empty() {
-                frames.clear();
-                frames.extend(motions.iter().map(|(_, motion)| motion.at(end)));
-                solver.set_root_frames(&moving, &frames, length)?;
+            if let Some((ids, frames)) = roots.at(end) {
+                solver.set_root_frames(ids, frames, length)?;
+            }
+            if let Some((ids, frames)) = bodies.at(end) {
+                solver.set_body_frames(ids, frames, length)?;
+            }
+            if let Some((ids, frames)) = targets.at(end) {
+                solver.set_constraint_targets(ids, frames, length)?;
+            }
+            for (id, deformation) in &deforming {
+                solver.set_body_vertices(*id, &deformation.at(end), length)?;
             }
             report.add(&solver.step(length, 1)?);
         }
-        result.record(pair[1], solver, ids)?;
+        result.record(pair[1], solver)?;
         bar.inc(1);
     }
     bar.finish_and_clear();
+    let contact = !(scene.colliders.is_empty() && scene.attachments.is_empty()) || scene.options.contact.hair;
+    report.contact = report.contact.filter(|_| contact);
     result.set_report(report);
     Ok(result)
 }

@@ -5,7 +5,6 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
-use superhelix::contact::options::ContactOptions;
 use superhelix::files::curves::Curves;
 use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
@@ -29,10 +28,12 @@ use crate::material_arguments::MaterialArguments;
 use crate::picture::sheet::{Moment, SheetOptions};
 use crate::picture::view::{Face, Up};
 use crate::picture::{self, spread};
+use crate::report::Report;
 use crate::resolution::Shapes;
-use crate::result::Report;
 use crate::settings::preset;
+use crate::simulate_body::{BodyArguments, HeadBody};
 use crate::simulate_report::{FitReport, SimulateReport};
+use crate::surface::Surface;
 use crate::{progress, resolution, scene, settled};
 
 /// Simulates a groom on a moving head: fits strands, steps them, writes a cache of frames and a picture.
@@ -87,6 +88,8 @@ pub struct SimulateArguments {
     /// Uniform wind, m/s.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
     wind: Option<Vector3<f64>>,
+    #[command(flatten)]
+    bodies: BodyArguments,
     #[command(flatten)]
     material: MaterialArguments,
     /// Frames a second.
@@ -213,6 +216,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let curves = Curves::read(&arguments.groom)?;
     let scale = choose_scale(arguments, &curves)?;
     let fineness = Fineness::choose(arguments, &curves)?;
+    let body = arguments.bodies.read(scale)?;
     let recipe = StrandRecipe {
         elements: fineness.elements as usize,
         material: arguments.material.material()?,
@@ -226,7 +230,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         step: StepOptions { linear_solver: arguments.solver, ..fineness.step },
         workers: if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) },
         instruction_set: None,
-        contact: ContactOptions::default(),
+        contact: arguments.bodies.options(),
     })?;
 
     let polylines: Vec<(usize, Vec<Vector3<f64>>)> = curves
@@ -265,6 +269,8 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         settled.warn(&arguments.groom.display().to_string(), definitions.len());
     }
     let ids = solver.add_strands(&definitions)?;
+    let [first, second] = recipe.material.radius;
+    let body_id = arguments.bodies.begin(&mut solver, &ids, first.max(second), body.as_ref())?;
 
     let frame_count = (duration * arguments.fps + 1e-9).floor() as usize + 1;
     let mut film = Film::create(arguments, scale, frame_count, fineness.elements)?;
@@ -273,7 +279,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let mut quarantined = vec![false; ids.len()];
     let bar = progress::bar(frame_count as u64, "frames", arguments.quiet);
     let mut roots = Vec::with_capacity(at_start.len());
-    film.take(&solver, &ids, 0)?;
+    film.take(&solver, &ids, 0, || body.as_ref().map(|body| body.surface(&head, 0.0)))?;
     bar.inc(1);
     let step = 1.0 / (arguments.fps * f64::from(fineness.substeps));
     for frame in 1..frame_count {
@@ -281,6 +287,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
             let steps = (frame - 1) as f64 * f64::from(fineness.substeps) + f64::from(substep) + 1.0;
             head.roots(steps * step, &at_start, &mut roots);
             solver.set_root_frames(&ids, &roots, step)?;
+            if let Some(id) = body_id {
+                solver.set_body_frames(&[id], &[HeadBody::pose(&head, steps * step)], step)?;
+            }
             let outcome = solver.step(step, 1)?;
             if outcome.quarantined > 0 {
                 for (flag, id) in quarantined.iter_mut().zip(&ids) {
@@ -289,12 +298,13 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
             }
             report.add(&outcome);
         }
-        film.take(&solver, &ids, frame)?;
+        film.take(&solver, &ids, frame, || body.as_ref().map(|body| body.surface(&head, frame as f64 / arguments.fps)))?;
         bar.inc(1);
     }
     bar.finish_and_clear();
     let (cache_frames, picture) = film.finish(arguments, &strands, scale)?;
 
+    report.contact = report.contact.filter(|_| arguments.bodies.touches());
     let turns = coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
     let answer = SimulateReport {
         version: 1,
@@ -311,6 +321,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
             strands_with_coarse_elements: turns,
         },
         settled,
+        body: body.map(|body| body.report),
         frames: frame_count,
         time_step: step,
         simulated_seconds: (frame_count - 1) as f64 / arguments.fps,
@@ -464,7 +475,13 @@ impl Film {
     }
 
     /// Takes the solver's present state as frame number `frame` (from 0).
-    fn take(&mut self, solver: &Solver, ids: &[StrandId], frame: usize) -> Result<(), Failure> {
+    fn take(
+        &mut self,
+        solver: &Solver,
+        ids: &[StrandId],
+        frame: usize,
+        body: impl FnOnce() -> Option<Surface>,
+    ) -> Result<(), Failure> {
         let pictured = self.chosen.contains(&frame);
         if self.cache.is_none() && !pictured {
             return Ok(());
@@ -480,7 +497,12 @@ impl Film {
         }
         if pictured {
             let strands = points.chunks_exact(samples).map(<[_]>::to_vec).collect();
-            self.moments.push(Moment { label: format!("{:.2} s", frame as f64 / self.fps), strands });
+            let mut body = body();
+            for vertex in body.iter_mut().flat_map(|body| &mut body.vertices) {
+                *vertex *= units;
+            }
+            let bodies = body.into_iter().collect();
+            self.moments.push(Moment { label: format!("{:.2} s", frame as f64 / self.fps), strands, bodies });
         }
         Ok(())
     }

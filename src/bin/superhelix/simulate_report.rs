@@ -4,8 +4,9 @@ use serde::Serialize;
 
 use crate::groom_statistics::Spread;
 use crate::groom_strands::Skipped;
-use crate::result::Report;
+use crate::report::Report;
 use crate::settled::Settled;
+use crate::simulate_body::BodyReport;
 
 /// How well strands follow the groom's polylines.
 #[derive(Debug, Serialize)]
@@ -42,6 +43,9 @@ pub struct SimulateReport {
     /// How `--settle` went.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub settled: Option<Settled>,
+    /// The mesh that moves with the head.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub body: Option<BodyReport>,
     /// Frames, the one at the start included.
     pub frames: usize,
     /// Length of a step, s.
@@ -108,6 +112,18 @@ impl SimulateReport {
             "strand-steps unconverged: {}, quarantined: {}, taken in parts: {}\n",
             report.unconverged, report.quarantined, report.subdivided
         );
+        if let Some(contact) = &report.contact {
+            text += &format!(
+                "touches: {:.0} a step (at most {}), {:.4} mm deep at most, residual {:.1e}, {} searches and {} sweeps, unconverged: {}\n",
+                contact.touches_mean,
+                contact.touches_max,
+                contact.penetration_max * 1e3,
+                contact.residual_max,
+                contact.searches,
+                contact.sweeps,
+                contact.unconverged
+            );
+        }
         if let Some(cache) = &self.cache {
             text += &format!("cache: {} frames in {cache}\n", self.cache_frames);
         }

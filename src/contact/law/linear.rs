@@ -60,7 +60,7 @@ impl Contact {
         let pressed = if let Response::Regularised { .. } = self.response {
             // By the depth: the force as a function of it has no infinite slope.
             let (force, stiffness) = (depth.pressed(-u_n), depth.stiffness(-u_n));
-            let part = r_n / (r_n + stiffness);
+            let part = r_n * depth.compliance() / (r_n * depth.compliance() + 1.0);
             out.miss = n * (part * (lambda_n - force));
             out.by_force = normal * part;
             out.by_displacement = normal * (part * stiffness);

@@ -77,7 +77,13 @@ impl Bounds {
 
     /// Distance of a point from the box, m; zero inside.
     pub fn distance(&self, point: &Vector3<f64>) -> f64 {
-        (self.low - point).sup(&(point - self.high)).sup(&Vector3::zeros()).norm()
+        self.distance_squared(point).sqrt()
+    }
+
+    /// The square of [`Bounds::distance`], m².
+    #[inline]
+    pub fn distance_squared(&self, point: &Vector3<f64>) -> f64 {
+        (self.low - point).sup(&(point - self.high)).sup(&Vector3::zeros()).norm_squared()
     }
 
     /// The eight corners.

@@ -2,7 +2,9 @@
 
 use nalgebra::Vector3;
 
+use super::bake_open;
 use super::bounds::Bounds;
+use super::lattice::Lattice;
 use super::mesh::{Mesh, Sides};
 use super::surface::Surface;
 use crate::error::{Error, Result, check_finite, check_positive};
@@ -22,50 +24,38 @@ pub struct DistanceGrid {
 }
 
 impl DistanceGrid {
-    /// Distances of a closed mesh at the nodes of a lattice of `cell` metres that reaches at least `band` metres beyond the mesh. A strand
+    /// Distances of a mesh at the nodes of a lattice of `cell` metres that reaches at least `band` metres beyond the mesh. A strand
     /// is told of the body within that band; inside at any depth.
     ///
-    /// Takes one query of the mesh per node: about a microsecond each.
+    /// Of a [`Sides::Solid`] mesh the inside is known. Of another the inside is where its winding number is above one half, so that heads
+    /// that are cut off at the neck, or whose parts do not quite meet, may be baked: an opening is closed by the surface on which the
+    /// winding number is one half. Triangles must be wound anticlockwise seen from outside for the most part, those of a
+    /// [`Sides::Both`] mesh all but a few either so or the other way.
+    ///
+    /// Takes one query of the mesh a node, about a microsecond each, and for meshes that are not solid its winding number, some
+    /// microseconds; four bytes a node, and eight more while it is baked.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] when the mesh is not [`Sides::Solid`], `cell` or `band` is not finite and above zero, or there would be
-    /// more than [`NODE_LIMIT`] nodes; [`Error::OutOfMemory`].
+    /// [`Error::InvalidArgument`] when the mesh is too open for an inside (of the nodes within two cells of it more than a fifth are
+    /// neither inside nor outside by their winding numbers), `cell` or `band` is not finite and above zero, or there would be more than
+    /// [`NODE_LIMIT`] nodes; [`Error::OutOfMemory`].
     pub fn bake(mesh: &Mesh, cell: f64, band: f64) -> Result<Self> {
         let (bounds, counts) = Self::lattice(mesh, cell, band)?;
-        let nodes = counts.iter().map(|count| u64::from(*count)).product::<u64>();
-        let mut values = Vec::new();
-        values.try_reserve_exact(nodes as usize).map_err(|_| Error::OutOfMemory { bytes: nodes as usize * size_of::<f32>() })?;
-        let mut at_most = f64::INFINITY;
-        for k in 0..counts[2] {
-            for j in 0..counts[1] {
-                for i in 0..counts[0] {
-                    let node = bounds.low + Vector3::new(f64::from(i), f64::from(j), f64::from(k)) * cell;
-                    if i == 0 {
-                        at_most = f64::INFINITY;
-                    }
-                    let distance = mesh.signed_distance(&node, at_most);
-                    // The next node's distance differs by at most the way to it.
-                    at_most = distance.abs() + 1.001 * cell;
-                    values.push(distance as f32);
-                }
-            }
-        }
+        let lattice = Lattice { low: bounds.low, cell, counts };
+        let values = if mesh.sides() == Sides::Solid { lattice.distances(mesh)? } else { bake_open::distances(&lattice, mesh)? };
         Ok(Self { low: bounds.low, cell, band, counts, values: values.into() })
     }
 
     /// How many nodes along x, y and z [`DistanceGrid::bake`] would make.
     ///
     /// # Errors
-    /// Those of [`DistanceGrid::bake`].
+    /// Those of [`DistanceGrid::bake`] that `cell` and `band` are to blame for.
     pub fn baked_counts(mesh: &Mesh, cell: f64, band: f64) -> Result<[u32; 3]> {
         Ok(Self::lattice(mesh, cell, band)?.1)
     }
 
     /// The lattice for a mesh: its box, from whose lowest corner it begins, and its numbers of nodes.
     fn lattice(mesh: &Mesh, cell: f64, band: f64) -> Result<(Bounds, [u32; 3])> {
-        if mesh.sides() != Sides::Solid {
-            return Err(Error::invalid("mesh.sides", format!("{:?}", mesh.sides()), "Solid: a closed mesh has an inside"));
-        }
         check_positive(|| "cell".into(), cell)?;
         check_positive(|| "band".into(), band)?;
         // One cell more than asked for, so that all of the band is inside whatever the rounding.
@@ -73,7 +63,7 @@ impl DistanceGrid {
             Bounds::of_points(mesh.triangles().iter().flatten().map(|vertex| mesh.vertices()[*vertex as usize])).grown(band);
         let counts = ((bounds.high - bounds.low) / cell).map(|cells| cells.ceil() + 2.0);
         let nodes = counts.product();
-        if !(nodes <= NODE_LIMIT as f64) {
+        if nodes > NODE_LIMIT as f64 {
             return Err(Error::invalid(
                 "cell",
                 cell,

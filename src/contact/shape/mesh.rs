@@ -6,6 +6,7 @@ use parry3d_f64::math::Vector;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
 use super::bounds::Bounds;
+use super::flat_triangle::FlatTriangle;
 use super::mesh_normals::Normals;
 use crate::error::{Error, Result, check_finite, check_positive};
 
@@ -34,10 +35,19 @@ pub struct Mesh {
     /// At the step's end; nearest points are told of these.
     pub(super) vertices: Vec<Vector3<f64>>,
     pub(super) moving: bool,
+    travel: f64,
     pub(super) normals: Normals,
+    /// Those at the step's start while it moves.
+    pub(super) normals_before: Normals,
     /// For each edge of each triangle the triangle on its other side; `u32::MAX` at a rim.
     pub(super) neighbours: Box<[[u32; 3]]>,
     pub(super) bvh: Bvh,
+    /// A ball around each triangle over the step: its centre and radius.
+    pub(super) balls: Vec<(Vector3<f64>, f64)>,
+    /// Each triangle at the step's end.
+    pub(super) flats: Vec<FlatTriangle>,
+    /// Of the vertices' bits: what was gathered from a mesh holds for all meshes of this stamp.
+    stamp: u64,
     bounds: Bounds,
     edge_length: f64,
 }
@@ -103,6 +113,7 @@ impl Mesh {
         let boxes: Vec<Aabb> = triangles.iter().map(|triangle| leaf(triangle, &vertices, &vertices)).collect();
         let mut mesh = Self {
             normals: Normals::default(),
+            normals_before: Normals::default(),
             bvh: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes),
             bounds: Bounds::of_points(used(&triangles, &vertices)),
             edge_length: 0.0,
@@ -111,9 +122,14 @@ impl Mesh {
             before: vertices.clone(),
             vertices,
             moving: false,
+            travel: 0.0,
+            balls: Vec::new(),
+            flats: Vec::new(),
+            stamp: 0,
             neighbours,
         };
         mesh.normals.update(&mesh.vertices, &mesh.triangles, &mesh.neighbours);
+        mesh.mark();
         mesh.edge_length = mesh.mean_edge();
         mesh
     }
@@ -199,15 +215,51 @@ impl Mesh {
 
     /// Brings boxes and normals to the vertices. A leaf's box holds its triangle at start and end.
     fn refit(&mut self) {
-        self.moving = self.before != self.vertices;
+        let travel =
+            self.before.iter().zip(&self.vertices).map(|(before, after)| (after - before).norm_squared()).fold(0.0, f64::max);
+        (self.travel, self.moving) = (travel.sqrt(), travel > 0.0);
         for (index, triangle) in self.triangles.iter().enumerate() {
             let _ = self.bvh.insert_or_update_partially(leaf(triangle, &self.before, &self.vertices), index as u32, 0.0);
         }
         self.bvh.refit_without_opt();
         self.normals.update(&self.vertices, &self.triangles, &self.neighbours);
+        if self.moving && self.sides == Sides::Solid {
+            self.normals_before.update(&self.before, &self.triangles, &self.neighbours);
+        }
+        self.mark();
         let used = used(&self.triangles, &self.vertices).chain(used(&self.triangles, &self.before));
         self.bounds = Bounds::of_points(used);
         self.edge_length = self.mean_edge();
+    }
+
+    /// Brings balls, flat triangles and stamp to the vertices.
+    fn mark(&mut self) {
+        self.balls.clear();
+        self.flats.clear();
+        for (index, triangle) in self.triangles.iter().enumerate() {
+            let after = triangle.map(|vertex| self.vertices[vertex as usize]);
+            let before = triangle.map(|vertex| self.before[vertex as usize]);
+            let both = || after.iter().chain(&before);
+            let centre = both().sum::<Vector3<f64>>() / 6.0;
+            let radius = both().map(|corner| (corner - centre).norm_squared()).fold(0.0, f64::max).sqrt();
+            self.balls.push((centre, radius));
+            self.flats.push(FlatTriangle::new(&after, &self.normals.face(index as u32)));
+        }
+        let mix = |stamp: u64, bits: u64| (stamp ^ bits).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
+        let coordinates = self.before.iter().chain(&self.vertices).flat_map(|vertex| [vertex.x, vertex.y, vertex.z]);
+        let corners = self.triangles.iter().flatten();
+        let stamp = coordinates.fold(self.triangles.len() as u64, |stamp, x| mix(stamp, x.to_bits()));
+        self.stamp = corners.fold(stamp, |stamp, corner| mix(stamp, u64::from(*corner)));
+    }
+
+    /// Tells meshes apart by where their triangles are during the step.
+    pub(in crate::contact) fn stamp(&self) -> u64 {
+        self.stamp
+    }
+
+    /// How far the vertex goes that goes farthest during the step, m.
+    pub(in crate::contact) fn farthest_travel(&self) -> f64 {
+        self.travel
     }
 
     /// A triangle's corners at the step's end.
@@ -237,7 +289,10 @@ impl Mesh {
         size_of_val::<[[u32; 3]]>(&self.triangles)
             + size_of_val::<[[u32; 3]]>(&self.neighbours)
             + (self.before.capacity() + self.vertices.capacity()) * size_of::<Vector3<f64>>()
+            + self.flats.capacity() * size_of::<FlatTriangle>()
+            + self.balls.capacity() * size_of::<(Vector3<f64>, f64)>()
             + self.normals.heap_bytes()
+            + self.normals_before.heap_bytes()
             + self.bvh.heap_memory_size()
     }
 }

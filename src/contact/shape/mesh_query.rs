@@ -1,27 +1,15 @@
-//! Nearest points of a mesh, over all of it or over a few triangles picked beforehand.
+//! Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`mesh_patch.rs`).
 
 use std::cell::Cell;
 
 use nalgebra::Vector3;
-use parry3d_f64::partitioning::{BvhNode, TraversalAction};
+use parry3d_f64::partitioning::BvhNode;
 
-use super::bounds::Bounds;
 use super::mesh::{Mesh, Sides};
+use super::mesh_normals::Normals;
+use super::mesh_patch::{Ball, Patch};
 use super::surface::Surface;
 use super::triangle::{self, Part};
-
-/// A triangle picked for queries nearby.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::contact) struct Candidate {
-    /// Its index.
-    pub index: u32,
-    /// Its corners at the step's end.
-    pub corners: [Vector3<f64>; 3],
-    /// How far they go during the step; zero for meshes at rest.
-    pub travel: [Vector3<f64>; 3],
-    centre: Vector3<f64>,
-    radius: f64,
-}
 
 /// The nearest place of a mesh, before its side is told.
 #[derive(Debug, Clone, Copy)]
@@ -47,68 +35,85 @@ impl Mesh {
         self.told(&point, &nearest, within)
     }
 
-    /// The signed distance of a solid that is known to be at most `at_most` away, m.
+    /// The distance of a surface that is known to be at most `at_most` away, m: signed for a solid, else without sign.
     pub(super) fn signed_distance(&self, point: &Vector3<f64>, at_most: f64) -> f64 {
         let nearest = self.nearest(point, at_most).or_else(|| self.nearest(point, f64::INFINITY));
-        nearest.and_then(|nearest| self.told(point, &nearest, f64::INFINITY)).map_or(f64::INFINITY, |surface| surface.distance)
+        nearest.map_or(f64::INFINITY, |nearest| match self.sides {
+            Sides::Solid => self.told(point, &nearest, f64::INFINITY).map_or(f64::INFINITY, |surface| surface.distance),
+            _ => nearest.squared.sqrt(),
+        })
     }
 
-    /// Picks the triangles whose boxes over the step meet `bounds`.
-    pub(in crate::contact) fn gather(&self, bounds: &Bounds, out: &mut Vec<Candidate>) {
-        out.clear();
-        let (low, high) = (bounds.low, bounds.high);
-        self.bvh.traverse(|node: &BvhNode| {
-            let (mins, maxs) = (node.mins(), node.maxs());
-            if mins.x > high.x || maxs.x < low.x || mins.y > high.y || maxs.y < low.y || mins.z > high.z || maxs.z < low.z {
-                return TraversalAction::Prune;
-            }
-            if let Some(index) = node.leaf_data() {
-                let corners = self.corners(index);
-                let centre = (corners[0] + corners[1] + corners[2]) / 3.0;
-                let radius = corners.iter().map(|corner| (corner - centre).norm_squared()).fold(0.0, f64::max).sqrt();
-                let mut travel = [Vector3::zeros(); 3];
-                if self.is_moving() {
-                    let before = self.corners_before(index);
-                    travel = std::array::from_fn(|corner| corners[corner] - before[corner]);
-                }
-                out.push(Candidate { index, corners, travel, centre, radius });
-            }
-            TraversalAction::Continue
-        });
-        // In the order of the mesh, so that of equally near triangles the first is found whatever the tree looks like.
-        out.sort_unstable_by_key(|candidate| candidate.index);
-    }
-
-    /// [`Mesh::closest`] for a point near triangles that were picked with a box that holds the point and reaches at least `reach`
-    /// farther on all sides. `inside`, where it is known, tells the side of a point of a solid that none of them is near to.
+    /// [`Mesh::closest`] for a point, among triangles so picked that all that are nearer to it than `reach` are among them. `hint`, a
+    /// triangle that may be near, bounds the search. `inside`, where it is known, tells the side of a point of a solid that none is near to.
     pub(in crate::contact) fn closest_among(
         &self,
-        candidates: &[Candidate],
+        balls: &[Ball],
+        hint: &Cell<Option<u32>>,
         reach: f64,
         inside: Option<bool>,
         point: Vector3<f64>,
     ) -> Option<Surface> {
-        let mut best = Nearest { triangle: 0, weights: [0.0; 3], part: Part::Face, point, squared: f64::INFINITY };
-        let mut distance = f64::INFINITY;
-        for candidate in candidates {
-            let far = candidate.radius + distance;
-            if (point - candidate.centre).norm_squared() > far * far {
+        let mut best = hint.get().unwrap_or(u32::MAX);
+        let mut squared = hint.get().map_or(f64::INFINITY, |near| self.flat(near).distance_squared(&point));
+        let (mut bound, first) = (squared.sqrt(), best);
+        for ball in balls {
+            let far = ball.radius + bound;
+            if ball.triangle == first || (point - ball.centre).norm_squared() > far * far {
                 continue;
             }
-            let found = nearest_of(candidate.index, &candidate.corners, &point);
-            if found.squared < best.squared {
-                best = found;
-                distance = best.squared.sqrt();
+            let here = self.flat(ball.triangle).distance_squared(&point);
+            // Of equally near triangles the first.
+            if here < squared || here == squared && ball.triangle < best {
+                (best, squared, bound) = (ball.triangle, here, here.sqrt());
             }
         }
-        if distance > reach {
-            // Another triangle may be nearer. It matters from inside a solid only; what was found bounds the search.
-            if self.sides != Sides::Solid || inside == Some(false) || !self.bounds().holds(&point) {
+        let mut best = if squared.is_finite() {
+            hint.set(Some(best));
+            nearest_of(best, &self.flat(best).corners, &point)
+        } else {
+            Nearest { triangle: 0, weights: [0.0; 3], part: Part::Face, point, squared }
+        };
+        if bound > reach {
+            // Another triangle may be nearer. It matters behind the surface only; what was found bounds the search.
+            let deepest = match self.sides {
+                Sides::Solid => f64::INFINITY,
+                Sides::Front { depth } => depth,
+                Sides::Both => 0.0,
+            };
+            if deepest <= reach || inside == Some(false) || !self.bounds().grown(deepest.min(reach)).holds(&point) {
                 return None;
             }
-            best = self.nearest(&point, distance * (1.0 + 1e-9)).unwrap_or(best);
+            best = self.nearest(&point, deepest.min(bound * (1.0 + 1e-9)))?;
         }
         self.told(&point, &best, reach)
+    }
+
+    /// The surface that is nearest at the step's start to a point then, as it is at the step's end, with the distance at the start; None if
+    /// it is farther than `reach`.
+    pub(in crate::contact) fn closest_at_start(&self, patch: &Patch, reach: f64, point: &Vector3<f64>) -> Option<Surface> {
+        let mut best: Option<Nearest> = None;
+        let mut most = reach * reach;
+        for index in &patch.triangles {
+            let (centre, radius) = self.balls[*index as usize];
+            let far = radius + most.sqrt();
+            if (point - centre).norm_squared() < far * far {
+                let found = nearest_of(*index, &self.corners_before(*index), point);
+                if found.squared < most {
+                    (best, most) = (Some(found), found.squared);
+                }
+            }
+        }
+        let nearest = best?;
+        if !self.is_moving() {
+            return self.told(point, &nearest, reach);
+        }
+        let surface = self.told_by(&self.normals_before, point, &nearest, reach)?;
+        let index = nearest.triangle as usize;
+        let (side, _) = self.normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
+        let corners = self.corners(nearest.triangle);
+        let now = (0..3).map(|corner| corners[corner] * nearest.weights[corner]).sum();
+        Some(Surface { point: now, normal: side.try_normalize(0.0).unwrap_or(surface.normal), ..surface })
     }
 
     /// The nearest place no farther than `reach`; of equally near triangles that of the lowest index, whatever the tree looks like: one
@@ -141,74 +146,47 @@ impl Mesh {
 
     /// Tells the side of a point at its nearest place.
     fn told(&self, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
+        self.told_by(&self.normals, point, nearest, within)
+    }
+
+    fn told_by(&self, normals: &Normals, point: &Vector3<f64>, nearest: &Nearest, within: f64) -> Option<Surface> {
         let out = point - nearest.point;
-        let distance = nearest.squared.sqrt();
         let index = nearest.triangle as usize;
-        let (side, rim) = self.normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
+        let (side, rim) = normals.at(nearest.triangle, &self.triangles[index], &self.neighbours[index], nearest.part);
+        // Over a face its own normal keeps its digits however near the point is.
+        let height = if nearest.part == Part::Face { side.dot(&out).abs() } else { nearest.squared.sqrt() };
+        let below = side.dot(&out) < 0.0;
         let behind = match self.sides {
-            Sides::Solid => side.dot(&out) < 0.0,
+            Sides::Solid => below,
             // Beyond a rim a point is beside the mesh, not behind it.
             Sides::Front { depth } => {
-                let behind = side.dot(&out) < 0.0 && !rim;
-                if behind && distance > depth {
+                if below && !rim && height > depth {
                     return None;
                 }
-                behind
+                below && !rim
             }
             Sides::Both => false,
         };
-        let distance_signed = if behind { -distance } else { distance };
-        if distance_signed >= within {
+        let distance = if behind { -height } else { height };
+        if distance >= within {
             return None;
         }
-        // On the surface itself its own normal is the way out.
-        let normal = if distance > 1e-12 { out / distance_signed } else { side.try_normalize(0.0).unwrap_or_else(Vector3::x) };
-        Some(Surface {
-            point: nearest.point,
-            normal,
-            distance: distance_signed,
-            feature: nearest.triangle,
-            weights: nearest.weights,
-        })
+        let normal = if nearest.part == Part::Face {
+            if below && !behind { -side } else { side }
+        } else if height > 1e-12 {
+            out / distance
+        } else {
+            // On an edge its own normal is the way out.
+            side.try_normalize(0.0).unwrap_or_else(Vector3::x)
+        };
+        Some(Surface { point: nearest.point, normal, distance, feature: nearest.triangle, weights: nearest.weights })
     }
 
-    /// Whether the way from `from` to `to` goes through an odd number of the picked triangles.
-    pub(in crate::contact) fn crosses(candidates: &[Candidate], from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
-        let mut odd = false;
-        for candidate in candidates {
-            let [a, b, c] = &candidate.corners;
-            let normal = (b - a).cross(&(c - a));
-            // As seen from the triangle, which may move itself.
-            let [p, q, r] = candidate.travel;
-            let from = &(from + (p + q + r) / 3.0);
-            let way = to - from;
-            let (start, end) = (normal.dot(&(from - a)), normal.dot(&(to - a)));
-            if (start < 0.0) == (end < 0.0) {
-                continue;
-            }
-            // The signed volumes of the way with the edges: all of one sign when it passes between them.
-            let volume = |p: &Vector3<f64>, q: &Vector3<f64>| way.dot(&(p - from).cross(&(q - from)));
-            let volumes = [volume(a, b), volume(b, c), volume(c, a)];
-            if volumes.iter().all(|volume| *volume >= 0.0) || volumes.iter().all(|volume| *volume < 0.0) {
-                odd = !odd;
-            }
-        }
-        odd
-    }
-
-    /// Weights of the corners in the point of a triangle that is nearest to `point`, that point, and the way from it to `point`.
+    /// Weights of the corners in the point of a triangle that is nearest to `point`, and the way from it to `point`.
     #[inline]
-    pub(in crate::contact) fn closest_on(
-        corners: &[Vector3<f64>; 3],
-        point: &Vector3<f64>,
-    ) -> ([f64; 3], Vector3<f64>, Vector3<f64>) {
+    pub(in crate::contact) fn closest_on(corners: &[Vector3<f64>; 3], point: &Vector3<f64>) -> ([f64; 3], Vector3<f64>) {
         let found = nearest_of(0, corners, point);
-        (found.weights, found.point, point - found.point)
-    }
-
-    /// The unit normal of a triangle's face at the step's end; zero where it has lost its area.
-    pub(in crate::contact) fn face_normal(&self, triangle: u32) -> Vector3<f64> {
-        self.normals.face(triangle)
+        (found.weights, point - found.point)
     }
 }
 

@@ -1,19 +1,24 @@
 //! Shapes of bodies, in their own axes: where their surface is nearest to a point, how large they are.
 
+mod bake_open;
 mod bounds;
 mod capsule;
 mod cuboid;
 mod ellipsoid;
+mod flat_triangle;
 mod grid;
 mod half_space;
 mod hull;
+mod lattice;
 mod mesh;
 mod mesh_normals;
+mod mesh_patch;
 mod mesh_query;
 mod parts;
 mod sphere;
 mod surface;
 mod triangle;
+mod winding;
 
 use nalgebra::Vector3;
 
@@ -21,7 +26,7 @@ pub use bounds::Bounds;
 pub(crate) use grid::node_count;
 pub use grid::{DistanceGrid, NODE_LIMIT};
 pub use mesh::{Mesh, Sides};
-pub(in crate::contact) use mesh_query::Candidate;
+pub(in crate::contact) use mesh_patch::{Ball, Patch, Region, Tube};
 pub(crate) use parts::Parts;
 pub use surface::Surface;
 
@@ -112,7 +117,7 @@ impl Shape {
         // By the largest number first: squares of tiny or huge numbers are lost.
         let largest = normal.amax();
         if largest == 0.0 {
-            return Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector of a direction"));
+            return Err(Error::invalid("normal", format!("{:?}", normal.as_slice()), "a vector with a direction"));
         }
         Ok(Self(Kind::HalfSpace { normal: (normal / largest).normalize() }))
     }
@@ -196,6 +201,14 @@ impl Shape {
             Kind::HalfSpace { .. } => Bounds::EVERYTHING,
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds(),
             Kind::Grid(grid) => grid.bounds(),
+        }
+    }
+
+    /// The normal of a half-space's plane, out of it.
+    pub(in crate::contact) fn plane(&self) -> Option<&Vector3<f64>> {
+        match &self.0 {
+            Kind::HalfSpace { normal } => Some(normal),
+            _ => None,
         }
     }
 

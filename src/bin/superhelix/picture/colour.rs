@@ -11,6 +11,8 @@ impl Colour {
     pub const PAPER: Colour = Colour([0.075, 0.082, 0.098]);
     /// The ground of a cell.
     pub const CELL: Colour = Colour([0.105, 0.115, 0.135]);
+    /// Bodies, in full light.
+    pub const BODY: Colour = Colour([0.43, 0.46, 0.52]);
     /// Thin lines.
     pub const RULE: Colour = Colour([0.20, 0.22, 0.25]);
     /// Labels that matter.

@@ -1,7 +1,9 @@
 //! `superhelix picture`: a contact sheet of simulated frames.
 
+mod bodies;
 pub mod colour;
 mod lettering;
+mod replay;
 pub mod sheet;
 mod strands;
 pub mod view;
@@ -26,12 +28,16 @@ use view::{Face, Up};
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct PictureArguments {
-    /// A directory of frames (name.0001.obj, name.0002.obj ... or .hair), or the files themselves in order.
+    /// A directory of frames (name.0001.obj, name.0002.obj ... or .hair), or the files themselves in order; with --scene the
+    /// result of that scene.
     #[arg(value_name = "CACHE", required = true)]
     inputs: Vec<PathBuf>,
     /// Where the picture goes.
     #[arg(long, value_name = "SHEET.png")]
     out: PathBuf,
+    /// The scene whose result is drawn (it must have asked for points): with its colliders, in metres.
+    #[arg(long, value_name = "SCENE.json", conflicts_with_all = ["fps", "scale"])]
+    scene: Option<PathBuf>,
     /// Moments on the sheet, evenly spread over the frames.
     #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=64))]
     moments: u32,
@@ -63,9 +69,36 @@ pub struct PictureArguments {
 
 /// Runs the command.
 pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
-    let frames = list_frames(&arguments.inputs)?;
-    let chosen = spread(frames.len(), arguments.moments as usize);
     let mut out = AtomicFile::create(&arguments.out)?;
+    let (moments, frame_count) = match (&arguments.scene, &arguments.inputs[..]) {
+        (None, inputs) => moments_of_frames(arguments, &list_frames(inputs)?)?,
+        (Some(scene), [result]) => {
+            let moments = replay::moments(result, scene, arguments.moments as usize, arguments.every as usize)?;
+            let count = moments.len();
+            (moments, count)
+        }
+        (Some(_), inputs) => {
+            return Err(Failure::Other(format!("{} files are given with --scene; expected one result", inputs.len())));
+        }
+    };
+    let title = arguments.title.clone().unwrap_or_else(|| {
+        let name = arguments.inputs[0].file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        format!("{name}   {} strands   {} frames", moments[0].strands.len(), frame_count)
+    });
+    let options = SheetOptions {
+        title,
+        up: arguments.up,
+        face: arguments.face,
+        cell_width: arguments.cell,
+        metres_per_unit: arguments.scale.or(arguments.scene.as_ref().map(|_| 1.0)),
+    };
+    write_png(&mut out, &arguments.out, &moments, &options)?;
+    out.commit()
+}
+
+/// Some of a cache's frames, and how many it has.
+fn moments_of_frames(arguments: &PictureArguments, frames: &[PathBuf]) -> Result<(Vec<Moment>, usize), Failure> {
+    let chosen = spread(frames.len(), arguments.moments as usize);
     let bar = progress::bar(chosen.len() as u64, "frames", arguments.quiet);
     let mut moments: Vec<Moment> = Vec::new();
     for index in chosen {
@@ -85,23 +118,11 @@ pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
             Some(fps) => format!("{:.2} s", index as f64 / fps),
             None => format!("frame {}", frame_number(path).unwrap_or(index as u64)),
         };
-        moments.push(Moment { label, strands });
+        moments.push(Moment { label, strands, bodies: Vec::new() });
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let title = arguments.title.clone().unwrap_or_else(|| {
-        let name = arguments.inputs[0].file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        format!("{name}   {} strands   {} frames", moments[0].strands.len(), frames.len())
-    });
-    let options = SheetOptions {
-        title,
-        up: arguments.up,
-        face: arguments.face,
-        cell_width: arguments.cell,
-        metres_per_unit: arguments.scale,
-    };
-    write_png(&mut out, &arguments.out, &moments, &options)?;
-    out.commit()
+    Ok((moments, frames.len()))
 }
 
 /// Draws a sheet into a file that is being written.

@@ -2,11 +2,13 @@
 
 use tiny_skia::{FillRule, Paint, PathBuilder, Pixmap, PixmapPaint, Rect, Stroke, Transform};
 
+use super::bodies::Cover;
 use super::colour::{self, Colour};
 use super::lettering;
 use super::strands::{self, Window};
 use super::view::{Face, Up, View};
 use crate::failure::Failure;
+use crate::surface::Surface;
 
 /// One moment of the motion.
 #[derive(Debug, Clone)]
@@ -15,6 +17,8 @@ pub struct Moment {
     pub label: String,
     /// Points of each strand, root first; the same strands in every moment.
     pub strands: Vec<Vec<[f32; 3]>>,
+    /// Bodies among them, in the same units.
+    pub bodies: Vec<Surface>,
 }
 
 /// How the sheet is made.
@@ -36,6 +40,8 @@ const MARGIN: f32 = 28.0;
 const GAP: f32 = 6.0;
 const HEAD: f32 = 74.0;
 const FOOT: f32 = 34.0;
+/// How far bodies may make the picture larger on each side, in sizes of the strands.
+const BODY_ROOM: f32 = 0.15;
 
 /// What all cells of one view show: middle and extent, relative to the middle of the moment's roots.
 #[derive(Debug, Clone, Copy)]
@@ -57,7 +63,25 @@ impl Extent {
                 }
             }
         }
+        extent.grow_to_bodies(moments, middles, view);
         extent
+    }
+
+    /// Bodies are in the picture as well, as far as they do not make the strands too small.
+    fn grow_to_bodies(&mut self, moments: &[Moment], middles: &[[f32; 3]], view: &View) {
+        let room = BODY_ROOM * (0..3).map(|axis| self.size(axis)).fold(0.0, f32::max);
+        let (least, most) = (self.low.map(|low| low - room), self.high.map(|high| high + room));
+        for (moment, middle) in moments.iter().zip(middles) {
+            let middle = view.look(*middle);
+            for vertex in moment.bodies.iter().flat_map(|body| &body.vertices) {
+                let seen = view.look((*vertex).map(|value| value as f32).into());
+                for axis in 0..2 {
+                    let at = (seen[axis] - middle[axis]).clamp(least[axis], most[axis]);
+                    self.low[axis] = self.low[axis].min(at);
+                    self.high[axis] = self.high[axis].max(at);
+                }
+            }
+        }
     }
 
     fn size(&self, axis: usize) -> f32 {
@@ -114,8 +138,10 @@ pub fn draw(moments: &[Moment], options: &SheetOptions) -> Result<Pixmap, Failur
                 scale,
                 depth: [middle[2] + extent.low[2], middle[2] + extent.high[2]],
             };
+            let cover = Cover::of(&moment.bodies, view, &window);
+            cover.draw(&mut cell);
             let drawn: Vec<&[[f32; 3]]> = moment.strands.iter().map(Vec::as_slice).collect();
-            strands::draw(&mut cell, &drawn, &colours, view, &window, pen);
+            strands::draw(&mut cell, &drawn, &colours, view, &window, &cover, pen);
             lettering::draw(&mut cell, view.name, 10.0, 21.0, 9.0, Colour::FAINT);
             sheet.draw_pixmap(x as i32, y as i32, cell.as_ref(), &PixmapPaint::default(), Transform::identity(), None);
         }
@@ -209,8 +235,11 @@ mod tests {
     #[test]
     fn strands_are_drawn_in_their_cell_and_move_with_the_motion() {
         let strand = |shift: f32, tip: f32| vec![[shift, 0.0, 0.0], [shift + tip, -0.1, 0.0], [shift + tip, -0.2, 0.0]];
-        let moment =
-            |shift: f32, tip: f32| Moment { label: "t".into(), strands: vec![strand(shift, tip), strand(shift + 0.1, tip)] };
+        let moment = |shift: f32, tip: f32| Moment {
+            label: "t".into(),
+            strands: vec![strand(shift, tip), strand(shift + 0.1, tip)],
+            bodies: Vec::new(),
+        };
         let options = SheetOptions { title: "t".into(), up: Up::Y, face: None, cell_width: 200, metres_per_unit: Some(1.0) };
         let cell_of = |moments: &[Moment], column: usize| {
             let sheet = draw(moments, &options).unwrap();

@@ -2,6 +2,7 @@
 
 use tiny_skia::{LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Transform};
 
+use super::bodies::Cover;
 use super::colour::Colour;
 use super::view::View;
 
@@ -18,6 +19,17 @@ pub struct Window {
     pub depth: [f32; 2],
 }
 
+impl Window {
+    /// Where a point of the view is in the cell, pixels.
+    pub fn place(&self, right: f32, up: f32) -> [f32; 2] {
+        let [width, height] = self.cell;
+        [width / 2.0 + (right - self.middle[0]) * self.scale, height / 2.0 - (up - self.middle[1]) * self.scale]
+    }
+}
+
+/// How far behind a body's surface, in pixels, a thread is hidden: less is the surface's and the thread's own coarseness.
+const BEHIND: f32 = 3.0;
+
 /// Edges of a strand that are drawn, sorted and lit as one.
 const EDGES_A_PIECE: usize = 3;
 
@@ -27,15 +39,26 @@ struct Piece {
     points: Vec<[f32; 2]>,
 }
 
-/// Draws strands into a cell. `pen` is the width of a thread in pixels.
-pub fn draw(pixmap: &mut Pixmap, strands: &[&[[f32; 3]]], colours: &[Colour], view: &View, window: &Window, pen: f32) {
+/// Draws strands into a cell, but for what `cover` hides. `pen` is the width of a thread in pixels.
+pub fn draw(
+    pixmap: &mut Pixmap,
+    strands: &[&[[f32; 3]]],
+    colours: &[Colour],
+    view: &View,
+    window: &Window,
+    cover: &Cover,
+    pen: f32,
+) {
     let mut pieces = Vec::new();
     for (strand, colour) in strands.iter().zip(colours) {
         let seen: Vec<[f32; 3]> = strand.iter().map(|point| view.look(*point)).collect();
         let mut start = 0;
         while start + 1 < seen.len() {
             let end = (start + EDGES_A_PIECE).min(seen.len() - 1);
-            pieces.push(piece(&seen[start..=end], *colour, window));
+            let middle = seen[(start + end) / 2];
+            if !cover.hides(window.place(middle[0], middle[1]), middle[2], BEHIND / window.scale) {
+                pieces.push(piece(&seen[start..=end], *colour, window));
+            }
             start = end;
         }
     }
@@ -73,13 +96,6 @@ fn piece(seen: &[[f32; 3]], colour: Colour, window: &Window) -> Piece {
     Piece {
         depth,
         colour: lit.mixed(Colour::CELL, 0.62 * (1.0 - nearness)),
-        points: seen
-            .iter()
-            .map(|point| {
-                let [width, height] = window.cell;
-                let (right, up) = ((point[0] - window.middle[0]) * window.scale, (point[1] - window.middle[1]) * window.scale);
-                [width / 2.0 + right, height / 2.0 - up]
-            })
-            .collect(),
+        points: seen.iter().map(|point| window.place(point[0], point[1])).collect(),
     }
 }

@@ -1,0 +1,224 @@
+//! What contact costs: a thousand guides on Sintel's bust, shaken, hair against hair and bust, by each model; and what each model errs by
+//! for what it costs, against the exact one in steps sixteen times as short. `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N]`.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use superhelix::contact::body::BodyDef;
+use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
+use superhelix::contact::shape::{Shape, Sides};
+use superhelix::files::{curves::Curves, obj_mesh};
+use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
+use superhelix::math::frame::Frame;
+use superhelix::solver::Solver;
+use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
+
+const GUIDES: usize = 1000;
+const ELEMENTS: usize = 10;
+const SCALE: f64 = 0.01;
+const STEP: f64 = 1.0 / 60.0;
+const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
+/// Steps before the head begins to shake.
+const CALM: usize = 30;
+/// The model's names in tables.
+const MODELS: [(ContactModel, &str); 4] = [
+    (ContactModel::Penalty, "penalty"),
+    (ContactModel::RegularisedPenalty, "regularised penalty"),
+    (ContactModel::Hard, "hard"),
+    (ContactModel::Coulomb, "coulomb"),
+];
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+/// Sintel's hair as guides: 228 strands, and copies of them set a few millimetres aside.
+fn guides() -> Outcome<Vec<StrandDef>> {
+    let curves = Curves::read("tests/data/grooms/sintel_hair_001.tfx")?;
+    let count = curves.strand_count();
+    let mut defs = Vec::new();
+    for k in 0..GUIDES {
+        let (index, copy) = (k % count, k / count);
+        let turn = 2.399_963 * k as f64;
+        let aside = Vector3::new(turn.cos(), 0.0, turn.sin()) * (1.5e-3 * copy as f64);
+        let points: Vec<Vector3<f64>> =
+            curves.strand(index).iter().map(|p| Vector3::from(p.map(f64::from)) * SCALE + aside).collect();
+        let fit = fit_polyline(&points, &FitOptions { element_count: ELEMENTS })?;
+        let mut def = StrandDef::straight(1.0, ELEMENTS);
+        def.element_lengths.clone_from(&fit.element_lengths);
+        def.natural.clone_from(&fit.curvatures);
+        def.root = fit.root;
+        def.material.internal_friction = 1e-10;
+        def.material.air_drag = 5e-6;
+        def.natural = natural_under_gravity(&def, &fit.curvatures, GRAVITY)?;
+        def.initial = Some(fit.curvatures);
+        defs.push(def);
+    }
+    Ok(defs)
+}
+
+/// The head's pose, `seconds` after the start: yaw of ±0.5 rad at 2 Hz about the axis through its middle.
+fn pose(seconds: f64) -> UnitQuaternion<f64> {
+    let shaking = (seconds - CALM as f64 * STEP).max(0.0);
+    UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.5 * (2.0 * std::f64::consts::PI * 2.0 * shaking).sin())
+}
+
+struct Shaken {
+    model: &'static str,
+    milliseconds: Vec<f64>,
+    touches: f64,
+    iterations: f64,
+    most_iterations: u32,
+    sweeps: f64,
+    penetration: f64,
+    residual: f64,
+    unconverged: u64,
+    rolled_back: u64,
+}
+
+fn shake(
+    defs: &[StrandDef],
+    head: &Arc<Shape>,
+    model: (ContactModel, &'static str),
+    steps: usize,
+    threads: usize,
+) -> Outcome<Shaken> {
+    let contact = ContactOptions { model: model.0, hair: true, ..ContactOptions::default() };
+    let workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
+    let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, contact, workers, ..SolverOptions::default() })?;
+    let ids = solver.add_strands(defs)?;
+    let bodies = solver.add_bodies(vec![BodyDef::new(head.clone())])?;
+    let strand = StrandContact { wisp_radius: 1e-3, exempt_length: 0.015, ..StrandContact::default() };
+    solver.set_contact(&ids, Some(&strand))?;
+    let mut out = Shaken {
+        model: model.1,
+        milliseconds: Vec::new(),
+        touches: 0.0,
+        iterations: 0.0,
+        most_iterations: 0,
+        sweeps: 0.0,
+        penetration: 0.0,
+        residual: 0.0,
+        unconverged: 0,
+        rolled_back: 0,
+    };
+    for step in 0..CALM + steps {
+        let turn = pose((step + 1) as f64 * STEP);
+        let frames: Vec<Frame> =
+            defs.iter().map(|def| Frame { origin: turn * def.root.origin, rotation: turn * def.root.rotation }).collect();
+        solver.set_root_frames(&ids, &frames, STEP)?;
+        solver.set_body_frames(&bodies, &[Frame { origin: Vector3::zeros(), rotation: turn }], STEP)?;
+        let report = solver.step(STEP, 1)?;
+        if std::env::var_os("CONTACT_PRINT").is_some() {
+            println!("{step}: {:.1} ms {:?}", report.seconds * 1e3, report.contact);
+        }
+        // The groom as it is drawn has hair in hair and in the bust: what that takes to come apart is not the shake's.
+        if step < CALM {
+            continue;
+        }
+        out.milliseconds.push(report.seconds * 1e3);
+        out.touches += f64::from(report.contact.touches) / steps as f64;
+        out.iterations += report.mean_iterations / steps as f64;
+        out.most_iterations = out.most_iterations.max(report.contact.iterations);
+        out.sweeps += report.contact.sweeps as f64 / steps as f64;
+        out.penetration = out.penetration.max(report.contact.penetration);
+        out.residual = out.residual.max(report.contact.residual);
+        out.unconverged += u64::from(report.unconverged);
+        out.rolled_back += u64::from(report.quarantined);
+    }
+    out.milliseconds.sort_by(f64::total_cmp);
+    Ok(out)
+}
+
+/// A strand that falls on a ball and slides off: the tip's way.
+fn fall(model: ContactModel, step: f64) -> Outcome<(Vec<Vector3<f64>>, f64)> {
+    let contact = ContactOptions { model, ..ContactOptions::default() };
+    let mut solver = Solver::new(SolverOptions { gravity: Vector3::new(0.0, 0.0, -9.81), contact, ..SolverOptions::default() })?;
+    let mut defs = Vec::new();
+    for k in 0..16 {
+        let mut def = StrandDef::straight(0.2, ELEMENTS);
+        def.natural = vec![[0.0, 2.0 + 0.5 * f64::from(k), 0.0]; ELEMENTS];
+        def.initial = Some(def.natural.clone());
+        def.material.internal_friction = 1e-9;
+        def.material.air_drag = 2e-5;
+        def.root.origin = Vector3::new(-0.08, 0.004 * f64::from(k) - 0.03, 0.09);
+        defs.push(def);
+    }
+    let ids = solver.add_strands(&defs)?;
+    solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(0.08)?))])?;
+    let rough = StrandContact { friction: Friction { along: 0.2, against: 0.3 }, ..StrandContact::default() };
+    solver.set_contact(&ids, Some(&rough))?;
+    let (mut tips, mut seconds) = (Vec::new(), 0.0);
+    let frames = 60;
+    for _ in 0..frames {
+        seconds += solver.step(1.0 / 60.0, (1.0 / 60.0 / step).round() as u32)?.seconds;
+        solver.sample_strands(&ids, 2, |_, point, sample| {
+            if point == 1 {
+                tips.push(sample.position);
+            }
+        })?;
+    }
+    Ok((tips, seconds / f64::from(frames) * 60.0 / 16.0))
+}
+
+fn main() -> Outcome<()> {
+    let arguments: Vec<String> = std::env::args().collect();
+    let option = |name: &str| arguments.iter().position(|argument| argument == name).and_then(|at| arguments.get(at + 1));
+    let folder = option("--csv").map(PathBuf::from);
+    let steps: usize = option("--steps").map_or(Ok(90), |text| text.parse())?;
+    let threads: usize = option("--threads").map_or(Ok(2), |text| text.parse())?;
+    let only = option("--model");
+
+    let defs = guides()?;
+    let bust = obj_mesh::read("tests/data/grooms/sintel_bust.obj")?;
+    let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
+    let head = Arc::new(Shape::new_mesh(vertices, bust.triangles.clone(), Sides::Front { depth: 0.02 })?);
+    let mut csv = String::from(
+        "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,residual,unconverged,rolled_back\n",
+    );
+    println!(
+        "{} guides x {ELEMENTS} elements on {} triangles, {threads} threads, {steps} steps of 1/60 s",
+        defs.len(),
+        bust.triangles.len()
+    );
+    for model in MODELS.into_iter().filter(|model| only.is_none_or(|only| only == model.1)) {
+        let out = shake(&defs, &head, model, steps, threads)?;
+        let at = |share: f64| out.milliseconds[((out.milliseconds.len() - 1) as f64 * share) as usize];
+        let row = format!(
+            "{},{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.1e},{},{}",
+            out.model,
+            at(0.5),
+            at(0.9),
+            at(1.0),
+            out.touches,
+            out.iterations,
+            out.most_iterations,
+            out.sweeps,
+            out.penetration,
+            out.residual,
+            out.unconverged,
+            out.rolled_back
+        );
+        println!("{row}");
+        writeln!(csv, "{row}")?;
+    }
+    let mut price = String::from("model,step_s,rms_error_m,ms_a_strand_second\n");
+    if only.is_none() {
+        let (truth, _) = fall(ContactModel::Coulomb, 1.0 / 960.0)?;
+        for (model, name) in MODELS {
+            for parts in [60.0, 120.0, 240.0] {
+                let (tips, seconds) = fall(model, 1.0 / parts)?;
+                let squares: f64 = tips.iter().zip(&truth).map(|(a, b)| (a - b).norm_squared()).sum();
+                let row = format!("{name},{:.6},{:.3e},{:.3}", 1.0 / parts, (squares / tips.len() as f64).sqrt(), seconds * 1e3);
+                println!("{row}");
+                writeln!(price, "{row}")?;
+            }
+        }
+    }
+    if let Some(folder) = folder {
+        std::fs::write(folder.join("contact_shake.csv"), csv)?;
+        std::fs::write(folder.join("contact_price.csv"), price)?;
+    }
+    Ok(())
+}

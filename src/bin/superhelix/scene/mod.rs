@@ -1,0 +1,126 @@
+//! A scene file (docs/scene_format.md): read, checked, and turned into what the solver is made from.
+
+pub mod attachments;
+pub mod colliders;
+pub mod contact;
+mod deformation;
+pub mod options;
+pub mod outputs;
+mod pose;
+mod strands;
+mod words;
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+use superhelix::solver::SHORTEST_STEP;
+use superhelix::solver::definition::SolverOptions;
+
+use crate::failure::Failure;
+use crate::json::{self, Complaint, Node};
+use crate::timeline;
+use attachments::Attachment;
+use colliders::Collider;
+pub use options::{INTEGRATORS, LINEAR_SOLVERS, PRECISIONS};
+pub use outputs::{Output, Request};
+pub use strands::SceneStrand;
+pub use words::in_words_of_the_scene;
+
+/// A scene that has been checked.
+#[derive(Debug)]
+pub struct Scene {
+    /// Gravity, wind, step options, threads, how contact is answered.
+    pub options: SolverOptions,
+    /// Longest step, s.
+    pub time_step: f64,
+    /// Length of the run, s.
+    pub duration: f64,
+    /// Time between written states, s.
+    pub output_interval: f64,
+    /// The strands.
+    pub strands: Vec<SceneStrand>,
+    /// What they may touch.
+    pub colliders: Vec<Collider>,
+    /// What holds them.
+    pub attachments: Vec<Attachment>,
+    /// What to write.
+    pub outputs: Vec<Request>,
+}
+
+/// Reads a scene file.
+pub fn load(path: &Path) -> Result<Scene, Failure> {
+    let bytes = fs::read(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
+    let text =
+        String::from_utf8(bytes).map_err(|error| Failure::BadScene(format!("{}: is not UTF-8: {error}", path.display())))?;
+    let directory = path.parent().unwrap_or(Path::new(""));
+    parse(&text, directory).map_err(|complaint| Failure::scene(path, &complaint))
+}
+
+/// Reads a scene from its text; `directory` is where the files are that it names.
+fn parse(text: &str, directory: &Path) -> Result<Scene, Complaint> {
+    read(&json::parse(text)?, directory)
+}
+
+fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
+    let scene = Node::root(document).object(&[
+        "version",
+        "gravity",
+        "wind",
+        "integrator",
+        "time_step",
+        "duration",
+        "output_interval",
+        "precision",
+        "threads",
+        "newton",
+        "reference_tolerance",
+        "max_subdivisions",
+        "error_tolerance",
+        "quadrature_tolerance",
+        "solver",
+        "strands",
+        "colliders",
+        "attachments",
+        "hair_contact",
+        "contact",
+        "samples",
+        "output",
+    ])?;
+    scene.require("version")?.whole(1..=1)?;
+
+    let time_step = long_enough(scene.require("time_step")?)?;
+    let duration = scene.require("duration")?;
+    let seconds = duration.number()?;
+    if seconds != 0.0 && seconds < SHORTEST_STEP {
+        return Err(duration.complain(format!("zero, or {SHORTEST_STEP:e} s or more")));
+    }
+    let output_interval = scene.or("output_interval", time_step, long_enough)?;
+    if seconds / time_step > timeline::MAX_STEPS || seconds / output_interval > timeline::MAX_OUTPUTS {
+        return Err(duration.complain(format!(
+            "a duration of at most {} times time_step ({time_step}) and {} times output_interval ({output_interval})",
+            timeline::MAX_STEPS,
+            timeline::MAX_OUTPUTS
+        )));
+    }
+
+    let (contact, touching) = contact::read(&scene)?;
+    let options = options::read(&scene, contact)?;
+    let mut strands = Vec::new();
+    let mut given = Vec::new();
+    for strand in scene.require("strands")?.list()? {
+        strands.push(strands::read(&strand)?);
+        given.push(contact::read_of_strand(&strand)?);
+    }
+    let colliders = scene.or("colliders", Vec::new(), |list| colliders::read(list, directory))?;
+    touching.give(&mut strands, given, &colliders)?;
+    let attachments = scene.or("attachments", Vec::new(), |list| attachments::read(list, &strands))?;
+    let outputs = outputs::read(&scene)?;
+    Ok(Scene { options, time_step, duration: seconds, output_interval, strands, colliders, attachments, outputs })
+}
+
+/// A time that a step can last.
+fn long_enough(node: &Node) -> Result<f64, Complaint> {
+    let seconds = node.number()?;
+    if seconds >= SHORTEST_STEP { Ok(seconds) } else { Err(node.complain(format!("{SHORTEST_STEP:e} s or more"))) }
+}

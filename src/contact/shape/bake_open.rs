@@ -1,0 +1,111 @@
+//! Signed distances of a mesh that is not quite closed: the sign is told by winding numbers.
+
+use super::lattice::Lattice;
+use super::mesh::{Mesh, Sides};
+use super::winding::Winding;
+use crate::error::{Error, Result};
+
+/// A node is unclear whose winding number is farther than this from that of an inside (1, or more where parts overlap) or an outside (0).
+const UNCLEAR: f32 = 0.2;
+/// Most unclear nodes among those near the surface.
+const MOST_UNCLEAR: f64 = 0.2;
+
+/// Signed distances of a mesh at the nodes of a lattice, m.
+///
+/// # Errors
+/// [`Error::InvalidArgument`] when the mesh is too open for an inside; [`Error::OutOfMemory`].
+pub(super) fn distances(lattice: &Lattice, mesh: &Mesh) -> Result<Vec<f32>> {
+    let mut distances = lattice.distances(mesh)?;
+    let winding = Winding::new((0..mesh.triangles().len() as u32).map(|index| mesh.corners(index)).collect());
+    let mut numbers = lattice.map(|node, _| winding.at(&node) as f32)?;
+    // A mesh of two sides may be wound either way.
+    if mesh.sides() == Sides::Both && near(lattice, &distances, &numbers).map(|number| f64::from(*number)).sum::<f64>() < 0.0 {
+        numbers.iter_mut().for_each(|number| *number = -*number);
+    }
+    check(lattice, &distances, &numbers)?;
+    close_openings(lattice, &mut distances, &numbers)?;
+    for (distance, number) in distances.iter_mut().zip(&numbers) {
+        if *number > 0.5 {
+            *distance = -*distance;
+        }
+    }
+    Ok(distances)
+}
+
+/// The winding numbers of the nodes within two cells of the mesh.
+fn near<'a>(lattice: &Lattice, distances: &'a [f32], numbers: &'a [f32]) -> impl Iterator<Item = &'a f32> {
+    let most = 2.0 * lattice.cell;
+    distances.iter().zip(numbers).filter(move |(distance, _)| f64::from(**distance) < most).map(|(_, number)| number)
+}
+
+/// Refuses a mesh about which too many winding numbers tell no side.
+fn check(lattice: &Lattice, distances: &[f32], numbers: &[f32]) -> Result<()> {
+    let is_unclear = |number: &&f32| **number < -UNCLEAR || (UNCLEAR..1.0 - UNCLEAR).contains(*number);
+    let unclear = near(lattice, distances, numbers).filter(is_unclear).count();
+    let share = unclear as f64 / near(lattice, distances, numbers).count().max(1) as f64;
+    if share > MOST_UNCLEAR {
+        return Err(Error::invalid(
+            "mesh",
+            format!(
+                "too open to have an inside: {:.0} % of the places about it are neither inside nor outside by winding number",
+                100.0 * share
+            ),
+            format!(
+                "at most {:.0} %: a mesh that is closed but for small openings, its triangles anticlockwise seen from outside",
+                100.0 * MOST_UNCLEAR
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// Where neighbours lie on different sides without the mesh between them, an opening is closed: there the distance is that from where the
+/// winding number is one half between them, and no node is farther from the surface than from there.
+fn close_openings(lattice: &Lattice, distances: &mut [f32], numbers: &[f32]) -> Result<()> {
+    let cell = lattice.cell as f32;
+    let mut cap = lattice.map(|_, _| f32::INFINITY)?;
+    let mut any = false;
+    for axis in 0..3 {
+        let stride = lattice.stride(axis);
+        for first in 0..numbers.len() - stride {
+            // The last of a row has no neighbour.
+            if (first / stride + 1).is_multiple_of(lattice.counts[axis] as usize) {
+                continue;
+            }
+            let second = first + stride;
+            let (a, b) = (numbers[first] - 0.5, numbers[second] - 0.5);
+            // Were the mesh between them, both ways to it would make up at most the cell.
+            if (a > 0.0) != (b > 0.0) && distances[first] + distances[second] > cell * 1.0001 {
+                let part = cell * a.abs() / (a.abs() + b.abs());
+                cap[first] = cap[first].min(part);
+                cap[second] = cap[second].min(cell - part);
+                any = true;
+            }
+        }
+    }
+    if any {
+        spread(lattice, &mut cap);
+        distances.iter_mut().zip(&cap).for_each(|(distance, cap)| *distance = distance.min(*cap));
+    }
+    Ok(())
+}
+
+/// Spreads distances from node to node over all 26 neighbours, forward and back: at most a tenth too long.
+fn spread(lattice: &Lattice, values: &mut [f32]) {
+    let offsets: Vec<[i64; 3]> = (0..13).map(|k| [k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1]).collect();
+    let counts = lattice.counts.map(i64::from);
+    let mut take = |index: usize, turn: i64| {
+        let place = [index as i64 % counts[0], index as i64 / counts[0] % counts[1], index as i64 / counts[0] / counts[1]];
+        for offset in &offsets {
+            let there: [i64; 3] = std::array::from_fn(|axis| place[axis] + turn * offset[axis]);
+            if (0..3).all(|axis| (0..counts[axis]).contains(&there[axis])) {
+                let other = (there[0] + counts[0] * (there[1] + counts[1] * there[2])) as usize;
+                let way = lattice.cell * (offset.iter().map(|step| (step * step) as f64).sum::<f64>()).sqrt();
+                values[index] = values[index].min(values[other] + way as f32);
+            }
+        }
+    };
+    let count = lattice.len();
+    (0..count).for_each(|index| take(index, 1));
+    (0..count).rev().for_each(|index| take(index, -1));
+}

@@ -1,0 +1,136 @@
+//! Wavefront OBJ with faces: `v x y z` for each vertex, `f a b c ...` for each triangle or polygon.
+//!
+//! Groups, objects, materials, normals, texture coordinates and comments are read past, as is what stands after x, y and z (a weight, a
+//! colour). Polygons are cut into triangles. Lines, points and curved surfaces are refused.
+
+use std::path::Path;
+
+use nalgebra::Vector3;
+
+use crate::error::{Error, Result};
+use crate::files::bytes;
+use crate::files::obj_lines::{is_left, vertex_index};
+use crate::files::polygon;
+use crate::files::text::{Quote, Text, number};
+
+/// Most corners of a face: the work of cutting a polygon grows with their square.
+pub const MAX_CORNERS: usize = 1000;
+
+/// First words of lines about vertices that a mesh for contact does not need.
+const OF_VERTICES: [&str; 3] = ["vn", "vt", "vp"];
+
+/// A triangle mesh in a file's own units, as [`Shape::new_mesh`](crate::contact::shape::Shape::new_mesh) takes it once it is scaled to
+/// metres. Every number is finite, every index is one of a vertex, the three of a triangle differ. Whether the mesh is closed, and its
+/// triangles have areas, is for the shape to say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjMesh {
+    /// Vertices in file units, in the file's order; some may be on no triangle.
+    pub vertices: Vec<Vector3<f64>>,
+    /// Triangles, three indices of vertices each (from 0), wound as the file's faces are.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Reads the faces of an OBJ file. May be called from any thread.
+///
+/// # Errors
+/// [`Error::File`] naming the path when the file cannot be read, is no OBJ, has no faces, more than 2³² − 2 vertices or triangles, a face of
+/// fewer than 3 or more than [`MAX_CORNERS`] corners or one that names a vertex twice, or a polygon that cannot be cut into triangles
+/// (it crosses itself, or has no area); where there is one, the line is named. [`Error::OutOfMemory`].
+pub fn read(path: impl AsRef<Path>) -> Result<ObjMesh> {
+    let path = path.as_ref();
+    read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
+}
+
+/// [`read`] from memory. `name` stands for the path in errors.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<ObjMesh> {
+    // A first pass counts, so that memory is asked for once and no larger than the file warrants.
+    let (mut vertex_count, mut triangle_count) = (0, 0);
+    let mut text = Text::new(name, bytes);
+    while let Some((_, content)) = text.next_full_line()? {
+        let mut words = content.split_ascii_whitespace();
+        match words.next() {
+            Some("v") => vertex_count += 1,
+            Some("f") => triangle_count += words.count().saturating_sub(2),
+            _ => {}
+        }
+    }
+    let most = u32::MAX as usize - 1;
+    if vertex_count > most || triangle_count > most {
+        return Err(Error::file(
+            name,
+            format_args!("has {vertex_count} vertices and {triangle_count} triangles; at most {most}"),
+        ));
+    }
+
+    let mut vertices: Vec<Vector3<f64>> = bytes::list(vertex_count)?;
+    let mut triangles = bytes::list(triangle_count)?;
+    let (mut corners, mut sorted): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
+    let mut text = Text::new(name, bytes);
+    while let Some((line, content)) = text.next_full_line()? {
+        let mut words = content.split_ascii_whitespace();
+        match words.next() {
+            Some("v") => vertices.push(vertex(&text, line, content)?),
+            Some("f") => {
+                corners.clear();
+                for word in words {
+                    corners.push(corner(&text, line, word, vertices.len())?);
+                    if corners.len() > MAX_CORNERS {
+                        return Err(text.error(line, format_args!("a face of more than {MAX_CORNERS} corners")));
+                    }
+                }
+                if corners.len() < 3 {
+                    let count = corners.len();
+                    return Err(text.error(line, format_args!("a face of {count} corners; expected at least three")));
+                }
+                sorted.clone_from(&corners);
+                if let Some(twice) = polygon::named_twice(&mut sorted) {
+                    return Err(text.error(line, format_args!("a face that names vertex {} twice", twice + 1)));
+                }
+                if !polygon::cut(&vertices, &corners, &mut triangles) {
+                    let count = corners.len();
+                    return Err(text.error(
+                        line,
+                        format_args!("a face of {count} corners that crosses itself or has no area; expected a simple polygon"),
+                    ));
+                }
+            }
+            Some(word) if is_left(word) || OF_VERTICES.contains(&word) => {}
+            _ => {
+                let expected = "only faces (v and f) are read";
+                return Err(text.error(line, format_args!("{}: {expected}", Quote(content))));
+            }
+        }
+    }
+    if triangles.is_empty() {
+        return Err(Error::file(name, "has no faces (\"f\" lines)"));
+    }
+    Ok(ObjMesh { vertices, triangles })
+}
+
+/// A vertex's place. What stands after it may be a weight, a colour, or both.
+fn vertex(text: &Text<'_>, line: usize, content: &str) -> Result<Vector3<f64>> {
+    let mut words = content.split_ascii_whitespace().skip(1);
+    let row: [&str; 3] = std::array::from_fn(|_| words.next().unwrap_or_default());
+    let more = words.clone().count();
+    if row[2].is_empty() || ![0, 1, 3, 4].contains(&more) {
+        return Err(text.error(line, format_args!("{}; expected \"v x y z\"", Quote(content))));
+    }
+    for word in words {
+        number(text, line, "a vertex's weight or colour", word)?;
+    }
+    Ok(Vector3::new(number(text, line, "x", row[0])?, number(text, line, "y", row[1])?, number(text, line, "z", row[2])?))
+}
+
+/// The vertex of a face's corner: `a`, `a/t`, `a//n` or `a/t/n`.
+fn corner(text: &Text<'_>, line: usize, word: &str, known: usize) -> Result<u32> {
+    let mut parts = word.split('/');
+    let index = parts.next().and_then(|word| vertex_index(word, known));
+    let rest = parts.clone().all(|part| part.is_empty() || part.parse::<i64>().is_ok()) && parts.count() <= 2;
+    match index.filter(|_| rest) {
+        Some(index) => Ok(index as u32),
+        None => Err(text.error(line, format_args!("vertex {}; expected 1 to {known} (those above this line)", Quote(word)))),
+    }
+}
