@@ -63,6 +63,7 @@ static void use(uint32_t workers, uint32_t linear_solver) {
     MUST(p_shx_strand_def_init(&strands[i], sizeof strands[i]));
     strands[i].length = 0.1;
     strands[i].element_count = 12;
+    strands[i].root.origin[1] = 0.001 * i;
   }
   MUST(p_shx_solver_add_strands(solver, strands, sizeof strands[0], 20, ids));
   /* Hair on hair, on a mesh and a hull, and a pin. */
@@ -82,6 +83,7 @@ static void use(uint32_t workers, uint32_t linear_solver) {
   shx_contact_options options;
   MUST(p_shx_contact_options_init(&options, sizeof options));
   options.hair = 1;
+  options.model = SHX_CONTACT_PENALTY;
   MUST(p_shx_solver_set_contact_options(solver, &options));
   shx_strand_contact contact;
   MUST(p_shx_strand_contact_init(&contact, sizeof contact));
