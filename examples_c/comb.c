@@ -1,19 +1,19 @@
-/* A tooth of a comb goes through hair on a head: what the hair does to it, and how deep it ever was in the hair. */
+/* A comb goes through hair on a head: what the hair does to it, and how deep hair and comb ever were in each other. */
 #include <math.h>
 #include "check.h"
 
-enum { STRANDS = 60, FRAMES = 60 };
+enum { STRANDS = 40, TEETH = 9, FRAMES = 60 };
 static const double PI = 3.14159265358979323846, RADIUS = 0.09;
 
 int main(void) {
   shx_solver *solver;
   CHECK(shx_solver_create(NULL, &solver));
 
-  /* Hair of 12 cm around the crown of a spherical head, each strand along the radius (n0, the strand's tangent, is x turned). */
+  /* Hair of 12 cm on one side of a spherical head, each strand along the radius (n0, the strand's tangent, is x turned). */
   static shx_strand_def defs[STRANDS];
   static shx_strand_id strands[STRANDS];
   for (int i = 0; i < STRANDS; i++) {
-    const double tilt = 0.6 * sqrt((i + 0.5) / STRANDS), around = i * 2.399963; /* the golden angle spreads them evenly */
+    const double tilt = 1.2 + 0.2 * (i / 20), around = 0.04 * (i % 20 - 9.5) + 0.01 * (i / 20);
     const double up[3] = {sin(tilt) * cos(around), sin(tilt) * sin(around), cos(tilt)};
     shx_strand_def *def = &defs[i];
     CHECK(shx_strand_def_init(def, sizeof *def));
@@ -36,41 +36,47 @@ int main(void) {
   contact.exempt_length = 0.01;
   CHECK(shx_solver_set_contact(solver, strands, STRANDS, &contact, 0));
 
-  /* The head, and a tooth 2 mm thick that stands beside it. */
-  shx_body_def bodies[2];
-  shx_body_id ids[2];
-  for (int i = 0; i < 2; i++)
+  /* The head, and a comb of nine teeth 2 mm thick, 1 cm apart, above the hair. */
+  shx_body_def bodies[1 + TEETH];
+  shx_body_id ids[1 + TEETH];
+  for (int i = 0; i <= TEETH; i++) {
     CHECK(shx_body_def_init(&bodies[i], sizeof bodies[i]));
-  bodies[0].shape = SHX_SHAPE_SPHERE;
-  bodies[0].radius = RADIUS;
-  bodies[1].shape = SHX_SHAPE_CAPSULE;
-  bodies[1].radius = 0.001;
-  bodies[1].a[2] = 0.002;
-  bodies[1].b[2] = 0.1;
-  bodies[1].pose.origin[0] = -0.2;
-  bodies[1].pose.origin[2] = RADIUS;
-  CHECK(shx_solver_add_bodies(solver, bodies, sizeof bodies[0], 2, ids));
+    bodies[i].shape = i == 0 ? SHX_SHAPE_SPHERE : SHX_SHAPE_CAPSULE;
+    bodies[i].radius = i == 0 ? RADIUS : 0.001;
+    if (i > 0) {
+      bodies[i].b[0] = 0.06; /* the capsule's axis, from a, the body's origin, away from the head */
+      bodies[i].pose.origin[0] = RADIUS + 0.004;
+      bodies[i].pose.origin[1] = 0.01 * (i - 1 - TEETH / 2);
+      bodies[i].pose.origin[2] = 0.12;
+    }
+  }
+  CHECK(shx_solver_add_bodies(solver, bodies, sizeof bodies[0], 1 + TEETH, ids));
 
   shx_step_report report;
   CHECK(shx_step_report_init(&report, sizeof report));
-  for (int frame = 0; frame < 30; frame++) /* the hair falls onto the head */
+  for (int frame = 0; frame < 30; frame++) /* the hair falls */
     CHECK(shx_solver_step(solver, 1.0 / 60.0, 1, &report));
-  printf("%u contacts with the head\n", (unsigned)report.contacts);
 
   double deepest = 0.0;
-  for (int frame = 1; frame <= FRAMES; frame++) { /* through the hair and out again: 40 cm in a second */
-    shx_frame pose = bodies[1].pose;
-    pose.origin[0] = -0.2 * cos(PI * frame / FRAMES);
-    const shx_input frames = {&pose, 0, 1, SHX_FORMAT_FRAME, 0};
-    CHECK(shx_solver_set_body_frames(solver, &ids[1], 1, &frames, 1.0 / 60.0));
-    CHECK(shx_solver_step(solver, 1.0 / 60.0, 1, &report));
+  for (int frame = 1; frame <= FRAMES; frame++) { /* down through the hair, 25 cm in a second */
+    shx_frame poses[TEETH];
+    for (int i = 0; i < TEETH; i++) {
+      poses[i] = bodies[1 + i].pose;
+      poses[i].origin[2] = 0.12 - 0.125 * (1.0 - cos(PI * frame / FRAMES));
+    }
+    const shx_input frames = {poses, 0, TEETH, SHX_FORMAT_FRAME, 0};
+    CHECK(shx_solver_set_body_frames(solver, &ids[1], TEETH, &frames, 1.0 / 60.0));
+    CHECK(shx_solver_step(solver, 1.0 / 60.0, 4, &report)); /* a tooth goes less than its thickness in a substep */
     deepest = fmax(deepest, report.max_penetration);
-    if (frame % 10 == 0) {
-      double force[3];
-      const shx_output out = {force, 0, 1, SHX_FORMAT_F64X3, 0};
-      CHECK(shx_solver_body_wrenches(solver, &ids[1], 1, &out, NULL));
-      printf("%.2f s: %3u contacts, the tooth feels (%7.1f, %7.1f, %7.1f) uN\n", frame / 60.0, (unsigned)report.contacts,
-             1e6 * force[0], 1e6 * force[1], 1e6 * force[2]);
+    if (frame % 6 == 0) {
+      double forces[TEETH][3], sum[3] = {0.0, 0.0, 0.0};
+      const shx_output out = {forces, 0, TEETH, SHX_FORMAT_F64X3, 0};
+      CHECK(shx_solver_body_wrenches(solver, &ids[1], TEETH, &out, NULL));
+      for (int i = 0; i < TEETH; i++)
+        for (int axis = 0; axis < 3; axis++)
+          sum[axis] += forces[i][axis];
+      printf("%.2f s: %3u contacts, the comb feels (%7.1f, %7.1f, %7.1f) uN\n", frame / 60.0, (unsigned)report.contacts,
+             1e6 * sum[0], 1e6 * sum[1], 1e6 * sum[2]);
     }
   }
   printf("never deeper than %.1f um\n", 1e6 * deepest);

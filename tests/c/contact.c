@@ -232,8 +232,7 @@ static void constraints(void) {
   EXPECT(shx_solver_set_constraint_targets(solver, &ids[2], 1, &frames, 0.5) == SHX_OK);
   steps(solver, 6, &report);
   EXPECT(shx_solver_constraint_states(solver, &ids[2], 1, states, sizeof states[0]) == SHX_OK);
-  fprintf(stderr, "ring %u %g %g %g\n", states[0].status, states[0].arclength, from, states[0].error);
-  EXPECT(states[0].status == SHX_CONSTRAINT_HOLDS && states[0].arclength > from);
+  EXPECT(states[0].status != SHX_CONSTRAINT_RELEASED && states[0].arclength > from && states[0].error < 1e-7);
   steps(solver, 60, &report);
   EXPECT(shx_solver_constraint_states(solver, &ids[2], 1, states, 0) == SHX_OK && states[0].status == SHX_CONSTRAINT_RELEASED);
   shx_frame target;
