@@ -1091,9 +1091,9 @@ SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3])
 // Alone with the solver.
 SHX_API shx_result shx_solver_step(shx_solver *solver, double dt, uint32_t substeps, shx_step_report *report);
 
-// Bytes of memory that the solver holds, all its strands included, as it asked the allocator for them. Not in it: what the allocator
-// adds of its own, the stacks of the solver's threads, and each thread's scratch memory for a step, which grows with the longest strand
-// and not with their number. Looks at every strand.
+// Bytes of memory that the solver holds, all its strands, bodies and constraints included, as it asked the allocator for them. Not in it:
+// what the allocator adds of its own, the stacks of the solver's threads, each thread's scratch memory for a step, which grows with the
+// longest strand and not with their number, and that of strands which touch or are held, which does. Looks at every strand.
 // Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
 SHX_API shx_result shx_solver_memory_usage(const shx_solver *solver, uint64_t *out_bytes);
 

@@ -2,11 +2,17 @@
 #![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use nalgebra::Vector3;
+use superhelix::contact::body::BodyDef;
+use superhelix::contact::options::StrandContact;
+use superhelix::contact::shape::{Shape, Sides};
 use superhelix::math::frame::Frame;
 use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
+use superhelix::solver::constraints::{ConstraintDef, Hold};
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::solver::id::StrandId;
 use superhelix::step::options::Integrator;
@@ -110,6 +116,31 @@ fn memory_is_told_as_it_is() {
         let image = stepped(count, Integrator::SecondOrder, |_| 5).0.snapshot();
         let mut solver = Solver::new(SolverOptions::default()).unwrap();
         solver.restore(&image).unwrap();
+        solver
+    });
+    compare("with bodies and pins", |count| {
+        let (mut solver, ids) = stepped(count, Integrator::SecondOrder, |_| 5);
+        let corners = [Vector3::zeros(), Vector3::x(), Vector3::y(), Vector3::z()];
+        let triangles = vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+        let mesh = || Arc::new(Shape::new_mesh(corners.to_vec(), triangles.clone(), Sides::Solid).unwrap());
+        let (shared, mut bodies) = (mesh(), Vec::new());
+        for k in 0..count {
+            bodies.push(BodyDef::new(if k % 2 == 0 { mesh() } else { shared.clone() }));
+        }
+        drop(shared);
+        let bodies = solver.add_bodies(bodies).unwrap();
+        for body in bodies.iter().step_by(4) {
+            solver.set_body_vertices(*body, &corners, 0.1).unwrap();
+        }
+        let pin = |strand: &StrandId| ConstraintDef {
+            strand: *strand,
+            arclength: 0.05,
+            hold: Hold::Point,
+            target: Frame::default(),
+            compliance: 0.0,
+        };
+        solver.add_constraints(&ids.iter().map(pin).collect::<Vec<_>>()).unwrap();
+        solver.set_contact(&ids, Some(&StrandContact::default())).unwrap();
         solver
     });
     compare("on other elements", |count| {

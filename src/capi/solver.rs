@@ -256,9 +256,9 @@ pub unsafe extern "C" fn shx_solver_step(
     unsafe { write("shx_solver_step", solver, body) }
 }
 
-/// Bytes of memory that the solver holds, all its strands included, as it asked the allocator for them. Not in it: what the allocator
-/// adds of its own, the stacks of the solver's threads, and each thread's scratch memory for a step, which grows with the longest strand
-/// and not with their number. Looks at every strand.
+/// Bytes of memory that the solver holds, all its strands, bodies and constraints included, as it asked the allocator for them. Not in it:
+/// what the allocator adds of its own, the stacks of the solver's threads, each thread's scratch memory for a step, which grows with the
+/// longest strand and not with their number, and that of strands which touch or are held, which does. Looks at every strand.
 /// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_memory_usage(solver: *const shx_solver, out_bytes: *mut u64) -> shx_result {

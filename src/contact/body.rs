@@ -187,6 +187,12 @@ impl Body {
             }
         }
     }
+
+    /// Bytes on the heap but for the shape's.
+    pub fn heap_bytes(&self) -> usize {
+        let of = |bending: &Bending| (bending.from.capacity() + bending.to.capacity()) * size_of::<Vector3<f64>>();
+        self.bending.as_deref().map_or(0, |bending| size_of::<Bending>() + of(bending))
+    }
 }
 
 fn check_pose(argument: &str, pose: &Frame) -> Result<()> {

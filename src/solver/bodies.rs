@@ -1,5 +1,7 @@
 //! Bodies: what strands are kept out of.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::Solver;
@@ -7,6 +9,7 @@ use super::id::{self, BodyId, StrandId};
 use super::report::Wrench;
 use crate::contact::body::{Body, BodyDef};
 use crate::contact::options::{ContactOptions, StrandContact};
+use crate::contact::shape::Shape;
 use crate::error::{Error, Result, check_not_negative};
 use crate::math::frame::Frame;
 
@@ -57,6 +60,18 @@ pub enum ContactPartner {
         /// Arclength on it, m.
         arclength: f64,
     },
+}
+
+/// Bytes on the heap that bodies hold, each shape once.
+pub(super) fn heap_bytes(bodies: &[SceneBody]) -> usize {
+    let mut seen = std::collections::HashSet::new();
+    let of = |body: &SceneBody| {
+        let shape = &body.body.def().shape;
+        // Beside a shared shape stand two counts.
+        let whole = 2 * size_of::<usize>() + size_of::<Shape>() + shape.heap_bytes();
+        body.body.heap_bytes() + if seen.insert(Arc::as_ptr(shape)) { whole } else { 0 }
+    };
+    bodies.iter().map(of).sum()
 }
 
 impl Solver {

@@ -144,6 +144,11 @@ impl<I: Identifier> SlotMap<I> {
         }
     }
 
+    /// Bytes on the heap.
+    pub fn heap_bytes(&self) -> usize {
+        self.slots.capacity() * size_of::<Slot>() + self.free.capacity() * size_of::<u32>()
+    }
+
     /// Remembers the identifiers that `later` gave out: going back to a snapshot must not give one of them out again.
     pub fn remember(&mut self, later: &Self) {
         if later.mark != self.mark {

@@ -124,16 +124,21 @@ impl Solver {
         Ok(())
     }
 
-    /// Bytes that the solver holds, its strands included, as it asked the allocator for them. Not among them: what the allocator itself
-    /// adds (glibc: 8 to 24 bytes a piece, of which a strand has seven or eight), and what belongs to the threads: their stacks, and
-    /// the scratch memory of a step, which grows with the longest strand and not with their number.
+    /// Bytes that the solver holds, its strands, bodies and constraints included, as it asked the allocator for them; a shape counts
+    /// whole, though others may share it. Not among them: what the allocator itself adds (glibc: 8 to 24 bytes a piece, of which a strand
+    /// has seven or eight), and scratch memory: the threads' stacks, that of a step, which grows with the longest strand and not with
+    /// their number, and that of strands which touch or are held, which grows with their number.
     pub fn memory_usage(&self) -> u64 {
         let strands: f64 = self.strands.iter().map(Strand::heap_bytes).sum();
         let lists = size_of::<Self>()
             + self.rules.heap_bytes()
             + self.strands.capacity() * size_of::<Strand>()
-            + self.slots.slots.capacity() * size_of::<id::Slot>()
-            + self.slots.free.capacity() * size_of::<u32>();
+            + self.slots.heap_bytes()
+            + self.body_slots.heap_bytes()
+            + self.constraint_slots.heap_bytes()
+            + bodies::heap_bytes(&self.bodies)
+            + self.bodies.capacity() * size_of::<SceneBody>()
+            + self.constraints.capacity() * size_of::<Constraint>();
         (lists as f64 + strands + self.sections.heap_bytes()).round() as u64
     }
 
