@@ -23,6 +23,7 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   scripts/demo.sh
   "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \
     --title "Sintel's hair on a recorded walk" --cell 220 --moments 5 --quiet
+  scripts/contact_figures.sh
 fi
 
 scripts/python_env.sh

@@ -5,7 +5,7 @@ mod cli_support;
 
 use std::path::Path;
 
-use cli_support::{difference, directory, errors, numbers, run, small_scene, superhelix, with};
+use cli_support::{difference, directory, errors, numbers, run, run_text, small_scene, superhelix, with};
 use serde_json::{Value, json};
 
 const GRAVITY: f64 = 9.81;
@@ -159,6 +159,46 @@ fn bake(directory: &Path) -> String {
 }
 
 #[test]
+fn bad_bakes_are_explained() {
+    let directory = directory("bad_bakes");
+    let path = |name: &str| directory.join(name).to_str().unwrap().to_string();
+    std::fs::write(path("box.obj"), BOX).unwrap();
+    // Without its last face.
+    std::fs::write(path("open.obj"), BOX.lines().take(13).collect::<Vec<_>>().join("\n")).unwrap();
+    for (mesh, cell, band, named) in [
+        ("none.obj", "0.1", "0.1", "none.obj"),
+        ("open.obj", "0.1", "0.1", "closed mesh"),
+        ("box.obj", "0", "0.1", "--cell"),
+        ("box.obj", "0.1", "-1", "--band"),
+        ("box.obj", "1e-5", "0.1", "--cell is 0.00001"),
+    ] {
+        let (mesh, grid) = (path(mesh), path("out.shxgrid"));
+        let output = superhelix(&["bake", &mesh, "--cell", cell, "--band", band, "--out", &grid]);
+        assert_eq!(output.status.code(), Some(1), "{named}");
+        assert!(errors(&output).contains(named), "{named}: {}", errors(&output));
+        assert!(!Path::new(&grid).exists());
+    }
+}
+
+#[test]
+fn the_example_scenes_are_good() {
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/scenes");
+    let directory = directory("examples");
+    for name in ["incline", "braid_tie", "shoulder", "combed_sphere"] {
+        let text = std::fs::read_to_string(format!("{scenes}/{name}.json")).unwrap();
+        // The first two as they stand, of the others the first steps.
+        let duration = text.lines().find(|line| line.contains("\"duration\"")).unwrap();
+        let text = if name.len() < 10 && name != "shoulder" { text } else { text.replace(duration, "  \"duration\": 0.025,") };
+        let (output, result) = run_text(&directory, &text);
+        assert_eq!(output.status.code(), Some(0), "{name}: {}", errors(&output));
+        let report = &result.unwrap()["report"];
+        assert_eq!((&report["unconverged"], &report["contact"]["unconverged"]), (&json!(0), &json!(0)), "{name}: {report}");
+        assert!(report["contact"]["constraint_error_max"].as_f64().unwrap() < 1e-8, "{name}: {report}");
+        assert!(report["contact"]["penetration_max"].as_f64().unwrap() < TOLERANCE, "{name}: {report}");
+    }
+}
+
+#[test]
 fn no_shape_lets_a_strand_in() {
     let directory = directory("shapes");
     let grid = bake(&directory);
@@ -305,7 +345,7 @@ fn attachments_hold() {
     let directory = directory("attachments");
     // Not straight: of a straight one the length alone says how far down a point is.
     let hanging = |x: f64| {
-        json!({"elements": 6, "length": 0.12, "air_drag": 5e-5, "viscosity": 0.02, "natural_curvatures": [[0, 8, 0]],
+        json!({"elements": 6, "length": 0.12, "air_drag": 5e-5, "viscosity": 0.02, "natural_curvatures": [[0, -8, 0]],
             "root": {"origin": [x, 0, 0], "rotation": [0, 0.5f64.sqrt(), 0, 0.5f64.sqrt()]}})
     };
     let scene = |attachments: Value| {

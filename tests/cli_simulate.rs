@@ -201,6 +201,27 @@ fn flags_of_the_material_reach_the_strands() {
 }
 
 #[test]
+fn hair_stays_out_of_a_head() {
+    let directory = directory("simulate_body");
+    let picture = directory.join("head.png");
+    let (groom, head) = (data("sintel_hair_001.tfx"), data("sintel_bust.obj"));
+    let fixed =
+        [groom.as_str(), "--scale", "0.01", "--every", "24", "--duration", "0.2", "--elements", "6", "--natural", "as-drawn"];
+    let touching = ["--body", head.as_str(), "--exempt", "0.02", "--contact", "penalty", "--hair-contact", "0.0005"];
+    let report = simulate(&[&fixed[..], &touching, &["--picture", picture.to_str().unwrap()]].concat());
+    assert_eq!(report["body"]["triangles"], 5952);
+    assert_eq!(report["body"]["sides"], "front", "a bust is open");
+    let contact = &report["report"]["contact"];
+    assert!(contact["touches_max"].as_u64().unwrap() > 0, "{contact}");
+    assert_eq!(report["report"]["quarantined"], 0);
+    assert!(contact["penetration_max"].as_f64().unwrap() > 0.0);
+    assert_eq!(std::fs::read(&picture).unwrap()[..8], [0x89, b'P', b'N', b'G', 13, 10, 26, 10]);
+
+    let report = simulate(&fixed);
+    assert!(report.get("body").is_none() && report["report"].get("contact").is_none(), "free when off");
+}
+
+#[test]
 fn degenerate_strands_are_left_out_and_named() {
     let directory = directory("simulate_degenerate");
     let groom = directory.join("groom.hair");
@@ -245,6 +266,11 @@ fn bad_use_is_explained() {
         (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--integrator", "third_order"], "third_order"),
         (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--quadrature-tolerance", "0.1"], "quadrature_tolerance"),
         (vec![groom.as_str(), "--motion", &motion, "--scale", "0.0031", "--start", "100"], "--start is 100"),
+        (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--body", "no_such_head.obj"], "no_such_head.obj"),
+        (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--body-depth", "0.1"], "--body"),
+        (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--contact", "soft"], "regularised"),
+        (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--hair-contact", "0"], "--hair-contact"),
+        (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--exempt", "-1"], "--exempt"),
         (vec![groom.as_str(), "--motion", "no_such_motion.csv"], "no_such_motion.csv"),
         (vec!["no_such_groom.tfx", "--duration", "1"], "no_such_groom.tfx"),
         (vec![groom.as_str(), "--duration", "1", "--scale", "0.0031", "--pivot", "1,2"], "--pivot"),

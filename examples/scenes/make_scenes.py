@@ -161,29 +161,29 @@ def combed_sphere():
         })
     teeth = []
     # The comb comes down on the left side from 0.3 to 0.5 s, and goes from there over the crown to the right: each pose turns it about
-    # y. Its teeth reach into the sphere: no hair lies under them.
+    # y. Its teeth end 1.5 mm above the sphere.
     times = [0.3, 0.5] + [0.5 + 0.05 * step for step in range(1, 25)]
-    for tooth in range(23):
-        y = -0.077 + 0.007 * tooth
+    for tooth in range(13):
+        y = -0.072 + 0.012 * tooth
         frames = []
         for step, _ in enumerate(times):
             angle = math.radians(-75 + 6 * max(0, step - 1))
             away = 0.1 if step == 0 else 0.0
             frames.append([away * math.sin(angle), y, away * math.cos(angle), 0.0, math.sin(angle / 2), 0.0, math.cos(angle / 2)])
-        inner = math.sqrt(0.088 ** 2 - y * y)
+        inner = math.sqrt(0.093 ** 2 - y * y)
         teeth.append({
-            "shape": "capsule", "a": [0, 0, inner], "b": [0, 0, 0.15], "radius": 0.001, "friction": 0.1,
+            "shape": "capsule", "a": [0, 0, inner], "b": [0, 0, 0.15], "radius": 0.0015, "friction": 0.0,
             "motion": {"times": times, "frames": frames},
         })
     write(
         "combed_sphere.json",
-        ["Tousled hair lies down on a sphere, whose friction holds it; a comb of 23 teeth, 2 mm thick, then goes over the sphere from left to",
+        ["Tousled hair lies down on a sphere, whose friction holds it; a comb of 13 smooth teeth, 3 mm thick, then goes over the sphere from left to",
          "right in 1.2 s."],
         {
-            "version": 1, "time_step": 1 / 120, "duration": 2.0, "output_interval": 0.25,
-            "contact": {"model": "hard", "strands": {"exempt_length": 0.004}},
+            "version": 1, "time_step": 1 / 240, "duration": 2.0, "output_interval": 0.25,
+            "contact": {"model": "hard", "strands": {"exempt_length": 0.01}},
             "strands": strands,
-            "colliders": [{"shape": "sphere", "radius": radius, "friction": 0.8}] + teeth,
+            "colliders": [{"shape": "sphere", "radius": radius, "friction": 0.5}] + teeth,
             "output": ["points"],
         },
     )
