@@ -286,3 +286,22 @@ fn bad_constraints_are_refused_and_change_nothing() {
         assert!(solver.constraint_ids().is_empty());
     }
 }
+
+#[test]
+fn a_direction_is_held_its_own_way_round() {
+    // Backwards to begin with: the tangent at the tip is to turn by up to 170°.
+    for angle in [0.4_f64, 1.57, 2.2, 2.96] {
+        let mut solver = solver(Integrator::ImplicitEuler);
+        let id = solver.add_strands(&[strand(12)]).unwrap()[0];
+        let rotation = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle);
+        let target = Frame { origin: Vector3::new(0.05, 0.0, -0.03), rotation };
+        let clamp = ConstraintDef { strand: id, arclength: 0.1, hold: Hold::Direction, target, compliance: 0.0 };
+        let clamp = solver.add_constraints(&[clamp]).unwrap()[0];
+        run(&mut solver, 60);
+        let mut tangent = Vector3::zeros();
+        solver.sample_at(id, &[0.1], |_, sample| tangent = sample.rotation * Vector3::x()).unwrap();
+        let state = solver.constraint_state(clamp).unwrap();
+        assert_eq!(state.status, ConstraintStatus::Holds, "{angle}: {state:?}");
+        assert!((tangent - rotation * Vector3::x()).norm() < 1e-6, "{angle}: {tangent:?}");
+    }
+}

@@ -70,9 +70,9 @@ fn a_resting_strand_is_borne_by_its_contacts() {
 fn friction_holds_below_its_angle_and_not_above() {
     let mu = 0.4;
     for model in [ContactModel::Hard, ContactModel::Coulomb] {
-        for (share, sticks) in [(0.99, true), (1.01, false)] {
+        for (share, sticks) in [(0.99_f64, true), (1.01, false)] {
             // The slope is along y, across the strand: only its root and what stiffness it has hold it there.
-            let angle = (mu * share as f64).atan();
+            let angle = (mu * share).atan();
             let gravity = Vector3::new(0.0, angle.sin(), -angle.cos()) * GRAVITY;
             let mut solver = solver(model, gravity);
             let id = solver.add_strands(&[lying(10)]).unwrap()[0];

@@ -226,7 +226,8 @@ fn relative(space: &ContactSpace, forces: &[Vector3<f64>]) -> Vec<Vector3<f64>> 
 fn bonds_hold_over_several_touches() {
     let off = Vector3::new(1e-3, -2e-3, 3e-3);
     // A pin, pins of two points, a tie, a closed loop (a strand's tip on its own middle), a tie and pins of both strands.
-    let cases: [Vec<(End, Option<End>, Law, Vector3<f64>)>; 5] = [
+    type Held = (End, Option<End>, Law, Vector3<f64>);
+    let cases: [Vec<Held>; 5] = [
         vec![(end(0, 2), None, PIN, off)],
         vec![(end(0, 1), None, PIN, off), (end(0, 2), None, PIN, -off)],
         vec![(end(0, 1), Some(end(1, 2)), PIN, off)],

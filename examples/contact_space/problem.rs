@@ -89,7 +89,8 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
         Station::on(place as usize, place.fract() * length)
     };
     // (strand, station) of the two ends.
-    let mut pairs: Vec<((usize, usize), Option<(usize, usize)>)> = Vec::new();
+    type Place = (usize, usize);
+    let mut pairs: Vec<(Place, Option<Place>)> = Vec::new();
     for (index, strand) in strands.iter_mut().enumerate() {
         for _ in 0..kind.on_head {
             strand.stations.push(station(&mut numbers));

@@ -39,11 +39,10 @@ impl Conjugate {
         self.displacements.extend_from_slice(&system.displacements);
         sweep(space, system, forces);
         let square: f64 = forces.iter().zip(&self.forces).map(|(new, old)| (new - old).norm_squared()).sum();
-        let mut share = if self.square > 0.0 { square / self.square } else { 0.0 };
+        let share = if self.square > 0.0 { square / self.square } else { 0.0 };
         self.square = square;
         if share > 1.0 {
             // Not a descent: begin again from the sweep.
-            share = 0.0;
             self.restart(system, forces);
             return;
         }

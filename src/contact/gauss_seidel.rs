@@ -1,6 +1,6 @@
 //! The contact-space problem solved by nonsmooth block Gauss–Seidel: touch after touch, each by its law's exact solve
-//! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables), accelerated ([`super::conjugate`]); small problems,
-//! and blocks where that is slow, by Newton's iteration on all their touches at once ([`super::block_newton`]).
+//! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables), accelerated (`conjugate.rs`); small problems,
+//! and blocks where that is slow, by Newton's iteration on all their touches at once (`block_newton.rs`).
 
 use nalgebra::Vector3;
 

@@ -185,6 +185,12 @@ impl Joint {
             }
             JointKind::Pin { target, axes, compliance, .. } => {
                 let u = a.now - target;
+                // A lever that is held across a direction may lie against it too: one that is far off is drawn to its very end.
+                let lever = Vector3::from(self.first.station.lever).norm();
+                let axes = match axes {
+                    BondAxes::Across(_) | BondAxes::Along(_) if lever > 0.0 && u.norm() > 0.5 * lever => BondAxes::All,
+                    axes => axes,
+                };
                 let bond = Bond { axes, compliance };
                 self.slip = a.now - a.start;
                 self.gap = bond.directions().map(|d| d.dot(&u).powi(2)).sum::<f64>().sqrt();

@@ -192,15 +192,13 @@ impl Holding {
     }
 
     fn begin(&mut self, scene: &mut Scene, h: f64) {
-        let mut index = 0;
-        for (k, strand) in scene.strands.iter().enumerate().filter(|(_, strand)| strand.held) {
-            let held = &mut self.strands[index];
+        let strands = scene.strands.iter().enumerate().filter(|(_, strand)| strand.held);
+        for ((k, strand), held) in strands.zip(&mut self.strands) {
             held.index = k as u32;
             held.mass = strand.model.length() * strand.model.linear_density;
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.settled) = (strand.touched, false);
-            index += 1;
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {

@@ -6,12 +6,15 @@ use superhelix::error::Error;
 
 use super::scene::{Dice, ball, bumpy, sheet};
 
+/// Whether a point is inside.
+type Inside = Box<dyn Fn(&Vector3<f64>) -> bool>;
+
 /// Points of a shape's surface, so dense that none of the surface is farther than `spacing` from one, and whether a point is inside.
 struct Sampled {
     shape: Shape,
     points: Vec<Vector3<f64>>,
     spacing: f64,
-    inside: Box<dyn Fn(&Vector3<f64>) -> bool>,
+    inside: Inside,
 }
 
 const STEPS: usize = 70;

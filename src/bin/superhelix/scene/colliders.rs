@@ -232,8 +232,11 @@ fn path_of(file: &Node, directory: &Path) -> Result<std::path::PathBuf, Complain
     Ok(directory.join(name))
 }
 
+/// A mesh's vertices, m, and triangles.
+pub type MeshParts = (Vec<Vector3<f64>>, Vec<[u32; 3]>);
+
 /// Vertices (m) and triangles of a file.
-pub fn read_mesh(file: &Node, scale: f64, directory: &Path) -> Result<(Vec<Vector3<f64>>, Vec<[u32; 3]>), Complaint> {
+pub fn read_mesh(file: &Node, scale: f64, directory: &Path) -> Result<MeshParts, Complaint> {
     let mesh = obj_mesh::read(path_of(file, directory)?).map_err(|error| file_complaint(file, &error))?;
     Ok((mesh.vertices.iter().map(|vertex| vertex * scale).collect(), mesh.triangles))
 }
