@@ -153,7 +153,8 @@ mod tests {
             let depth = 1.0 - point.abs().sum();
             if depth.abs() > 1e-6 {
                 let expected = if depth > 0.0 { 1.0 } else { 0.0 };
-                assert!((winding.at(&point) - expected).abs() < 0.01, "{point}: {}", winding.at(&point));
+                // What the dipoles of far triangles leave; a side is decided at one half.
+                assert!((winding.at(&point) - expected).abs() < 0.03, "{point}: {}", winding.at(&point));
             }
         }
     }
