@@ -142,14 +142,15 @@ impl System {
 
     /// Displacement of a row per force at another (or itself).
     pub(super) fn coupling(&self, space: &ContactSpace, row: &Row, from: &Row) -> Matrix3<f64> {
+        // Both ends, the second a copy of the first where there is none: nothing is read that is not there.
+        let ends = |row: &Row| ([row.first, row.second.unwrap_or(row.first)], 1 + usize::from(row.second.is_some()));
+        let ((at, places), (force, forces)) = (ends(row), ends(from));
         let mut sum = Matrix3::zeros();
-        for (at, plus) in [(Some(row.first), true), (row.second, false)] {
-            for (force, with) in [(Some(from.first), true), (from.second, false)] {
-                if let (Some(at), Some(force)) = (at, force)
-                    && at.base == force.base
-                {
-                    let block = self.block(space, &at, &force);
-                    if plus == with { sum += block } else { sum -= block }
+        for i in 0..places {
+            for j in 0..forces {
+                if at[i].base == force[j].base {
+                    let block = self.block(space, &at[i], &force[j]);
+                    if i == j { sum += block } else { sum -= block }
                 }
             }
         }

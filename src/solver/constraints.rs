@@ -7,6 +7,7 @@ use super::id::{self, ConstraintId, StrandId};
 use crate::chain::load::Station;
 use crate::contact::joint::{Joint, JointEnd, JointKind};
 use crate::contact::law::bond::BondAxes;
+use crate::contact::nearest::nearest;
 use crate::contact::options::Friction;
 use crate::contact::touch::StrandCurve;
 use crate::error::{Error, Result, check_finite, check_not_negative};
@@ -137,6 +138,8 @@ impl Constraint {
             self.state.torque += (target - self.held_at).cross(&joint.force);
         }
         if let JointKind::Ring { target, .. } = joint.kind {
+            // The strand has slid on in the last iteration.
+            let (element, s) = nearest(curve, element, s, target);
             self.state.arclength = curve.elements[..element].iter().map(|element| element.length).sum::<f64>() + s;
             let tip = element + 1 == curve.elements.len() && s >= curve.elements[element].length;
             if tip && (target - self.held_at).dot(&curve.tangent(element, s)) >= 0.0 {
