@@ -1,6 +1,9 @@
 //! The laws of touches and their exact solves for one touch: against the laws themselves, and against a search of all directions.
 
+mod numbers;
+
 use nalgebra::{Matrix3, Vector3};
+use numbers::Numbers;
 use superhelix::contact::law::bond::{Bond, BondAxes};
 use superhelix::contact::law::coefficient::Coefficient;
 use superhelix::contact::law::contact::{Contact, Friction};
@@ -10,25 +13,15 @@ use superhelix::contact::law::{Law, LawSolve};
 
 const STEP: f64 = 1.0 / 60.0;
 
-/// Numbers from 0 to 1 by a linear congruence (Knuth's constants), the same on every machine.
-struct Numbers(u64);
+/// What the laws need beside.
+trait Draws {
+    fn response(&mut self, decades: f64) -> Matrix3<f64>;
+    fn coefficient(&mut self, most: f64) -> Coefficient;
+    fn friction(&mut self) -> Friction;
+    fn normal_response(&mut self) -> Response;
+}
 
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-    fn direction(&mut self) -> Vector3<f64> {
-        loop {
-            let v = Vector3::from_fn(|_, _| self.within(-1.0, 1.0));
-            if v.norm() > 0.1 && v.norm() < 1.0 {
-                return v.normalize();
-            }
-        }
-    }
+impl Draws for Numbers {
     /// A response of condition up to 10^`decades`, some quite singular; m/N.
     fn response(&mut self, decades: f64) -> Matrix3<f64> {
         let a = self.direction();

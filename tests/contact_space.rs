@@ -1,7 +1,10 @@
 //! The contact-space problem: its solver against the laws, on strands that answer to forces as cantilevers do (Euler and Bernoulli's
 //! G(s, t) = s² (3 t − s)/6 for s ≤ t), and bonds against what they must hold.
 
+mod numbers;
+
 use nalgebra::{Matrix3, Vector3};
+use numbers::Numbers;
 use superhelix::contact::contact_space::{ContactSpace, End, SpaceTouch};
 use superhelix::contact::gauss_seidel::{GaussSeidel, Report, Settings};
 use superhelix::contact::law::Law;
@@ -12,27 +15,6 @@ use superhelix::contact::law::response::Response;
 use superhelix::contact::law::ring::Ring;
 
 const STEP: f64 = 1.0 / 60.0;
-
-/// Numbers from 0 to 1 by a linear congruence (Knuth's constants), the same on every machine.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-    fn direction(&mut self) -> Vector3<f64> {
-        loop {
-            let v = Vector3::from_fn(|_, _| self.within(-1.0, 1.0));
-            if v.norm() > 0.1 && v.norm() < 1.0 {
-                return v.normalize();
-            }
-        }
-    }
-}
 
 /// Adds a strand along x, touched at the given places (m): it gives a thousandth along itself of what it gives across.
 fn cantilever(space: &mut ContactSpace, places: &[f64]) {

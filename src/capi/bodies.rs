@@ -1,12 +1,12 @@
 //! Bodies: what strands are kept out of. The host moves them, and reads what strands do to them.
 
 use super::body_def::{points, shx_body_def};
-use super::buffers::{FRAME_FORMATS, Place, Places, VECTOR_FORMATS, Writer, body_ids, each, frames_of};
+use super::buffers::{FRAME_FORMATS, Place, Places, Writer, body_ids, each, frames_of};
 use super::errors::{SHX_OK, shx_result};
 use super::guard::{read, shx_solver, write};
 use super::types::{shx_body_id, shx_input, shx_output};
 use super::versioned::definitions;
-use crate::error::Error;
+use super::wrenches::write_wrenches;
 use crate::solver::id::BodyId;
 
 /// Adds count bodies, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_body_def)). out_ids
@@ -218,22 +218,7 @@ pub unsafe extern "C" fn shx_solver_body_wrenches(
     // SAFETY: the caller's handle, ids and memory for the outputs.
     unsafe {
         read("shx_solver_body_wrenches", solver, |core| {
-            if forces.is_null() && torques.is_null() {
-                return Err(Error::NullArgument { argument: "forces (and torques)".into() });
-            }
-            let ids = body_ids(ids, count)?;
-            let forces = Writer::optional("forces", forces, VECTOR_FORMATS, count)?;
-            let torques = Writer::optional("torques", torques, VECTOR_FORMATS, count)?;
-            let wrenches = each(&ids, |id| core.body_wrench(id))?;
-            for (index, wrench) in wrenches.iter().enumerate() {
-                if let Some(forces) = &forces {
-                    forces.vector(index, wrench.force.into());
-                }
-                if let Some(torques) = &torques {
-                    torques.vector(index, wrench.torque.into());
-                }
-            }
-            Ok(())
+            write_wrenches(count, forces, torques, || body_ids(ids, count), |id| core.body_wrench(id))
         })
     }
 }

@@ -45,3 +45,4 @@ mod thread;
 pub mod types;
 pub mod version;
 mod versioned;
+mod wrenches;

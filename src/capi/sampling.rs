@@ -4,12 +4,13 @@ use std::mem::{offset_of, size_of};
 
 use nalgebra::Vector3;
 
-use super::buffers::{VECTOR_FORMATS, Writer, array, each, strand_ids};
+use super::buffers::{array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver};
 use super::sample_outputs::Outputs;
 use super::types::{MAX_COUNT, shx_output, shx_strand_id};
 use super::versioned::{Versioned, initialise, read_versioned};
+use super::wrenches::write_wrenches;
 use crate::error::{Error, Result, check_finite};
 use crate::solver::id::StrandId;
 
@@ -146,22 +147,7 @@ pub unsafe extern "C" fn shx_solver_root_wrenches(
     // SAFETY: the caller's handle, ids and memory for the outputs.
     unsafe {
         read("shx_solver_root_wrenches", solver, |core| {
-            if forces.is_null() && torques.is_null() {
-                return Err(Error::NullArgument { argument: "forces (and torques)".into() });
-            }
-            let ids = strand_ids(ids, count)?;
-            let forces = Writer::optional("forces", forces, VECTOR_FORMATS, count)?;
-            let torques = Writer::optional("torques", torques, VECTOR_FORMATS, count)?;
-            let wrenches = each(&ids, |id| core.root_wrench(id))?;
-            for (index, wrench) in wrenches.iter().enumerate() {
-                if let Some(forces) = &forces {
-                    forces.vector(index, wrench.force.into());
-                }
-                if let Some(torques) = &torques {
-                    torques.vector(index, wrench.torque.into());
-                }
-            }
-            Ok(())
+            write_wrenches(count, forces, torques, || strand_ids(ids, count), |id| core.root_wrench(id))
         })
     }
 }

@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 
 pub(crate) use memory::PairMemory;
 
-use super::grid::{Bounds, Grid};
+use super::broad_phase::{Bounds, Grid};
 use super::pieces::{Pieces, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::touch::{StrandCurve, StrandPath, Touch};

@@ -65,8 +65,7 @@ pub struct HeldStrand {
 impl HeldStrand {
     /// Its curve as the step found it and at the present iterate.
     pub fn path(&self) -> StrandPath<'_> {
-        let curve = |(origin, elements)| StrandCurve { origin, elements };
-        StrandPath { index: self.index, start: curve(self.held.start()), now: curve(self.held.now()) }
+        path_of(self.index, &self.held)
     }
 
     /// Finds the touches with bodies that are nearer than `within` (m) at the present iterate.
@@ -74,16 +73,13 @@ impl HeldStrand {
         if !self.touches {
             return;
         }
-        let (mut bounds, mut found) = (std::mem::take(&mut self.bounds), std::mem::take(&mut self.found));
-        let mut scratch = std::mem::take(self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner));
-        let path = self.path();
-        bounds.update(&path);
+        let path = path_of(self.index, &self.held);
+        let scratch = self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner);
+        self.bounds.update(&path);
         let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
         for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
-            strand_body::touches(&path, &bounds, Span { exempt }, radius, body, within, &mut scratch, &mut found);
+            strand_body::touches(&path, &self.bounds, Span { exempt }, radius, body, within, scratch, &mut self.found);
         }
-        (self.bounds, self.found) = (bounds, found);
-        *self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner) = scratch;
     }
 
     /// What it is to other strands.
@@ -151,4 +147,9 @@ impl HeldStrand {
     pub fn free(&self, point: u32) -> Vector3<f64> {
         self.held.free[point as usize].into()
     }
+}
+
+fn path_of(index: u32, held: &Held) -> StrandPath<'_> {
+    let curve = |(origin, elements)| StrandCurve { origin, elements };
+    StrandPath { index, start: curve(held.start()), now: curve(held.now()) }
 }

@@ -9,11 +9,11 @@ use crate::math::lane::MAX_LANES;
 use crate::math::lanes::InstructionSet;
 use crate::math::prefetch::prefetch;
 use crate::rod::strand::StrandModel;
-use crate::step::members::{Kind, Members, One};
+use crate::step::members::{Kind, Members};
 use crate::step::options::Integrator;
 use crate::step::scratch::Scratch;
 use crate::step::state::StrandState;
-use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
+use crate::step::{self, Setting, packs, subdivision};
 
 /// The most strands of a task: so many fill packs where kinds are mixed, and their states stay in a core's cache between substeps.
 pub(super) const MAX_TASK: usize = 256;
@@ -97,23 +97,16 @@ fn take_pack(
     let outcomes = packs::take(&mut picked, setting, h, set, scratch);
     for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
         let strand = &mut strands[*index];
-        let outcome = with_one(strand, |one| step::finish(setting, one, h, outcome, scratch));
+        let outcome = strand.with_one(|one| step::finish(setting, one, h, outcome, scratch));
         tally.add(&outcome);
         strand.ended(outcome, setting, h, scratch);
     }
 }
 
 fn take_one(strand: &mut Strand, setting: &Setting, h: f64, tally: &mut Tally, scratch: &mut Scratch) {
-    let outcome = with_one(strand, |one| step::take(setting, one, h, scratch));
+    let outcome = strand.with_one(|one| step::take(setting, one, h, scratch));
     tally.add(&outcome);
     strand.ended(outcome, setting, h, scratch);
-}
-
-fn with_one(strand: &mut Strand, work: impl FnOnce(&mut One) -> StrandOutcome) -> StrandOutcome {
-    let Strand { model, state, root_move, .. } = strand;
-    let start = state.root;
-    let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
-    work(&mut One { model, state, root_at: &root_at })
 }
 
 /// Strands picked from a task's.

@@ -15,6 +15,7 @@ use crate::math::rotation::PoseMove;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::section::Section;
 use crate::rod::strand::StrandModel;
+use crate::step::members::One;
 use crate::step::options::Integrator;
 use crate::step::scratch::Scratch;
 use crate::step::state::{StrandState, rotation_matrix};
@@ -220,6 +221,14 @@ impl Strand {
                 }
             }
         }
+    }
+
+    /// Does something to the strand as one on its own, its root on its way.
+    pub fn with_one<R>(&mut self, work: impl FnOnce(&mut One) -> R) -> R {
+        let Self { model, state, root_move, .. } = self;
+        let start = state.root;
+        let root_at = |elapsed: f64| root_after(root_move, &start, elapsed);
+        work(&mut One { model, state, root_at: &root_at })
     }
 
     /// Writes down how a substep of `h` seconds went.
