@@ -220,3 +220,39 @@ fn a_fast_thin_tooth_does_not_pass_through() {
         }
     }
 }
+
+/// A body that is on its way comes to where it was sent whether a strand is there to touch it or not, and what touched before is no contact
+/// of a step in which nothing does.
+#[test]
+fn bodies_go_on_and_contacts_end_where_no_strand_touches() {
+    let mut solver = solver(ContactModel::Hard, Vector3::new(0.0, 0.0, -GRAVITY));
+    let id = solver.add_strands(&[lying(6)]).unwrap()[0];
+    let floor = solver.add_bodies(vec![floor()]).unwrap()[0];
+    let sent = Frame { origin: Vector3::new(0.0, 0.0, -0.5), rotation: UnitQuaternion::identity() };
+    solver.set_body_frames(&[floor], &[sent], 0.1).unwrap();
+    for _ in 0..12 {
+        solver.step(1.0 / 60.0, 1).unwrap();
+    }
+    assert!((solver.body(floor).unwrap().pose.origin - sent.origin).norm() < 1e-12);
+    solver.teleport_bodies(&[floor], &[Frame { origin: Vector3::new(0.0, 0.0, -1.0), ..sent }]).unwrap();
+    let ball = BodyDef::new(Arc::new(Shape::new_sphere(0.05).unwrap()));
+    let below = Frame { origin: Vector3::new(0.1, 0.0, -0.06), rotation: UnitQuaternion::identity() };
+    let ball = solver.add_bodies(vec![BodyDef { pose: below, ..ball }]).unwrap()[0];
+    solver.set_contact(&[id], Some(&StrandContact::default())).unwrap();
+    solver.set_curvatures(id, &[[0.0; 3]; 6], None).unwrap();
+    let mut touched = false;
+    for _ in 0..60 {
+        solver.step(1.0 / 60.0, 1).unwrap();
+        touched |= !solver.contacts().is_empty();
+    }
+    assert!(touched);
+    for away in [true, false] {
+        if away {
+            solver.teleport_bodies(&[ball], &[Frame { origin: Vector3::new(9.0, 0.0, 0.0), ..below }]).unwrap();
+        } else {
+            solver.remove_bodies(&[ball, floor]).unwrap();
+        }
+        solver.step(1.0 / 60.0, 1).unwrap();
+        assert!(solver.contacts().is_empty(), "away: {away}");
+    }
+}

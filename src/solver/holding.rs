@@ -2,8 +2,6 @@
 //! iteration. Strands do the two halves of an iteration on any thread, islands solve their contact problems between them; who runs
 //! which changes no result.
 
-use std::collections::HashMap;
-
 use nalgebra::Vector3;
 
 use super::bodies::{Contact, ContactPartner};
@@ -21,7 +19,6 @@ use crate::contact::joint::{Joint, JointKind};
 use crate::contact::options::ContactOptions;
 use crate::contact::shape::Bounds;
 use crate::step::Setting;
-use crate::step::members::One;
 use crate::step::options::Integrator;
 
 /// How often strands are searched for touches that the last search did not know of.
@@ -86,6 +83,11 @@ impl Holding {
         self.contacts.clear();
     }
 
+    /// Forgets the contacts of the last substep: there are none in this one.
+    pub fn forget_contacts(&mut self) {
+        self.contacts.clear();
+    }
+
     /// Forgets which strands are near each other.
     pub fn forget_pairs(&mut self) {
         self.touching.forget_pairs();
@@ -127,12 +129,8 @@ impl Holding {
 
     /// Takes the marked strands through a substep of `h` seconds.
     pub fn take(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally, wrenches: &mut [Wrench]) {
-        let held: Vec<usize> = (0..scene.strands.len()).filter(|index| scene.strands[*index].held).collect();
-        if held.is_empty() {
-            return;
-        }
-        self.count = held.len();
-        self.strands.resize_with(self.strands.len().max(held.len()), HeldStrand::default);
+        self.count = scene.strands.iter().filter(|strand| strand.held).count();
+        self.strands.resize_with(self.strands.len().max(self.count), HeldStrand::default);
         for constraint in scene.constraints.iter_mut() {
             constraint.way.begin(h);
         }
@@ -142,9 +140,9 @@ impl Holding {
         self.touching.find(scene, &mut self.strands[..self.count]);
         self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
         self.begin_again(scene, h);
-        self.hold_constraints(scene, &held, h);
+        self.hold_constraints(scene, h);
         self.tie();
-        self.iterate(scene, h);
+        self.iterate(scene, h, contact);
         if !scene.options.model.is_soft() && self.touching.is_possible(scene) {
             for _ in 0..MOST_SEARCHES {
                 self.touching.find(scene, &mut self.strands[..self.count]);
@@ -154,7 +152,7 @@ impl Holding {
                 }
                 contact.searches += 1;
                 self.tie();
-                self.iterate(scene, h);
+                self.iterate(scene, h, contact);
             }
         }
         self.end(scene, h, tally, contact, wrenches);
@@ -186,7 +184,7 @@ impl Holding {
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             if held.begins_again {
                 (held.begins_again, held.first_order) = (false, true);
-                with_one(strand, |one| held.held.begin(one, scene.setting, h, true));
+                strand.with_one(|one| held.held.begin(one, scene.setting, h, true));
             }
         });
     }
@@ -203,16 +201,19 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             strand.begin_root_way(h);
-            with_one(strand, |one| held.held.begin(one, scene.setting, h, held.first_order));
+            strand.with_one(|one| held.held.begin(one, scene.setting, h, held.first_order));
         });
     }
 
     /// The constraints' joints.
-    fn hold_constraints(&mut self, scene: &mut Scene, held: &[usize], h: f64) {
-        let place: HashMap<usize, u32> = held.iter().enumerate().map(|(k, index)| (*index, k as u32)).collect();
-        let joints = &mut self.joints;
-        for (k, constraint) in scene.constraints.iter_mut().enumerate() {
-            let find = |id| scene.slots.index(id).map(|index| (place[&index], &scene.strands[index].model));
+    fn hold_constraints(&mut self, scene: &Scene, h: f64) {
+        let (held, joints) = (&self.strands[..self.count], &mut self.joints);
+        for (k, constraint) in scene.constraints.iter().enumerate() {
+            let find = |id| {
+                let index = scene.slots.index(id)?;
+                let place = held.binary_search_by_key(&(index as u32), |held| held.index).ok()?;
+                Some((place as u32, &scene.strands[index].model))
+            };
             if constraint.state.status == ConstraintStatus::Released {
                 continue;
             }
@@ -268,7 +269,7 @@ impl Holding {
     }
 
     /// Newton's iterations of all islands.
-    fn iterate(&mut self, scene: &mut Scene, h: f64) {
+    fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally) {
         let (setting, options) = (scene.setting, scene.options);
         let Self { strands, islands, count, island_count, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
@@ -316,6 +317,11 @@ impl Holding {
                 }
             });
         }
+        // Here, and not at the substep's end: the next search makes islands anew.
+        for island in islands.iter() {
+            contact.iterations = contact.iterations.max(island.iterations);
+            contact.sweeps += u64::from(island.sweeps);
+        }
     }
 
     /// Makes the ends the strands' states, and writes down what the joints came to.
@@ -330,11 +336,10 @@ impl Holding {
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;
             let most_elastic = strand.energies.elastic + held.mass * speed * speed;
-            with_one(strand, |one| held.held.end(one, setting, h, most_elastic, &mut scratch.rule));
+            strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
-            strand.touched =
-                held.attachments.iter().any(|end| islands[held.island as usize].joints[end.joint as usize].is_touch());
+            strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].is_touch());
         });
         for held in &self.strands[..self.count] {
             tally.add(&held.held.outcome);
@@ -349,8 +354,6 @@ impl Holding {
             (scene.strands[strand.index as usize].id, strand.along(station))
         };
         for island in islands {
-            contact.iterations = contact.iterations.max(island.iterations);
-            contact.sweeps += u64::from(island.sweeps);
             contact.unconverged += u32::from(!island.converged);
             contact.residual = contact.residual.max(island.residual);
             for joint in &island.joints {
@@ -410,11 +413,4 @@ fn root(parents: &mut [u32], mut k: u32) -> u32 {
         k = parents[k as usize];
     }
     k
-}
-
-fn with_one<R>(strand: &mut Strand, work: impl FnOnce(&mut One) -> R) -> R {
-    let Strand { model, state, root_move, .. } = strand;
-    let start = state.root;
-    let root_at = |elapsed: f64| strand::root_after(root_move, &start, elapsed);
-    work(&mut One { model, state, root_at: &root_at })
 }

@@ -34,16 +34,17 @@ impl Solver {
         if h < SHORTEST_STEP {
             return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP} s or more")));
         }
+        let total = Mutex::new(Tally::default());
+        if self.holds_strands() {
+            let contact = self.step_holding(h, substeps, &total);
+            let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
+            return Ok(StepReport { contact, ..self.report(&total, substeps, started) });
+        }
+        self.holding.forget_contacts();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
-        let total = Mutex::new(Tally::default());
-        if self.holds_strands() {
-            let contact = self.step_holding(h, substeps, &total)?;
-            let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
-            return Ok(StepReport { contact, ..self.report(&total, substeps, started) });
-        }
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             for _ in 0..substeps {
@@ -55,14 +56,14 @@ impl Solver {
         Ok(self.report(&total, substeps, started))
     }
 
-    /// Whether something may hold strands.
+    /// Whether something may hold strands. Bodies and constraints are on their ways whether they do or not.
     fn holds_strands(&self) -> bool {
-        let touching = self.options.contact.hair || !self.bodies.is_empty();
-        !self.constraints.is_empty() || (touching && self.strands.iter().any(|strand| strand.contact.is_some()))
+        let hair = self.options.contact.hair && self.strands.iter().any(|strand| strand.contact.is_some());
+        hair || !self.bodies.is_empty() || !self.constraints.is_empty()
     }
 
     /// The substeps of a scene in which something may hold strands: all strands go through each before any begins the next.
-    fn step_holding(&mut self, h: f64, substeps: u32, total: &Mutex<Tally>) -> Result<ContactTally> {
+    fn step_holding(&mut self, h: f64, substeps: u32, total: &Mutex<Tally>) -> ContactTally {
         let set = self.instruction_set();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
@@ -106,7 +107,7 @@ impl Solver {
         for strand in &mut self.strands {
             strand.held = false;
         }
-        Ok(contact)
+        contact
     }
 
     fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {
