@@ -20,6 +20,8 @@ const GUIDES: usize = 1000;
 const ELEMENTS: usize = 10;
 const SCALE: f64 = 0.01;
 const STEP: f64 = 1.0 / 60.0;
+/// What a guide of a thousand stands for, a hundred hairs of 40 µm, has about this radius when they lie close, m.
+const WISP: f64 = 5e-4;
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
@@ -89,7 +91,7 @@ fn shake(
     let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, contact, workers, ..SolverOptions::default() })?;
     let ids = solver.add_strands(defs)?;
     let bodies = solver.add_bodies(vec![BodyDef::new(head.clone())])?;
-    let strand = StrandContact { wisp_radius: 1e-3, exempt_length: 0.015, ..StrandContact::default() };
+    let strand = StrandContact { wisp_radius: WISP, exempt_length: 0.015, ..StrandContact::default() };
     solver.set_contact(&ids, Some(&strand))?;
     let mut out = Shaken {
         model: model.1,

@@ -35,6 +35,9 @@ const ASKED: u32 = 3;
 const LOOK: f64 = 0.01;
 /// A surface is the same while its normal turns by no more than this cosine.
 const SAME_SURFACE: f64 = 0.7;
+/// A touch whose surface has turned by more than this cosine so often between iterates stays on the one that it has: in a crease or a mesh's
+/// notch it would be on one face and on another in turn for ever. What it then misses is found by the search at the step's end.
+const RESTLESS: (f64, u8) = (0.98, 2);
 
 /// Strands that hang together.
 #[derive(Debug, Default)]
@@ -97,7 +100,7 @@ impl Island {
         let again = self.failed() && !self.relaxed && !self.joints.is_empty();
         if again {
             (self.iterations, self.done, self.relaxed) = (0, false, true);
-            self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
+            self.joints.iter_mut().for_each(|joint| (joint.force, joint.turns) = (Vector3::zeros(), 0));
         }
         again
     }
@@ -112,18 +115,20 @@ impl Island {
                     let (element, s) = nearest(&strand.path().now, element, s, *target);
                     joint.first.station = Station::on(element, s);
                 }
-                JointKind::Body { body, feature, normal, point, carried, .. } => {
+                JointKind::Body { body, feature, normal, point, carried, .. } if joint.turns < RESTLESS.1 => {
                     let (body, at) = (&bodies[*body as usize], strand.end_state(&joint.first.station).now);
                     if let Some(surface) = body.closest_at_end(at, LOOK) {
                         let new = body.to_world(&surface.normal);
                         // Another side of an edge or a sheet is another surface.
-                        if new.dot(normal) > SAME_SURFACE {
+                        let cosine = new.dot(normal);
+                        if cosine > SAME_SURFACE {
+                            joint.turns += u8::from(cosine < RESTLESS.0);
                             (*normal, *point) = (new, body.surface_at_end(&surface));
                             (*feature, *carried) = (surface.feature, body.carried(&surface));
                         }
                     }
                 }
-                JointKind::Hair { .. } | JointKind::Pin { .. } | JointKind::Tie { .. } => {}
+                JointKind::Body { .. } | JointKind::Hair { .. } | JointKind::Pin { .. } | JointKind::Tie { .. } => {}
             }
         }
     }

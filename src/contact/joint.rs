@@ -109,6 +109,8 @@ pub struct Joint {
     pub slip: Vector3<f64>,
     /// Gap at the last evaluation (touches), m, or how far a constraint was from holding.
     pub gap: f64,
+    /// How often the body's surface has been another one in this step.
+    pub turns: u8,
 }
 
 impl Joint {
@@ -163,7 +165,7 @@ impl Joint {
                 let pick = |friction: &options::Friction| scales(friction, a.tangent);
                 let scaled = |c: Coefficient, by: f64| Coefficient { mean: c.mean * by, lean: c.lean * by };
                 let friction = if options.model.is_soft() {
-                    self.viscous(scaled(pick(&contact[0].viscous_friction), friction[1]))
+                    self.viscous(scaled(pick(&contact[0].viscous_friction), friction[1]), normal, slip)
                 } else {
                     Friction::Coulomb(scaled(pick(&contact[0].friction), friction[0]))
                 };
@@ -177,7 +179,7 @@ impl Joint {
                     Coefficient::of_two(scales(first, a.tangent), scales(second, b.tangent))
                 };
                 let friction = if options.model.is_soft() {
-                    self.viscous(both(&contact[0].viscous_friction, &contact[1].viscous_friction))
+                    self.viscous(both(&contact[0].viscous_friction, &contact[1].viscous_friction), normal, slip)
                 } else {
                     Friction::Coulomb(both(&contact[0].hair_friction, &contact[1].hair_friction))
                 };
@@ -214,9 +216,14 @@ impl Joint {
         }
     }
 
-    /// Viscous friction of a touch that rubs.
-    fn viscous(&self, coefficient: Coefficient) -> Friction {
-        if self.rubs { Friction::Viscous(coefficient) } else { Friction::None }
+    /// Viscous friction of a touch that rubs. The coefficient is that of the way it slides at the present iterate: which way that is hardly
+    /// depends on it, so that Newton's iteration finds both at once, and the law is linear meanwhile.
+    fn viscous(&self, coefficient: Coefficient, normal: Vector3<f64>, slip: Vector3<f64>) -> Friction {
+        if !self.rubs {
+            return Friction::None;
+        }
+        let way = (slip - normal * normal.dot(&slip)).try_normalize(0.0);
+        Friction::Viscous(Coefficient::uniform(way.map_or(coefficient.mean, |way| coefficient.at(&way))))
     }
 
     #[allow(clippy::too_many_arguments, reason = "the parts of one law")]

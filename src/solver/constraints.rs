@@ -183,6 +183,7 @@ impl Constraint {
                 rubs: false,
                 slip: Vector3::zeros(),
                 gap: 0.0,
+                turns: 0,
             });
             part += 1;
         };
