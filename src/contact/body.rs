@@ -259,6 +259,13 @@ impl<'a> BodyAt<'a> {
         self.shape.closest(self.axes_end.tr_mul(&(at - self.end.origin)), within)
     }
 
+    /// How deep a point of the world was in the body when the substep began, m, where that is no more than `within`; a mesh that deforms is
+    /// taken as it is at the end.
+    pub fn depth_at_start(&self, at: Vector3<f64>, within: f64) -> f64 {
+        let surface = self.shape.closest(self.axes_start.tr_mul(&(at - self.start.origin)), within);
+        surface.map_or(0.0, |surface| self.thickness - surface.distance)
+    }
+
     /// A direction of the body's own axes at the substep's end, world.
     pub fn to_world(&self, direction: &Vector3<f64>) -> Vector3<f64> {
         self.axes_end * direction

@@ -140,16 +140,19 @@ impl Island {
         let a = first.end_state(&joint.first.station);
         let b = joint.second.map_or(a, |end| second.end_state(&end.station));
         let (mut law, u) = joint.evaluate([a, b], [&first.contact, &second.contact], options, step);
-        if self.relaxed {
+        if self.relaxed || joint.deep {
             let compliance = RELAXED * step * step / first.mass.min(second.mass);
             match &mut law {
                 Law::Bond(bond) => bond.compliance = bond.compliance.max(compliance),
                 Law::Ring(ring) => ring.friction = Coefficient::uniform(0.0),
                 Law::Contact(contact) => {
+                    // A groom may be drawn with a strand between two surfaces that both push it into the other: no force parts these.
                     if contact.response == Response::Hard {
                         contact.response = Response::Penalty { stiffness: 1.0 / compliance, damping: 0.0, depth_at_start: 0.0 };
                     }
-                    contact.friction = Friction::None;
+                    if self.relaxed {
+                        contact.friction = Friction::None;
+                    }
                 }
             }
         }
@@ -221,11 +224,11 @@ impl Island {
                     off.fold(0.0, f64::max) <= BOND_TOLERANCE
                 }
                 Law::Ring(_) => joint.gap <= BOND_TOLERANCE,
-                Law::Contact(contact) if !soft => {
+                Law::Contact(contact) if !soft && !joint.deep => {
                     let gap = u.dot(&contact.normal);
                     gap >= -0.5 * options.tolerance && (options.model != ContactModel::Coulomb || miss <= options.residual)
                 }
-                Law::Contact(_) => true,
+                Law::Contact(_) => soft || options.model != ContactModel::Coulomb || miss <= options.residual,
             };
         }
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);

@@ -111,6 +111,8 @@ pub struct Joint {
     pub gap: f64,
     /// How often the body's surface has been another one in this step.
     pub turns: u8,
+    /// The surfaces were in each other when the step began: they part, but give way to each other meanwhile (the hard models).
+    pub deep: bool,
 }
 
 impl Joint {

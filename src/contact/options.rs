@@ -68,7 +68,7 @@ impl Default for ContactOptions {
             regularisation_depth: 1e-4,
             tolerance: 1e-5,
             residual: 1e-6,
-            separation_speed: 0.05,
+            separation_speed: 0.1,
             max_iterations: 50,
             max_sweeps: 500,
         }

@@ -184,6 +184,7 @@ impl Constraint {
                 slip: Vector3::zeros(),
                 gap: 0.0,
                 turns: 0,
+                deep: false,
             });
             part += 1;
         };

@@ -21,6 +21,8 @@ use crate::contact::touches::TouchScratch;
 const NEAR: f64 = 1e-3;
 /// Pairs of strands are searched anew when one has moved by this share of the largest wisp's radius.
 const MARGIN: f64 = 0.5;
+/// How deep in a body a strand is looked for at a substep's start, m.
+const DEEPEST: f64 = 0.1;
 /// A touch is one that was known if along the strand it is no further from it than this share of the strand's length.
 const SAME: f64 = 0.02;
 
@@ -148,10 +150,29 @@ impl Touching {
                 (Some(end(place.strand, &place)), kind, With::Strand(other.index))
             }
         };
+        let deep = !scene.options.model.is_soft() && touch.gap < 0.0 && self.was_deep(scene, strands, &first, second, touch);
         let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
         // A force that draws is none of a touch.
         let force = if force.dot(&touch.normal) > 0.0 { force } else { Vector3::zeros() };
-        Joint { first, second, kind, force, rubs: false, slip: Vector3::zeros(), gap: touch.gap, turns: 0 }
+        Joint { first, second, kind, force, rubs: false, slip: Vector3::zeros(), gap: touch.gap, turns: 0, deep }
+    }
+
+    /// Whether the surfaces of a touch were in each other when the substep began.
+    fn was_deep(&self, scene: &Scene, strands: &[HeldStrand], first: &JointEnd, second: Option<JointEnd>, touch: &Touch) -> bool {
+        let strand = &strands[first.held as usize];
+        let (tolerance, at) = (scene.options.tolerance, strand.end_state(&first.station).start);
+        match (touch.partner, second) {
+            (Partner::Body { body, .. }, _) => {
+                let radius = strand.contact.radius;
+                radius + scene.bodies[body as usize].depth_at_start(at, DEEPEST) > tolerance
+            }
+            (Partner::Strand(_), Some(end)) => {
+                let other = &strands[end.held as usize];
+                let apart = (at - other.end_state(&end.station).start).norm();
+                apart < strand.contact.wisp_radius + other.contact.wisp_radius - tolerance
+            }
+            (Partner::Strand(_), None) => false,
+        }
     }
 
     /// The force that such a touch had in the last substep.
@@ -185,6 +206,10 @@ impl Touching {
                 continue;
             }
             let mut joint = self.joint(scene, strands, held, touch);
+            if joint.deep {
+                // It gives way; how deep it is says nothing.
+                continue;
+            }
             let first = &strands[held as usize];
             let a = first.end_state(&joint.first.station);
             let other = joint.second.map(|end| (&strands[end.held as usize], end.station));
