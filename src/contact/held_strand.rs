@@ -51,6 +51,8 @@ pub struct HeldStrand {
     pub settled: bool,
     /// How far an element may be from where the iteration ends, rad.
     pub residual: f64,
+    /// Whether it has moved since it was last searched for touches.
+    pub moved: bool,
     /// Whether it takes part in contact at all.
     pub touches: bool,
     /// Touches with bodies that were found last.
@@ -140,6 +142,7 @@ impl HeldStrand {
     /// Second half, with the joints' new forces.
     pub fn advance(&mut self, setting: &Setting, island: &Island) {
         self.pull(island);
+        self.moved = true;
         self.residual = self.held.advance(setting, &self.forces);
     }
 

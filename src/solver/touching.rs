@@ -77,18 +77,24 @@ impl Touching {
         self.pairs.begin_step();
     }
 
-    /// Finds all touches at the present iterate.
+    /// Finds the touches at the present iterate of all strands that have moved since they were searched last: what two others do to each
+    /// other is known.
     pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand]) {
         self.hair.clear();
         for held in strands.iter_mut() {
             held.found.clear();
         }
         if !scene.bodies.is_empty() {
-            scene.crew.for_each(strands, |held, _| held.find_bodies(scene.bodies, NEAR));
+            scene.crew.for_each(strands, |held, _| {
+                if held.moved {
+                    held.find_bodies(scene.bodies, NEAR);
+                }
+            });
         }
         if scene.options.hair {
             self.find_hair(strands);
         }
+        strands.iter_mut().for_each(|held| held.moved = false);
     }
 
     fn find_hair(&mut self, strands: &[HeldStrand]) {
@@ -106,7 +112,8 @@ impl Touching {
             self.ready = false;
             return;
         }
-        for group in self.pairs.groups() {
+        let moved: Vec<bool> = wisps().map(|(_, held)| held.moved).collect();
+        for group in self.pairs.groups().iter().filter(|group| moved[group.a as usize] || moved[group.b as usize]) {
             self.pairs.touches(group, &paths, &mut self.scratch, &mut self.hair);
         }
     }
