@@ -20,6 +20,9 @@ use crate::error::Result;
 const BOND_TOLERANCE: f64 = 1e-10;
 /// The residual to which the contact problem is solved where friction need not be exact.
 const ROUGH: f64 = 1e-4;
+/// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
+const FIRST: f64 = 1e-2;
+const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 1e-4;
 /// A strand that ends further from the end than this, rad, has come to nowhere.
@@ -195,6 +198,8 @@ impl Island {
             self.forces.push(self.joints[joint].force);
         }
         let tolerance = if options.model == ContactModel::Coulomb { 0.1 * options.residual } else { ROUGH };
+        // No more exactly than the iterate deserves: the next one asks again.
+        let tolerance = tolerance.max(if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) });
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps };
         self.report = self.solver.solve(&self.space, &settings, &mut self.forces);
         self.sweeps += self.report.sweeps;
