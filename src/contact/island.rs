@@ -24,9 +24,16 @@ const ROUGH: f64 = 1e-4;
 const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
-const ROUGH_TOLERANCE: f64 = 1e-4;
+const ROUGH_TOLERANCE: f64 = 5e-4;
 /// A strand that ends further from the end than this, rad, has come to nowhere.
 const LOST: f64 = 0.1;
+
+/// Iterations in which what is left to do must halve; an island that does not get on will not.
+const PATIENCE: u32 = 12;
+/// What an island that has not come to its end may be off by and still be kept as it is: rad, in units of the tolerance of touches, m.
+const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-6);
+/// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
+const NO_SOLUTION: f64 = 1e4;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
@@ -38,9 +45,9 @@ const ASKED: u32 = 3;
 const LOOK: f64 = 0.01;
 /// A surface is the same while its normal turns by no more than this cosine.
 const SAME_SURFACE: f64 = 0.7;
-/// A touch whose surface has turned by more than this cosine so often between iterates stays on the one that it has: in a crease or a mesh's
-/// notch it would be on one face and on another in turn for ever. What it then misses is found by the search at the step's end.
-const RESTLESS: (f64, u8) = (0.98, 2);
+/// In how many of an island's first iterations that is done: in a crease or a mesh's notch a touch would be on one face and on another in
+/// turn for ever. What is missed so is found by the search at the step's end.
+const LOOKS: u32 = 6;
 
 /// Strands that hang together.
 #[derive(Debug, Default)]
@@ -63,8 +70,12 @@ pub struct Island {
     pub converged: bool,
     /// Its joints could not be held exactly, and give way: see [`Island::relax`].
     pub relaxed: bool,
+    /// It has not come to its end, but is near enough to stay as it is.
+    pub good_enough: bool,
     /// Not even so: its strands stay as the step found them.
     pub lost: bool,
+    /// The least that was left to do, in units of what may be, and the iteration that it was halved in.
+    best: (f64, u32),
     space: ContactSpace,
     solver: GaussSeidel,
     forces: Vec<Vector3<f64>>,
@@ -77,7 +88,8 @@ impl Island {
         self.strands.clear();
         self.joints.clear();
         (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
-        (self.done, self.converged, self.relaxed, self.lost) = (false, false, false, false);
+        (self.done, self.converged, self.relaxed, self.lost, self.good_enough) = (false, false, false, false, false);
+        self.best = (f64::INFINITY, 0);
     }
 
     /// Finds every joint's ends among its strands' attachments, once they are in order.
@@ -100,10 +112,10 @@ impl Island {
     /// If its joints were not to be held, a second attempt from the start in which they give way, and touches do not rub: what contradicts
     /// itself, or is out of a strand's reach, is drawn as near as it goes. True if there is to be one.
     pub fn relax(&mut self) -> bool {
-        let again = self.failed() && !self.relaxed && !self.joints.is_empty();
+        let again = self.failed() && !self.relaxed && !self.good_enough && !self.joints.is_empty();
         if again {
-            (self.iterations, self.done, self.relaxed) = (0, false, true);
-            self.joints.iter_mut().for_each(|joint| (joint.force, joint.turns) = (Vector3::zeros(), 0));
+            (self.iterations, self.done, self.relaxed, self.best) = (0, false, true, (f64::INFINITY, 0));
+            self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
         }
         again
     }
@@ -118,14 +130,12 @@ impl Island {
                     let (element, s) = nearest(&strand.path().now, element, s, *target);
                     joint.first.station = Station::on(element, s);
                 }
-                JointKind::Body { body, feature, normal, point, carried, .. } if joint.turns < RESTLESS.1 => {
+                JointKind::Body { body, feature, normal, point, carried, .. } if self.iterations < LOOKS => {
                     let (body, at) = (&bodies[*body as usize], strand.end_state(&joint.first.station).now);
                     if let Some(surface) = body.closest_at_end(at, LOOK) {
                         let new = body.to_world(&surface.normal);
                         // Another side of an edge or a sheet is another surface.
-                        let cosine = new.dot(normal);
-                        if cosine > SAME_SURFACE {
-                            joint.turns += u8::from(cosine < RESTLESS.0);
+                        if new.dot(normal) > SAME_SURFACE {
                             (*normal, *point) = (new, body.surface_at_end(&surface));
                             (*feature, *carried) = (surface.feature, body.carried(&surface));
                         }
@@ -209,13 +219,21 @@ impl Island {
         Ok(())
     }
 
+    /// What takes the heaviest strand its own length in a step, N.
+    fn usual_force(&self, strands: &[HeldStrand], step: f64) -> f64 {
+        let of = |held: &u32| strands[*held as usize].mass * strands[*held as usize].length() / (step * step);
+        self.strands.iter().map(of).fold(0.0, f64::max)
+    }
+
     /// After the second half: whether the iteration has ended, by the strands' residuals and by how far the laws are from holding where
     /// the strands are now.
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft() || self.relaxed;
         let exact = options.model == ContactModel::Coulomb || !self.joints.iter().any(Joint::is_touch);
         let tolerance = if exact { tolerance } else { tolerance.max(ROUGH_TOLERANCE) };
-        let mut good = self.strands.iter().all(|held| strands[*held as usize].residual <= tolerance);
+        let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
+        let mut good = residual <= tolerance;
+        let mut enough = residual <= GOOD_ENOUGH.0;
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
         self.residual = 0.0;
         for index in 0..self.joints.len() {
@@ -223,23 +241,31 @@ impl Island {
             let joint = &self.joints[index];
             let miss = law.residual(u, joint.force, step, length, force);
             self.residual = self.residual.max(miss);
-            good &= match law {
+            let (holds, nearly) = match law {
                 Law::Bond(bond) => {
                     let off = bond.directions().map(|d| (d.dot(&u) + bond.compliance * d.dot(&joint.force)).abs());
-                    off.fold(0.0, f64::max) <= BOND_TOLERANCE
+                    let off = off.fold(0.0, f64::max);
+                    (off <= BOND_TOLERANCE, off <= GOOD_ENOUGH.2)
                 }
-                Law::Ring(_) => joint.gap <= BOND_TOLERANCE,
-                Law::Contact(contact) if !soft && !joint.deep => {
-                    let gap = u.dot(&contact.normal);
-                    gap >= -0.5 * options.tolerance && (options.model != ContactModel::Coulomb || miss <= options.residual)
+                Law::Ring(_) => (joint.gap <= BOND_TOLERANCE, joint.gap <= GOOD_ENOUGH.2),
+                Law::Contact(contact) => {
+                    let gap = if soft || joint.deep { 0.0 } else { u.dot(&contact.normal) };
+                    let exact = soft || options.model != ContactModel::Coulomb || miss <= options.residual;
+                    (gap >= -0.5 * options.tolerance && exact, gap >= -GOOD_ENOUGH.1 * options.tolerance)
                 }
-                Law::Contact(_) => soft || options.model != ContactModel::Coulomb || miss <= options.residual,
             };
+            (good, enough) = (good && holds, enough && nearly);
         }
+        let left = (residual / tolerance).max(self.residual / ROUGH);
+        if left < 0.5 * self.best.0 {
+            self.best = (left, self.iterations);
+        }
+        let stuck = self.iterations >= self.best.1 + PATIENCE || self.report.force > NO_SOLUTION * self.usual_force(strands, step);
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
-        self.done = good || lost || self.iterations >= options.max_iterations;
+        self.done = good || lost || stuck || self.iterations >= options.max_iterations;
+        self.good_enough = self.done && enough;
         self.lost = self.done && self.relaxed && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
     }
 }

@@ -109,8 +109,6 @@ pub struct Joint {
     pub slip: Vector3<f64>,
     /// Gap at the last evaluation (touches), m, or how far a constraint was from holding.
     pub gap: f64,
-    /// How often the body's surface has been another one in this step.
-    pub turns: u8,
     /// The surfaces were in each other when the step began: they part, but give way to each other meanwhile (the hard models).
     pub deep: bool,
 }

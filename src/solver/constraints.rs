@@ -183,7 +183,6 @@ impl Constraint {
                 rubs: false,
                 slip: Vector3::zeros(),
                 gap: 0.0,
-                turns: 0,
                 deep: false,
             });
             part += 1;

@@ -161,7 +161,7 @@ impl Touching {
         let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
         // A force that draws is none of a touch.
         let force = if force.dot(&touch.normal) > 0.0 { force } else { Vector3::zeros() };
-        Joint { first, second, kind, force, rubs: false, slip: Vector3::zeros(), gap: touch.gap, turns: 0, deep }
+        Joint { first, second, kind, force, rubs: false, slip: Vector3::zeros(), gap: touch.gap, deep }
     }
 
     /// Whether the surfaces of a touch were in each other when the substep began.
