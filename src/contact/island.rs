@@ -260,7 +260,8 @@ impl Island {
         if left < 0.5 * self.best.0 {
             self.best = (left, self.iterations);
         }
-        let stuck = self.iterations >= self.best.1 + PATIENCE || self.report.force > NO_SOLUTION * self.usual_force(strands, step);
+        let pressing = self.joints.iter().filter(|joint| joint.is_touch()).map(|joint| joint.force.norm()).fold(0.0, f64::max);
+        let stuck = self.iterations >= self.best.1 + PATIENCE || pressing > NO_SOLUTION * self.usual_force(strands, step);
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
