@@ -46,7 +46,8 @@ const PATIENCE: u32 = 10;
 const WHOLE: usize = 100;
 /// And so many where they are one block's, or where sweeps are slow.
 const RESCUE: usize = 400;
-/// Sweeps between looks at the residual, of several blocks.
+/// Sweeps between looks at the residual, of several blocks: the first time, and later.
+const FIRST_ROUND: u32 = 5;
 const ROUND: u32 = 20;
 /// A round that leaves more than this part of the residual is slow: blocks are solved in turn, each with its neighbours as they are.
 const SLOW: f64 = 0.5;
@@ -126,12 +127,13 @@ impl GaussSeidel {
                     continue;
                 }
             }
-            for _ in 0..ROUND {
+            let round = if report.sweeps == 0 { FIRST_ROUND } else { ROUND };
+            for _ in 0..round {
                 self.conjugate.sweep(space, system, &mut self.forces);
             }
             // What the direction left outside the laws comes back.
             sweep(space, system, &mut self.forces);
-            report.sweeps += ROUND + 1;
+            report.sweeps += round + 1;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
             forces[row.touch] = *force;

@@ -23,6 +23,10 @@ use crate::step::options::Integrator;
 
 /// How often strands are searched for touches that the last search did not know of.
 const MOST_SEARCHES: u32 = 8;
+/// The first so many of these searches wait for so many Newton iterations only: most of what a step brings together is seen by then, and need
+/// not wait for the rest to be exact.
+const EARLY: u32 = 2;
+const EARLY_ITERATIONS: u32 = 2;
 
 /// What the solver keeps for held strands between substeps.
 #[derive(Debug, Default)]
@@ -142,17 +146,18 @@ impl Holding {
         self.begin_again(scene, h);
         self.hold_constraints(scene, h);
         self.tie();
-        self.iterate(scene, h, contact);
-        if !scene.options.model.is_soft() && self.touching.is_possible(scene) {
-            for _ in 0..MOST_SEARCHES {
+        let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { MOST_SEARCHES };
+        for search in 0..=searches {
+            self.iterate(scene, h, contact, if search < searches.min(EARLY) { EARLY_ITERATIONS } else { u32::MAX });
+            if search < searches {
                 self.touching.find(scene, &mut self.strands[..self.count]);
                 let islands = &mut self.islands[..self.island_count];
-                if !self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
+                if self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
+                    contact.searches += 1;
+                    self.tie();
+                } else if islands.iter().all(|island| island.done) {
                     break;
                 }
-                contact.searches += 1;
-                self.tie();
-                self.iterate(scene, h, contact);
             }
         }
         self.end(scene, h, tally, contact, wrenches);
@@ -268,12 +273,12 @@ impl Holding {
         }
     }
 
-    /// Newton's iterations of all islands.
-    fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally) {
+    /// Newton's iterations of all islands, `most` of them at most.
+    fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
         let (setting, options) = (scene.setting, scene.options);
         let Self { strands, islands, count, island_count, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
-        loop {
+        for _ in 0..most {
             for island in islands.iter_mut().filter(|island| island.done) {
                 if island.relax() {
                     for held in &island.strands {
@@ -318,9 +323,9 @@ impl Holding {
             });
         }
         // Here, and not at the substep's end: the next search makes islands anew.
-        for island in islands.iter() {
+        for island in islands.iter_mut() {
             contact.iterations = contact.iterations.max(island.iterations);
-            contact.sweeps += u64::from(island.sweeps);
+            contact.sweeps += u64::from(std::mem::take(&mut island.sweeps));
         }
     }
 

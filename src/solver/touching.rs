@@ -42,6 +42,17 @@ pub(super) struct Remembered {
     pub force: Vector3<f64>,
 }
 
+/// Pairs of strands that are looked at together.
+const PART: usize = 32;
+
+/// Some pairs of strands, by the first of them, and their touches.
+#[derive(Debug, Default)]
+struct PairPart {
+    from: usize,
+    touches: Vec<Touch>,
+    scratch: TouchScratch,
+}
+
 /// The search and its memory.
 #[derive(Debug, Default)]
 pub(super) struct Touching {
@@ -51,7 +62,7 @@ pub(super) struct Touching {
     of: Vec<u32>,
     ready: bool,
     hair: Vec<Touch>,
-    scratch: TouchScratch,
+    parts: Vec<PairPart>,
     remembered: Vec<Remembered>,
 }
 
@@ -92,12 +103,12 @@ impl Touching {
             });
         }
         if scene.options.hair {
-            self.find_hair(strands);
+            self.find_hair(scene, strands);
         }
         strands.iter_mut().for_each(|held| held.moved = false);
     }
 
-    fn find_hair(&mut self, strands: &[HeldStrand]) {
+    fn find_hair(&mut self, scene: &Scene, strands: &[HeldStrand]) {
         let wisps = || strands.iter().enumerate().filter(|(_, held)| held.touches && held.contact.wisp_radius > 0.0);
         let paths: Vec<StrandPath> = wisps().map(|(k, held)| StrandPath { index: k as u32, ..held.path() }).collect();
         let same = self.of.len() == paths.len() && wisps().zip(&self.of).all(|((_, held), of)| held.index == *of);
@@ -113,8 +124,24 @@ impl Touching {
             return;
         }
         let moved: Vec<bool> = wisps().map(|(_, held)| held.moved).collect();
-        for group in self.pairs.groups().iter().filter(|group| moved[group.a as usize] || moved[group.b as usize]) {
-            self.pairs.touches(group, &paths, &mut self.scratch, &mut self.hair);
+        // In parts of a fixed size, put together in their order: the same touches whoever finds them.
+        let groups: Vec<_> = self.pairs.groups().iter().filter(|pair| moved[pair.a as usize] || moved[pair.b as usize]).collect();
+        let parts = groups.len().div_ceil(PART);
+        self.parts.resize_with(self.parts.len().max(parts), PairPart::default);
+        for (k, part) in self.parts[..parts].iter_mut().enumerate() {
+            part.from = k * PART;
+        }
+        let pairs = &self.pairs;
+        scene.crew.for_each_task(&mut self.parts[..parts], 1, 1, |parts, _| {
+            for PairPart { from, touches, scratch } in parts {
+                touches.clear();
+                for group in groups[*from..].iter().take(PART) {
+                    pairs.touches(group, &paths, scratch, touches);
+                }
+            }
+        });
+        for part in &self.parts[..parts] {
+            self.hair.extend_from_slice(&part.touches);
         }
     }
 
