@@ -9,7 +9,7 @@ use std::sync::Arc;
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::contact::body::BodyDef;
 use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
-use superhelix::contact::shape::{Shape, Sides};
+use superhelix::contact::shape::{DistanceGrid, Shape, Sides};
 use superhelix::files::{curves::Curves, obj_mesh};
 use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
 use superhelix::math::frame::Frame;
@@ -22,6 +22,9 @@ const SCALE: f64 = 0.01;
 const STEP: f64 = 1.0 / 60.0;
 /// What a guide of a thousand stands for, a hundred hairs of 40 µm, has about this radius when they lie close, m.
 const WISP: f64 = 5e-4;
+/// The bust's distance grid, m.
+const CELL: f64 = 3e-3;
+const BAND: f64 = 0.02;
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
@@ -175,7 +178,9 @@ fn main() -> Outcome<()> {
     let defs = guides()?;
     let bust = obj_mesh::read("tests/data/grooms/sintel_bust.obj")?;
     let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
-    let head = Arc::new(Shape::new_mesh(vertices, bust.triangles.clone(), Sides::Front { depth: 0.02 })?);
+    let mesh = Shape::new_mesh(vertices, bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
+    let baked = mesh.mesh().map(|mesh| DistanceGrid::bake(mesh, CELL, BAND)).transpose()?;
+    let head = Arc::new(baked.map_or(mesh, Shape::new_grid));
     let mut csv = String::from(
         "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,residual,unconverged,rolled_back\n",
     );
