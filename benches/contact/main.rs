@@ -22,6 +22,8 @@ const SCALE: f64 = 0.01;
 const STEP: f64 = 1.0 / 60.0;
 /// What a guide of a thousand stands for, a hundred hairs of 40 µm, has about this radius when they lie close, m.
 const WISP: f64 = 5e-4;
+/// The first so many metres of a strand touch nothing: some roots lie in the bust.
+const EXEMPT: f64 = 0.015;
 /// The bust's distance grid, m.
 const CELL: f64 = 3e-3;
 const BAND: f64 = 0.02;
@@ -38,17 +40,20 @@ const MODELS: [(ContactModel, &str); 4] = [
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
-/// Sintel's hair as guides: 228 strands, and copies of them set a few millimetres aside.
-fn guides() -> Outcome<Vec<StrandDef>> {
+/// Sintel's hair as guides: 228 strands, and copies of them set a few millimetres aside, but for those that are drawn through the bust.
+fn guides(head: &Shape) -> Outcome<Vec<StrandDef>> {
     let curves = Curves::read("tests/data/grooms/sintel_hair_001.tfx")?;
     let count = curves.strand_count();
     let mut defs = Vec::new();
-    for k in 0..GUIDES {
+    for k in 0.. {
         let (index, copy) = (k % count, k / count);
         let turn = 2.399_963 * k as f64;
         let aside = Vector3::new(turn.cos(), 0.0, turn.sin()) * (1.5e-3 * copy as f64);
         let points: Vec<Vector3<f64>> =
             curves.strand(index).iter().map(|p| Vector3::from(p.map(f64::from)) * SCALE + aside).collect();
+        if is_in(head, &points) {
+            continue;
+        }
         let fit = fit_polyline(&points, &FitOptions { element_count: ELEMENTS })?;
         let mut def = StrandDef::straight(1.0, ELEMENTS);
         def.element_lengths.clone_from(&fit.element_lengths);
@@ -59,8 +64,20 @@ fn guides() -> Outcome<Vec<StrandDef>> {
         def.natural = natural_under_gravity(&def, &fit.curvatures, GRAVITY)?;
         def.initial = Some(fit.curvatures);
         defs.push(def);
+        if defs.len() == GUIDES {
+            break;
+        }
     }
     Ok(defs)
+}
+
+/// Whether a curve goes into the head further from its root than may be.
+fn is_in(head: &Shape, points: &[Vector3<f64>]) -> bool {
+    let mut along = 0.0;
+    points.windows(2).any(|pair| {
+        along += (pair[1] - pair[0]).norm();
+        along > EXEMPT && head.closest(pair[1], BAND).is_some_and(|surface| surface.distance < 1e-3)
+    })
 }
 
 /// The head's pose, `seconds` after the start: yaw of ±0.5 rad at 2 Hz about the axis through its middle.
@@ -94,7 +111,7 @@ fn shake(
     let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, contact, workers, ..SolverOptions::default() })?;
     let ids = solver.add_strands(defs)?;
     let bodies = solver.add_bodies(vec![BodyDef::new(head.clone())])?;
-    let strand = StrandContact { wisp_radius: WISP, exempt_length: 0.015, ..StrandContact::default() };
+    let strand = StrandContact { wisp_radius: WISP, exempt_length: EXEMPT, ..StrandContact::default() };
     solver.set_contact(&ids, Some(&strand))?;
     let mut out = Shaken {
         model: model.1,
@@ -175,12 +192,12 @@ fn main() -> Outcome<()> {
     let threads: usize = option("--threads").map_or(Ok(2), |text| text.parse())?;
     let only = option("--model");
 
-    let defs = guides()?;
     let bust = obj_mesh::read("tests/data/grooms/sintel_bust.obj")?;
     let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
     let mesh = Shape::new_mesh(vertices, bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
     let baked = mesh.mesh().map(|mesh| DistanceGrid::bake(mesh, CELL, BAND)).transpose()?;
     let head = Arc::new(baked.map_or(mesh, Shape::new_grid));
+    let defs = guides(&head)?;
     let mut csv = String::from(
         "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,residual,unconverged,rolled_back\n",
     );

@@ -25,6 +25,8 @@ const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 5e-4;
+/// What the penalty models are content with: the residual, and rad.
+const SOFT: (f64, f64) = (1e-3, 2e-3);
 /// A strand that ends further from the end than this, rad, has come to nowhere.
 const LOST: f64 = 0.1;
 
@@ -207,7 +209,11 @@ impl Island {
             self.space.add_touch(SpaceTouch { first, second, law, free })?;
             self.forces.push(self.joints[joint].force);
         }
-        let tolerance = if options.model == ContactModel::Coulomb { 0.1 * options.residual } else { ROUGH };
+        let tolerance = match options.model {
+            ContactModel::Coulomb => 0.1 * options.residual,
+            ContactModel::Hard => ROUGH,
+            ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
+        };
         // No more exactly than the iterate deserves: the next one asks again.
         let tolerance = tolerance.max(if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) });
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps };
@@ -230,7 +236,11 @@ impl Island {
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft() || self.relaxed;
         let exact = options.model == ContactModel::Coulomb || !self.joints.iter().any(Joint::is_touch);
-        let tolerance = if exact { tolerance } else { tolerance.max(ROUGH_TOLERANCE) };
+        let tolerance = match () {
+            () if exact => tolerance,
+            () if options.model.is_soft() => tolerance.max(SOFT.1),
+            () => tolerance.max(ROUGH_TOLERANCE),
+        };
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
         let mut enough = residual <= GOOD_ENOUGH.0;
