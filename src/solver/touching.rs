@@ -21,6 +21,8 @@ use crate::contact::touches::TouchScratch;
 const NEAR: f64 = 1e-3;
 /// Pairs of strands are searched anew when one has moved by this share of the largest wisp's radius.
 const MARGIN: f64 = 0.5;
+/// Surfaces are in each other when a step begins where they are so many tolerances deep: more than a step's end leaves.
+const DEEP: f64 = 10.0;
 /// How deep in a body a strand is looked for at a substep's start, m.
 const DEEPEST: f64 = 0.1;
 /// A touch is one that was known if along the strand it is no further from it than this share of the strand's length.
@@ -194,16 +196,16 @@ impl Touching {
     /// Whether the surfaces of a touch were in each other when the substep began.
     fn was_deep(&self, scene: &Scene, strands: &[HeldStrand], first: &JointEnd, second: Option<JointEnd>, touch: &Touch) -> bool {
         let strand = &strands[first.held as usize];
-        let (tolerance, at) = (scene.options.tolerance, strand.end_state(&first.station).start);
+        let (allowed, at) = (DEEP * scene.options.tolerance, strand.end_state(&first.station).start);
         match (touch.partner, second) {
             (Partner::Body { body, .. }, _) => {
                 let radius = strand.contact.radius;
-                radius + scene.bodies[body as usize].depth_at_start(at, DEEPEST) > tolerance
+                radius + scene.bodies[body as usize].depth_at_start(at, DEEPEST) > allowed
             }
             (Partner::Strand(_), Some(end)) => {
                 let other = &strands[end.held as usize];
                 let apart = (at - other.end_state(&end.station).start).norm();
-                apart < strand.contact.wisp_radius + other.contact.wisp_radius - tolerance
+                apart < strand.contact.wisp_radius + other.contact.wisp_radius - allowed
             }
             (Partner::Strand(_), None) => false,
         }
