@@ -149,6 +149,7 @@
 #define SHX_INTEGRATOR_SECOND_ORDER 3
 
 // Order 5 with error control, in steps of its own: meets reference_tolerance. Slow: to measure the others by.
+// Free strands only: shx_solver_step refuses it where strands may touch something or constraints hold them.
 #define SHX_INTEGRATOR_REFERENCE 4
 
 // Elimination from tip to root: cost proportional to the number of elements. The default.
@@ -1087,7 +1088,8 @@ SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3])
 // Moves time on by dt seconds (above zero) in substeps equal parts (at least 1; each a full solve). report may be null.
 // A strand whose state turns non-finite is rolled back and marked; the step goes on, and the report and the strand's status say
 // so. Same input, same bits, whatever the number of threads.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps), SHX_ERROR_UNSUPPORTED
+// (SHX_INTEGRATOR_REFERENCE where strands may touch something or constraints hold them: it steps free strands only).
 // Alone with the solver.
 SHX_API shx_result shx_solver_step(shx_solver *solver, double dt, uint32_t substeps, shx_step_report *report);
 
