@@ -75,8 +75,11 @@ fn course(model: ContactModel, workers: Workers) -> (Vec<StepReport>, usize, u64
 }
 
 /// The state's hash at the end. A change here is a change of numerical results: see the other golden hashes, in `tests/lanes/main.rs`.
-const GOLDEN: [(ContactModel, u64); 3] =
-    [(ContactModel::Penalty, 0x2e70_8a24_8d57_0d0b), (ContactModel::Hard, 0x85d4_5e2c_df71_57b1), (ContactModel::Coulomb, 0x915c_45a8_8dda_b3fc)];
+const GOLDEN: [(ContactModel, u64); 3] = [
+    (ContactModel::Penalty, 0x2e70_8a24_8d57_0d0b),
+    (ContactModel::Hard, 0x85d4_5e2c_df71_57b1),
+    (ContactModel::Coulomb, 0x915c_45a8_8dda_b3fc),
+];
 
 #[test]
 fn any_number_of_threads_and_every_machine_give_the_same_bits() {
