@@ -328,7 +328,7 @@ impl Search<'_, '_> {
                 };
                 let (mut found, around) = descent::bracketed(a, b, 0.5 * PROMINENCE, ask);
                 if found.value < 0.0 {
-                    found.found = across_edge(&found, &around);
+                    found.found = across_edge(&found, around, ask);
                 }
                 let counts = found.value < before.max(crest) - PROMINENCE;
                 if found.value < limit && counts && found.s > left.s && found.s < right.s {
@@ -428,15 +428,32 @@ impl Search<'_, '_> {
 /// The surface at a minimum inside a solid. Where the nearest faces change there, the strand lies across the edge that they meet in, and the
 /// plane that holds it off goes through that edge across the strand: its normal is the one between theirs that has no part along the
 /// strand. A face's own would push it along itself, which no strand gives way to.
-fn across_edge(lowest: &Sample<Surface>, around: &[Sample<Surface>; 2]) -> Surface {
-    /// Faces that meet more sharply than twice the angle of this cosine are two sides of something thin, not of an edge.
-    const BLUNT: f64 = 0.2;
+fn across_edge(
+    lowest: &Sample<Surface>,
+    mut around: [Sample<Surface>; 2],
+    ask: impl Fn(f64) -> Option<Sample<Surface>>,
+) -> Surface {
+    /// Faces that meet more sharply than twice the angle of this sine are two sides of something thin, not of an edge.
+    const BLUNT: f64 = 0.3;
     /// Normals that turn by less along the strand are of one surface.
     const EDGE: f64 = 0.2;
-    let [falling, rising] = around;
+    /// The faces are asked for inside, and no farther from the edge than this, m.
+    const BESIDE: f64 = 1e-5;
     let surface = lowest.found;
+    if around[1].slope - around[0].slope < EDGE {
+        return surface;
+    }
+    for (end, beside) in around.iter_mut().enumerate() {
+        while beside.value >= 0.0 || (beside.s - lowest.s).abs() > BESIDE {
+            match ask(lowest.s + 0.2 * (beside.s - lowest.s)) {
+                Some(sample) if (sample.slope < 0.0) == (end == 0) && sample.s != lowest.s => *beside = sample,
+                _ => return surface,
+            }
+        }
+    }
+    let [falling, rising] = around;
     let turn = rising.slope - falling.slope;
-    if turn < EDGE || rising.value >= 0.0 || falling.value >= 0.0 {
+    if turn < EDGE {
         return surface;
     }
     let between = (falling.found.normal * rising.slope - rising.found.normal * falling.slope) / turn;
