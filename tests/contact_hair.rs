@@ -460,7 +460,8 @@ fn what_touches_nothing_moves_as_without_contact() {
     };
     let far = at(0.0, 0.0, 3.0);
     let free = run(&|_, _| {});
-    let cases: [(&str, &dyn Fn(&mut Solver, &[StrandId])); 6] = [
+    type Arrange<'a> = &'a dyn Fn(&mut Solver, &[StrandId]);
+    let cases: [(&str, Arrange); 6] = [
         ("hair contact without wisps", &|solver, _| hair(solver)),
         ("strands that are to touch what there is not", &|solver, ids| (hair(solver), touching(solver, ids)).1),
         ("a ball among strands that touch nothing", &|solver, _| ball(solver, at(0.05, 0.0, -0.02), 1)),

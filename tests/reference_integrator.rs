@@ -330,7 +330,7 @@ fn held_strands_are_refused_and_nothing_is_changed() {
         match told {
             Ok(_) => assert_eq!(by, "", "it stepped"),
             Err(told) => {
-                assert!(by != "" && told.contains("integrator is reference") && told.contains(by), "{told}");
+                assert!(!by.is_empty() && told.contains("integrator is reference") && told.contains(by), "{told}");
                 assert_eq!(solver.state_hash(), before, "{told}");
             }
         }
