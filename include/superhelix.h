@@ -149,6 +149,7 @@
 #define SHX_INTEGRATOR_SECOND_ORDER 3
 
 // Order 5 with error control, in steps of its own: meets reference_tolerance. Slow: to measure the others by.
+// Free strands only: shx_solver_step refuses it where strands may touch something or constraints hold them.
 #define SHX_INTEGRATOR_REFERENCE 4
 
 // Elimination from tip to root: cost proportional to the number of elements. The default.
@@ -221,9 +222,12 @@
 // A triangle mesh: vertices, triangles, sides. The only shape that may deform (shx_solver_set_body_vertices).
 #define SHX_SHAPE_MESH 7
 
-// A signed distance grid, as shx_bake_distance_grid made it: grid. Cheap for large closed meshes that do not deform; edges are rounded
+// A signed distance grid, as shx_bake_distance_grid made it: grid. Cheap for large meshes that do not deform; edges are rounded
 // by about a cell.
 #define SHX_SHAPE_GRID 8
+
+// The shape of another body of the solver, as it is now: shape_of. Kept once for all that share it; one that deforms gets its own.
+#define SHX_SHAPE_SHARED 9
 
 // The mesh is closed and wound outward; what is inside is pushed out, however deep.
 #define SHX_SIDES_SOLID 1
@@ -641,6 +645,12 @@ typedef struct shx_sample_def {
   double origin[3];
 } shx_sample_def;
 
+// Names a body of one solver, as shx_strand_id names a strand; never the same bits as a strand's or a constraint's.
+typedef struct shx_body_id {
+  // For comparing, hashing and storing; the value means nothing else.
+  uint64_t bits;
+} shx_body_id;
+
 // What a body is made from. Fill with shx_body_def_init, then set shape and the fields that it needs; those of other shapes are not
 // looked at. Arrays that it points to are read during the call and not kept.
 typedef struct shx_body_def {
@@ -688,13 +698,9 @@ typedef struct shx_body_def {
   uint32_t group;
   // Bits of the groups that it touches: a body and a strand meet where each is in a group that the other touches. Default all.
   uint32_t mask;
+  // Shared: a body that was added by an earlier call. Its pose, surface and groups are not taken over. Default the null id: set it.
+  shx_body_id shape_of;
 } shx_body_def;
-
-// Names a body of one solver, as shx_strand_id names a strand; never the same bits as a strand's or a constraint's.
-typedef struct shx_body_id {
-  // For comparing, hashing and storing; the value means nothing else.
-  uint64_t bits;
-} shx_body_id;
 
 // How contact is answered in a solver. Fill with shx_contact_options_init.
 typedef struct shx_contact_options {
@@ -1087,7 +1093,8 @@ SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3])
 // Moves time on by dt seconds (above zero) in substeps equal parts (at least 1; each a full solve). report may be null.
 // A strand whose state turns non-finite is rolled back and marked; the step goes on, and the report and the strand's status say
 // so. Same input, same bits, whatever the number of threads.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps), SHX_ERROR_UNSUPPORTED
+// (SHX_INTEGRATOR_REFERENCE where strands may touch something or constraints hold them: it steps free strands only).
 // Alone with the solver.
 SHX_API shx_result shx_solver_step(shx_solver *solver, double dt, uint32_t substeps, shx_step_report *report);
 
@@ -1304,12 +1311,14 @@ SHX_API shx_result shx_solver_root_wrenches(const shx_solver *solver, const shx_
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 SHX_API shx_result shx_body_def_init(shx_body_def *def, size_t size);
 
-// Bakes a closed mesh into a signed distance grid, for bodies of SHX_SHAPE_GRID: its distances at the nodes of a lattice of cell metres
-// that reaches at least band metres beyond it. A strand is told of the body within that band, inside at any depth. vertices:
-// SHX_FORMAT_F32X3 or _F64X3, m; triangles: three indices each, anticlockwise seen from outside. Writes the grid into image, which
+// Bakes a mesh into a signed distance grid, for bodies of SHX_SHAPE_GRID: its distances at the nodes of a lattice of cell metres
+// that reaches at least band metres beyond it. A strand is told of the body within that band, inside at any depth. A mesh that is not
+// closed (a head cut off at the neck, parts that do not quite meet) has its inside where its winding number is above one half: an opening
+// is closed by the surface on which it is one half. vertices: SHX_FORMAT_F32X3 or _F64X3, m; triangles: three indices each,
+// anticlockwise seen from outside, in a mesh that is not closed for the most part. Writes the grid into image, which
 // holds capacity bytes, and its size into *out_size; image null with capacity 0: only the size, which bakes nothing. The bytes may be
-// kept in a file; they are the same on every machine. Takes about a microsecond a node.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (also: the mesh is not closed, or more than 2^27 nodes),
+// kept in a file; they are the same on every machine. Takes about a microsecond a node, some microseconds where the mesh is not closed.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (also: the mesh is too open to have an inside, or more than 2^27 nodes),
 // SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY. Any thread.
 SHX_API shx_result shx_bake_distance_grid(const shx_input *vertices, const uint32_t *triangles, size_t triangle_count,
     double cell, double band, void *image, size_t capacity, size_t *out_size);
@@ -1317,7 +1326,7 @@ SHX_API shx_result shx_bake_distance_grid(const shx_input *vertices, const uint3
 // Adds count bodies, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_body_def)). out_ids
 // receives count ids, in the order of the definitions. Strands touch bodies once they have been made to: shx_solver_set_contact.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].radius", or the triangle
-// where a mesh is not closed), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+// where a mesh is not closed), SHX_ERROR_INVALID_ID (shape_of), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
 SHX_API shx_result shx_solver_add_bodies(shx_solver *solver, const shx_body_def *defs, size_t def_stride, size_t count,
     shx_body_id *out_ids);
 

@@ -59,7 +59,7 @@ fn every_size_and_offset_is_as_published() {
         shx_friction_report: 200 { struct_size: 0, converged: 4, internal_friction: 8, viscosity: 56, air_drag: 104, rms_residual: 152, noise: 160, residual_correlation: 168, offset: 176, simulations: 184, unconverged: 188, first_compared: 192, compared: 196 }
         shx_body_id: 8 { bits: 0 }
         shx_constraint_id: 8 { bits: 0 }
-        shx_body_def: 304 { struct_size: 0, shape: 4, pose: 8, radius: 64, a: 72, b: 96, semi_axes: 120, half_edges: 144, normal: 168, vertices: 192, triangles: 224, triangle_count: 232, sides: 240, reserved0: 244, depth: 248, grid: 256, grid_size: 264, thickness: 272, friction: 280, viscous_friction: 288, group: 296, mask: 300 }
+        shx_body_def: 312 { struct_size: 0, shape: 4, pose: 8, radius: 64, a: 72, b: 96, semi_axes: 120, half_edges: 144, normal: 168, vertices: 192, triangles: 224, triangle_count: 232, sides: 240, reserved0: 244, depth: 248, grid: 256, grid_size: 264, thickness: 272, friction: 280, viscous_friction: 288, group: 296, mask: 300, shape_of: 304 }
         shx_contact_options: 72 { struct_size: 0, model: 4, hair: 8, max_iterations: 12, max_sweeps: 16, reserved0: 20, stiffness: 24, damping: 32, regularisation_depth: 40, tolerance: 48, residual: 56, separation_speed: 64 }
         shx_strand_contact: 88 { struct_size: 0, groups: 4, mask: 8, reserved0: 12, radius: 16, wisp_radius: 24, friction_along: 32, friction_against: 40, hair_friction_along: 48, hair_friction_against: 56, viscous_friction_along: 64, viscous_friction_against: 72, exempt_length: 80 }
         shx_contact: 152 { strand: 0, arclength: 8, partner: 16, feature: 20, body: 24, other: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }

@@ -163,11 +163,11 @@ fn bad_bakes_are_explained() {
     let directory = directory("bad_bakes");
     let path = |name: &str| directory.join(name).to_str().unwrap().to_string();
     std::fs::write(path("box.obj"), BOX).unwrap();
-    // Without its last face.
-    std::fs::write(path("open.obj"), BOX.lines().take(13).collect::<Vec<_>>().join("\n")).unwrap();
+    // Without half of its faces.
+    std::fs::write(path("open.obj"), BOX.lines().take(11).collect::<Vec<_>>().join("\n")).unwrap();
     for (mesh, cell, band, named) in [
         ("none.obj", "0.1", "0.1", "none.obj"),
-        ("open.obj", "0.1", "0.1", "closed mesh"),
+        ("open.obj", "0.1", "0.1", "open.obj: mesh is too open to have an inside"),
         ("box.obj", "0", "0.1", "--cell"),
         ("box.obj", "0.1", "-1", "--band"),
         ("box.obj", "1e-5", "0.1", "--cell is 0.00001"),
@@ -177,6 +177,24 @@ fn bad_bakes_are_explained() {
         assert_eq!(output.status.code(), Some(1), "{named}");
         assert!(errors(&output).contains(named), "{named}: {}", errors(&output));
         assert!(!Path::new(&grid).exists());
+    }
+}
+
+/// A box without a quarter of one of its smallest faces has its other faces where they were.
+#[test]
+fn a_mesh_with_an_opening_is_baked() {
+    use superhelix::files::distance_grid;
+    let directory = directory("open_bake");
+    let path = |name: &str| directory.join(name).to_str().unwrap().to_string();
+    let (mesh, grid) = (path("open.obj"), path("open.shxgrid"));
+    std::fs::write(&mesh, BOX.replace("f 4 1 5 8", "v -3 0 0\nf 4 1 9\nf 1 5 9\nf 5 8 9")).unwrap();
+    let output = superhelix(&["bake", &mesh, "--cell", "0.07", "--band", "0.23", "--out", &grid]);
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    let grid = distance_grid::read(&grid).unwrap();
+    for (point, distance) in [([0.5, 0.1, 1.1], 0.1), ([1.0, 0.0, 0.8], -0.2), ([3.1, 0.3, -0.2], 0.1), ([0.0, -1.6, 0.0], -0.4)]
+    {
+        let found = grid.closest(point.into()).unwrap().distance;
+        assert!((found - distance).abs() < 1e-5, "{point:?}: {found}");
     }
 }
 

@@ -2,15 +2,22 @@
 
 mod oracle_cases;
 
+use std::sync::Arc;
+
 use nalgebra::{UnitQuaternion, Vector3};
 use oracle_cases::Case;
+use superhelix::contact::body::BodyDef;
+use superhelix::contact::options::{ContactOptions, StrandContact};
+use superhelix::contact::shape::Shape;
 use superhelix::math::frame::Frame;
 use superhelix::math::quadrature::Rules;
 use superhelix::rod::freedoms::Freedoms;
 use superhelix::rod::kinematics::Kinematics;
 use superhelix::rod::strand::StrandModel;
 use superhelix::solver::Solver;
+use superhelix::solver::constraints::{ConstraintDef, Hold};
 use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::solver::id::StrandId;
 use superhelix::step::members::One;
 use superhelix::step::options::{Integrator, StepOptions};
 use superhelix::step::scratch::Scratch;
@@ -308,4 +315,43 @@ fn a_tolerance_out_of_range_is_named() {
         let error = Solver::new(SolverOptions { step: options(value), ..SolverOptions::default() }).unwrap_err().to_string();
         assert!(error.contains("reference_tolerance"), "{error}");
     }
+}
+
+/// It has no step for strands that touch or are held, and says so in place of taking another integrator's; what could touch and is not
+/// to, a body without strands for it or hair without wisps, is no reason.
+#[test]
+fn held_strands_are_refused_and_nothing_is_changed() {
+    let refused = |arrange: &dyn Fn(&mut Solver, StrandId), by: &str| {
+        let mut solver = solver(1e-6);
+        let id = solver.add_strands(&[hair(1)]).unwrap()[0];
+        arrange(&mut solver, id);
+        let before = solver.state_hash();
+        let told = solver.step(1.0 / 60.0, 1).map_err(|error| error.to_string());
+        match told {
+            Ok(_) => assert_eq!(by, "", "it stepped"),
+            Err(told) => {
+                assert!(!by.is_empty() && told.contains("integrator is reference") && told.contains(by), "{told}");
+                assert_eq!(solver.state_hash(), before, "{told}");
+            }
+        }
+    };
+    let ball = |solver: &mut Solver, group| {
+        let def = BodyDef::new(Arc::new(Shape::new_sphere(0.01).unwrap()));
+        let pose = Frame { origin: Vector3::new(0.0, 9.0, 0.0), ..Frame::default() };
+        solver.add_bodies(vec![BodyDef { pose, group, ..def }]).unwrap();
+    };
+    let hair = |solver: &mut Solver, id, wisp_radius| {
+        solver.set_contact_options(&ContactOptions { hair: true, ..ContactOptions::default() }).unwrap();
+        solver.set_contact(&[id], Some(&StrandContact { wisp_radius, mask: 1, ..StrandContact::default() })).unwrap();
+    };
+    refused(&|solver, _| ball(solver, 1), "");
+    refused(&|solver, id| (ball(solver, 2), hair(solver, id, 0.0)).1, "");
+    refused(&|solver, id| (ball(solver, 1), hair(solver, id, 0.0)).1, "contact may");
+    refused(&|solver, id| hair(solver, id, 1e-3), "contact may");
+    let pin = |solver: &mut Solver, strand| {
+        let target = Frame::default();
+        let pin = ConstraintDef { strand, arclength: 0.0, hold: Hold::Point, target, compliance: 0.0 };
+        solver.add_constraints(&[pin]).unwrap();
+    };
+    refused(&|solver, id| pin(solver, id), "constraints may");
 }

@@ -12,7 +12,7 @@ use crate::solver::id::BodyId;
 /// Adds count bodies, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_body_def)). out_ids
 /// receives count ids, in the order of the definitions. Strands touch bodies once they have been made to: shx_solver_set_contact.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].radius", or the triangle
-/// where a mesh is not closed), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+/// where a mesh is not closed), SHX_ERROR_INVALID_ID (shape_of), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_add_bodies(
     solver: *mut shx_solver,
@@ -25,7 +25,7 @@ pub unsafe extern "C" fn shx_solver_add_bodies(
     unsafe {
         write("shx_solver_add_bodies", solver, |core, _| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
-            let read = |def: &shx_body_def, argument: &str| def.definition(argument);
+            let read = |def: &shx_body_def, argument: &str| def.definition(argument, core);
             let definitions = definitions("shx_body_def", defs, def_stride, count, read)?;
             let ids = core.add_bodies(definitions).map_err(|error| error.renamed("bodies", "defs"))?;
             places.write(&ids.iter().map(|id| shx_body_id { bits: id.bits() }).collect::<Vec<_>>())

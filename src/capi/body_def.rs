@@ -9,13 +9,15 @@ use nalgebra::Vector3;
 use super::buffers::{Place, Places, Reader, VECTOR_FORMATS, array};
 use super::errors::shx_result;
 use super::guard::call;
-use super::types::{SHX_FORMAT_F64X3, shx_frame, shx_input};
+use super::types::{SHX_FORMAT_F64X3, shx_body_id, shx_frame, shx_input};
 use super::versioned::{Versioned, initialise};
 use crate::contact::body::BodyDef;
 use crate::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
 use crate::error::{Error, Result, check_finite};
 use crate::files::distance_grid;
 use crate::math::frame::Frame;
+use crate::solver::Solver;
+use crate::solver::id::BodyId;
 
 /// A sphere about the body's origin: radius.
 pub const SHX_SHAPE_SPHERE: u32 = 1;
@@ -31,9 +33,12 @@ pub const SHX_SHAPE_HALF_SPACE: u32 = 5;
 pub const SHX_SHAPE_HULL: u32 = 6;
 /// A triangle mesh: vertices, triangles, sides. The only shape that may deform (shx_solver_set_body_vertices).
 pub const SHX_SHAPE_MESH: u32 = 7;
-/// A signed distance grid, as shx_bake_distance_grid made it: grid. Cheap for large closed meshes that do not deform; edges are rounded
+/// A signed distance grid, as shx_bake_distance_grid made it: grid. Cheap for large meshes that do not deform; edges are rounded
 /// by about a cell.
 pub const SHX_SHAPE_GRID: u32 = 8;
+
+/// The shape of another body of the solver, as it is now: shape_of. Kept once for all that share it; one that deforms gets its own.
+pub const SHX_SHAPE_SHARED: u32 = 9;
 
 /// The mesh is closed and wound outward; what is inside is pushed out, however deep.
 pub const SHX_SIDES_SOLID: u32 = 1;
@@ -92,6 +97,8 @@ pub struct shx_body_def {
     pub group: u32,
     /// Bits of the groups that it touches: a body and a strand meet where each is in a group that the other touches. Default all.
     pub mask: u32,
+    /// Shared: a body that was added by an earlier call. Its pose, surface and groups are not taken over. Default the null id: set it.
+    pub shape_of: shx_body_id,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
@@ -123,15 +130,17 @@ unsafe impl Versioned for shx_body_def {
             viscous_friction: 1.0,
             group: 1,
             mask: u32::MAX,
+            shape_of: shx_body_id { bits: 0 },
         }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_body_def>() == 304);
+    assert!(size_of::<shx_body_def>() == 312);
     assert!(offset_of!(shx_body_def, radius) == 64 && offset_of!(shx_body_def, vertices) == 192);
     assert!(offset_of!(shx_body_def, sides) == 240 && offset_of!(shx_body_def, group) == 296);
+    assert!(offset_of!(shx_body_def, shape_of) == 304);
 };
 
 /// Points of three finite numbers.
@@ -160,18 +169,23 @@ unsafe fn corners(triangles: *const u32, count: usize) -> Result<Vec<[u32; 3]>> 
 }
 
 impl shx_body_def {
-    /// The engine's own definition; the numbers of its surface are checked where it is added.
+    /// The engine's own definition, for `solver`; the numbers of its surface are checked where it is added.
     ///
     /// # Safety
     /// The arrays that it points to are there.
-    pub(super) unsafe fn definition(&self, argument: &str) -> Result<BodyDef> {
+    pub(super) unsafe fn definition(&self, argument: &str, solver: &Solver) -> Result<BodyDef> {
         if self.reserved0 != 0 {
             return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
         }
-        // SAFETY: the same.
-        let shape = unsafe { self.shape() }.map_err(|error| error.inside(argument))?;
+        let shape = if self.shape == SHX_SHAPE_SHARED {
+            let body = solver.body(BodyId::from_bits(self.shape_of.bits));
+            body.map_err(|error| error.renamed("id", &format!("{argument}.shape_of")))?.shape.clone()
+        } else {
+            // SAFETY: the same.
+            Arc::new(unsafe { self.shape() }.map_err(|error| error.inside(argument))?)
+        };
         Ok(BodyDef {
-            shape: Arc::new(shape),
+            shape,
             pose: Frame::from_arrays(&format!("{argument}.pose"), self.pose.origin, self.pose.rotation)?,
             thickness: self.thickness,
             friction: self.friction,
@@ -234,12 +248,14 @@ pub unsafe extern "C" fn shx_body_def_init(def: *mut shx_body_def, size: usize) 
     unsafe { initialise("shx_body_def_init", "def", def, size) }
 }
 
-/// Bakes a closed mesh into a signed distance grid, for bodies of SHX_SHAPE_GRID: its distances at the nodes of a lattice of cell metres
-/// that reaches at least band metres beyond it. A strand is told of the body within that band, inside at any depth. vertices:
-/// SHX_FORMAT_F32X3 or _F64X3, m; triangles: three indices each, anticlockwise seen from outside. Writes the grid into image, which
+/// Bakes a mesh into a signed distance grid, for bodies of SHX_SHAPE_GRID: its distances at the nodes of a lattice of cell metres
+/// that reaches at least band metres beyond it. A strand is told of the body within that band, inside at any depth. A mesh that is not
+/// closed (a head cut off at the neck, parts that do not quite meet) has its inside where its winding number is above one half: an opening
+/// is closed by the surface on which it is one half. vertices: SHX_FORMAT_F32X3 or _F64X3, m; triangles: three indices each,
+/// anticlockwise seen from outside, in a mesh that is not closed for the most part. Writes the grid into image, which
 /// holds capacity bytes, and its size into *out_size; image null with capacity 0: only the size, which bakes nothing. The bytes may be
-/// kept in a file; they are the same on every machine. Takes about a microsecond a node.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (also: the mesh is not closed, or more than 2^27 nodes),
+/// kept in a file; they are the same on every machine. Takes about a microsecond a node, some microseconds where the mesh is not closed.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (also: the mesh is too open to have an inside, or more than 2^27 nodes),
 /// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY. Any thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_bake_distance_grid(
@@ -256,7 +272,7 @@ pub unsafe extern "C" fn shx_bake_distance_grid(
         // SAFETY: the caller's place for a number, points and indices.
         let (place, mesh) = unsafe {
             let place = Place::new("out_size", out_size)?;
-            let mesh = Mesh::new(points("vertices", vertices)?, corners(triangles, triangle_count)?, Sides::Solid)?;
+            let mesh = Mesh::for_baking(points("vertices", vertices)?, corners(triangles, triangle_count)?)?;
             (place, mesh)
         };
         let size = distance_grid::size(DistanceGrid::baked_counts(&mesh, cell, band)?);
@@ -264,7 +280,8 @@ pub unsafe extern "C" fn shx_bake_distance_grid(
             // SAFETY: the caller's capacity bytes.
             let places = unsafe { Places::new("image", "capacity", image.cast::<u8>(), capacity)? };
             places.check_room(size)?;
-            places.write(&distance_grid::write_to_bytes(&DistanceGrid::bake(&mesh, cell, band)?)?)?;
+            let grid = DistanceGrid::bake(&mesh, cell, band).map_err(|error| error.renamed("mesh", "triangles"))?;
+            places.write(&distance_grid::write_to_bytes(&grid)?)?;
         }
         place.write(size);
         Ok(())

@@ -229,7 +229,8 @@ fn tell(log: &LogSink, report: &StepReport) {
 /// Moves time on by dt seconds (above zero) in substeps equal parts (at least 1; each a full solve). report may be null.
 /// A strand whose state turns non-finite is rolled back and marked; the step goes on, and the report and the strand's status say
 /// so. Same input, same bits, whatever the number of threads.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps), SHX_ERROR_UNSUPPORTED
+/// (SHX_INTEGRATOR_REFERENCE where strands may touch something or constraints hold them: it steps free strands only).
 /// Alone with the solver.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_step(

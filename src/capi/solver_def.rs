@@ -25,6 +25,7 @@ pub const SHX_INTEGRATOR_IMPLICIT_EULER: u32 = 2;
 /// Two-step backward differences: second order in the step for the price of implicit Euler. The default.
 pub const SHX_INTEGRATOR_SECOND_ORDER: u32 = 3;
 /// Order 5 with error control, in steps of its own: meets reference_tolerance. Slow: to measure the others by.
+/// Free strands only: shx_solver_step refuses it where strands may touch something or constraints hold them.
 pub const SHX_INTEGRATOR_REFERENCE: u32 = 4;
 
 /// Elimination from tip to root: cost proportional to the number of elements. The default.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::shape::{Bounds, Shape, Surface};
+use super::shape::{Bounds, Mesh, Shape, Surface};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
@@ -124,14 +124,13 @@ impl Body {
     /// finite, or the duration not finite and zero or above. Nothing is changed then.
     pub fn set_vertices(&mut self, vertices: &[Vector3<f64>], duration: f64) -> Result<()> {
         check_not_negative(|| "duration".into(), duration)?;
-        if Arc::make_mut(&mut self.def.shape).deforming_mut().is_none() {
+        let Some(mesh) = self.def.shape.mesh() else {
             return Err(Error::Unsupported {
                 argument: "body".into(),
                 value: "of a shape without vertices to set".into(),
                 hint: "only triangle meshes deform".into(),
             });
-        }
-        let Some(mesh) = self.def.shape.mesh() else { return Ok(()) };
+        };
         mesh.check_replacement(vertices)?;
         let from = mesh.vertices();
         match &mut self.bending {
@@ -150,7 +149,15 @@ impl Body {
     /// Readies the body for a substep of `h` seconds: a way to be gone at once takes it, a deforming mesh is brought to its start and end.
     pub fn begin(&mut self, h: f64) {
         self.way.begin(h);
-        let Some(bending) = &mut self.bending else { return };
+        let Some(bending) = &mut self.bending else {
+            // A shape shared with a body that deforms, as it was in the middle of its way.
+            if self.def.shape.mesh().is_some_and(Mesh::is_moving)
+                && let Some(mesh) = Arc::make_mut(&mut self.def.shape).deforming_mut()
+            {
+                mesh.rest();
+            }
+            return;
+        };
         if bending.duration == 0.0 {
             bending.duration = h;
         }

@@ -10,15 +10,25 @@ pub(super) struct Sample<T> {
 }
 
 /// The lowest sample between `a`, where the value falls, and `b`, where it rises.
+pub(super) fn lowest<T: Copy>(
+    a: Sample<T>,
+    b: Sample<T>,
+    tolerance: f64,
+    ask: impl FnMut(f64) -> Option<Sample<T>>,
+) -> Sample<T> {
+    bracketed(a, b, tolerance, ask).0
+}
+
+/// The same, and the last two of these, which it lies between.
 ///
 /// By turns at the zero of the slopes' secant, which is the minimum of a parabola, and where the tangents meet, which is that of a kink
 /// (an edge of a mesh); ends when the tangents, which lie below a convex function, leave less than `tolerance` below the lowest sample.
-pub(super) fn lowest<T: Copy>(
+pub(super) fn bracketed<T: Copy>(
     mut a: Sample<T>,
     mut b: Sample<T>,
     tolerance: f64,
     mut ask: impl FnMut(f64) -> Option<Sample<T>>,
-) -> Sample<T> {
+) -> (Sample<T>, [Sample<T>; 2]) {
     let mut best = if a.value <= b.value { a } else { b };
     let mut width = b.s - a.s;
     for turn in 0..48 {
@@ -53,5 +63,5 @@ pub(super) fn lowest<T: Copy>(
         }
         if sample.slope < 0.0 { a = sample } else { b = sample }
     }
-    best
+    (best, [a, b])
 }

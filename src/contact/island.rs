@@ -50,6 +50,8 @@ const SAME_SURFACE: f64 = 0.7;
 /// In how many of an island's first iterations that is done: in a crease or a mesh's notch a touch would be on one face and on another in
 /// turn for ever. What is missed so is found by the search at the step's end.
 const LOOKS: u32 = 6;
+/// By how much more than before a normal may point along the strand.
+const ALONG: f64 = 0.1;
 
 /// Strands that hang together.
 #[derive(Debug, Default)]
@@ -133,11 +135,12 @@ impl Island {
                     joint.first.station = Station::on(element, s);
                 }
                 JointKind::Body { body, feature, normal, point, carried, .. } if self.iterations < LOOKS => {
-                    let (body, at) = (&bodies[*body as usize], strand.end_state(&joint.first.station).now);
-                    if let Some(surface) = body.closest_at_end(at, LOOK) {
+                    let (body, at) = (&bodies[*body as usize], strand.end_state(&joint.first.station));
+                    if let Some(surface) = body.closest_at_end(at.now, LOOK) {
                         let new = body.to_world(&surface.normal);
-                        // Another side of an edge or a sheet is another surface.
-                        if new.dot(normal) > SAME_SURFACE {
+                        // Another side of an edge or a sheet is another surface, and so is a face beside the edge that the strand lies across.
+                        let along = |normal: &Vector3<f64>| normal.dot(&at.tangent).abs();
+                        if new.dot(normal) > SAME_SURFACE && along(&new) < along(normal) + ALONG {
                             (*normal, *point) = (new, body.surface_at_end(&surface));
                             (*feature, *carried) = (surface.feature, body.carried(&surface));
                         }

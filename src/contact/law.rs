@@ -106,3 +106,45 @@ pub(crate) fn across(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
     let first = helper.cross(n).normalize();
     [first, n.cross(&first)]
 }
+
+/// (cos, sin) of the rotation that makes a symmetric matrix of two rows diagonal (Jacobi's), its larger number first. Roots alone, so that every machine gives the same bits; no rotation where there is nothing to turn.
+fn diagonalising(first: f64, across: f64, second: f64) -> (f64, f64) {
+    let (difference, twice) = (first - second, 2.0 * across);
+    let scale = difference.abs().max(twice.abs());
+    if scale == 0.0 {
+        return (1.0, 0.0);
+    }
+    let (difference, twice) = (difference / scale, twice / scale);
+    let size = (difference * difference + twice * twice).sqrt();
+    // Cosine or sine of the half angle, whichever is larger, and the other by sin 2φ = 2 sin φ cos φ.
+    let larger = (0.5 * (1.0 + difference.abs() / size)).sqrt();
+    let smaller = 0.5 * twice.abs() / (size * larger);
+    let (cos, sin) = if difference >= 0.0 { (larger, smaller) } else { (smaller, larger) };
+    (cos, sin.copysign(twice))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rotation_diagonalises_whatever_it_is_given() {
+        let numbers = [0.0, -0.0, 1.0, -1.0, 1.0 + 1e-15, 0.3, -0.7, 1e-9, -1e-9, 4e-200, 7e180];
+        for a in numbers {
+            for b in numbers {
+                for c in numbers {
+                    let (cos, sin) = diagonalising(a, b, c);
+                    let scale = a.abs().max(b.abs()).max(c.abs());
+                    let (a, b, c) = if scale > 0.0 { (a / scale, b / scale, c / scale) } else { (a, b, c) };
+                    let rest = cos * sin * (c - a) + (cos * cos - sin * sin) * b;
+                    let [large, small] = [(cos, sin), (-sin, cos)].map(|(x, y)| x * x * a + 2.0 * x * y * b + y * y * c);
+                    assert!(
+                        (cos * cos + sin * sin - 1.0).abs() < 4e-16 && rest.abs() < 4e-16,
+                        "{a} {b} {c}: {cos} {sin} {rest:e}"
+                    );
+                    assert!(large >= small - 4e-16 && cos >= 0.0, "{a} {b} {c}: {large} {small}");
+                }
+            }
+        }
+    }
+}

@@ -75,7 +75,7 @@ pub struct Pieces {
 /// Curvature of an element's centreline, 1/m.
 fn bend(curve: &StrandCurve, element: usize) -> f64 {
     let [_, k1, k2] = curve.elements[element].kappa.0;
-    k1.hypot(k2)
+    (k1 * k1 + k2 * k2).sqrt()
 }
 
 /// Number of pieces of a length of an element.

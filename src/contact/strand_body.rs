@@ -21,6 +21,9 @@ use super::touch::{Partner, Place, StrandPath, Touch};
 /// once the touches are resolved, nothing in between is deeper than about twice this.
 const PROMINENCE: f64 = 1e-6;
 
+/// An end of an element from which the distance falls more steeply than this is no touch.
+const STEEP: f64 = 0.5;
+
 /// Most pieces into which an element is cut.
 const MOST_PIECES: usize = 64;
 
@@ -112,8 +115,8 @@ impl Scratch {
 /// Finds where a strand touches a body at the present iterate, or is nearer than `within` (m) to it, and adds the touches to `out`, sorted
 /// by element and arclength. `bounds` are those of `path`; `radius` (m) is the strand's. Nothing is allocated once the lists have grown.
 ///
-/// Every local minimum of the distance along an element is a touch, and every end of an element that is near enough (the end between two
-/// elements belongs to the first). A strand that went through the body during the step touches it from the side that it came from, with a
+/// Every local minimum of the distance along an element is a touch, and every end of an element that is near enough and not steep above a
+/// nearer place (the end between two elements belongs to the first). A strand that went through the body during the step touches it from the side that it came from, with a
 /// negative gap. Distances are signed: a strand inside a solid is touched at any depth.
 #[allow(clippy::too_many_arguments)] // Each is another thing, and all are needed.
 pub fn touches(
@@ -270,8 +273,10 @@ impl Search<'_, '_> {
     fn minima(&mut self, index: usize, ground: &Ground, path: &ElementPath, nodes: &[Node]) {
         let limit = self.thickness + self.within;
         let (left, right) = (nodes[0], nodes[nodes.len() - 1]);
+        // From a steep end it falls to something that is nearer or deeper: the end is held by that, and must not be pushed along the strand.
+        let held = |sample: &Sample<Surface>, falls: bool| sample.value < limit && !(falls && sample.slope.abs() > STEEP);
         if self.first
-            && let Some(sample) = left.sample.filter(|sample| sample.value < limit)
+            && let Some(sample) = left.sample.filter(|sample| held(sample, sample.slope < 0.0))
         {
             self.add(index, &sample);
         }
@@ -321,10 +326,13 @@ impl Search<'_, '_> {
                     }
                     continue;
                 };
-                let found = descent::lowest(a, b, 0.5 * PROMINENCE, ask);
+                let (mut found, around) = descent::bracketed(a, b, 0.5 * PROMINENCE, ask);
+                if found.value < 0.0 {
+                    found.found = across_edge(&found, around, ask);
+                }
                 let counts = found.value < before.max(crest) - PROMINENCE;
                 if found.value < limit && counts && found.s > left.s && found.s < right.s {
-                    self.add(index, &found);
+                    self.push(index, found.s, &found.found, found.found.distance - self.thickness);
                     added += 1;
                     (before, crest) = (found.value, found.value);
                 }
@@ -334,7 +342,8 @@ impl Search<'_, '_> {
             }
         }
         (self.scratch.pieces, self.scratch.close) = (pieces, close);
-        if let Some(sample) = right.sample.filter(|sample| sample.value < limit) {
+        let tip = index + 1 == self.path.now.elements.len();
+        if let Some(sample) = right.sample.filter(|sample| held(sample, !tip || sample.slope > 0.0)) {
             // A minimum from which it rises to the end by nothing that counts is the end's own.
             if added > 0 && crest.max(sample.value) - before < PROMINENCE {
                 self.out.pop();
@@ -414,6 +423,47 @@ impl Search<'_, '_> {
             self.push(index, s, hit, gap);
         }
     }
+}
+
+/// The surface at a minimum inside a solid. Where the nearest faces change there, the strand lies across the edge that they meet in, and the
+/// plane that holds it off goes through that edge across the strand: its normal is the one between theirs that has no part along the
+/// strand. A face's own would push it along itself, which no strand gives way to.
+fn across_edge(
+    lowest: &Sample<Surface>,
+    mut around: [Sample<Surface>; 2],
+    ask: impl Fn(f64) -> Option<Sample<Surface>>,
+) -> Surface {
+    /// Faces that meet more sharply than twice the angle of this sine are two sides of something thin, not of an edge.
+    const BLUNT: f64 = 0.3;
+    /// Normals that turn by less along the strand are of one surface.
+    const EDGE: f64 = 0.2;
+    /// The faces are asked for inside, and no farther from the edge than this, m.
+    const BESIDE: f64 = 1e-5;
+    let surface = lowest.found;
+    if around[1].slope - around[0].slope < EDGE {
+        return surface;
+    }
+    for (end, beside) in around.iter_mut().enumerate() {
+        while beside.value >= 0.0 || (beside.s - lowest.s).abs() > BESIDE {
+            match ask(lowest.s + 0.2 * (beside.s - lowest.s)) {
+                Some(sample) if (sample.slope < 0.0) == (end == 0) && sample.s != lowest.s => *beside = sample,
+                _ => return surface,
+            }
+        }
+    }
+    let [falling, rising] = around;
+    let turn = rising.slope - falling.slope;
+    if turn < EDGE {
+        return surface;
+    }
+    let between = (falling.found.normal * rising.slope - rising.found.normal * falling.slope) / turn;
+    let cosine = between.norm();
+    if cosine < BLUNT {
+        return surface;
+    }
+    let at = surface.point + surface.normal * surface.distance;
+    let (normal, distance) = (between / cosine, surface.distance / cosine);
+    Surface { point: at - normal * distance, normal, distance, ..surface }
 }
 
 /// Picks the triangles of a mesh that can be nearest to a place between two nodes.

@@ -4,13 +4,16 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use super::Solver;
+use super::constraints::ConstraintStatus;
 use super::holding::{ContactTally, Holding, Scene};
 use super::id::BodyId;
 use super::report::{StepReport, Wrench};
 use super::side_by_side;
 use super::strand::Tally;
 use crate::contact::body::BodyAt;
+use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
+use crate::step::options::Integrator;
 use crate::step::{Setting, Surroundings, packs};
 
 /// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
@@ -23,7 +26,9 @@ impl Solver {
     /// substep's start and counted; the others go on.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`].
+    /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`];
+    /// [`Error::Unsupported`] where strands may touch something or constraints hold them and the integrator is
+    /// [`Integrator::Reference`], which steps free strands only.
     pub fn step(&mut self, dt: f64, substeps: u32) -> Result<StepReport> {
         let started = Instant::now();
         check_positive(|| "dt".into(), dt)?;
@@ -34,6 +39,7 @@ impl Solver {
         if h < SHORTEST_STEP {
             return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP} s or more")));
         }
+        self.check_integrator()?;
         let total = Mutex::new(Tally::default());
         if self.holds_strands() {
             let contact = self.step_holding(h, substeps, &total);
@@ -60,6 +66,31 @@ impl Solver {
     fn holds_strands(&self) -> bool {
         let hair = self.options.contact.hair && self.strands.iter().any(|strand| strand.contact.is_some());
         hair || !self.bodies.is_empty() || !self.constraints.is_empty()
+    }
+
+    /// Held strands take their steps by implicit Euler, which would be silent where the reference was asked for. What decides are what strands
+    /// are to contact and the constraints, not where things are: a scene does not run for a while and is refused then.
+    fn check_integrator(&self) -> Result<()> {
+        if self.options.step.integrator != Integrator::Reference {
+            return Ok(());
+        }
+        let hair = self.options.contact.hair;
+        let touches = |contact: &StrandContact| {
+            let body = self.bodies.iter().any(|body| body.body.meets(contact.groups, contact.mask));
+            body || (hair && contact.wisp_radius > 0.0)
+        };
+        let by = if self.constraints.iter().any(|constraint| constraint.state.status != ConstraintStatus::Released) {
+            "constraints"
+        } else if self.strands.iter().filter_map(|strand| strand.contact.as_deref()).any(touches) {
+            "contact"
+        } else {
+            return Ok(());
+        };
+        Err(Error::Unsupported {
+            argument: "the solver's integrator".into(),
+            value: "reference".into(),
+            hint: format!("it steps free strands only, and {by} may hold some here; take second order or implicit Euler"),
+        })
     }
 
     /// The substeps of a scene in which something may hold strands: all strands go through each before any begins the next.

@@ -17,7 +17,8 @@ pub enum Integrator {
     #[default]
     SecondOrder = 3,
     /// Radau IIA, order 5, in steps of its own that keep the error below [`StepOptions::reference_tolerance`]. Dense matrices: to
-    /// measure the others by, not to animate with.
+    /// measure the others by, not to animate with. Free strands only: a step is refused where strands may touch something or
+    /// constraints hold them.
     Reference = 4,
 }
 

@@ -214,7 +214,7 @@ AT(shx_body_id, bits, 0);
 SIZE(shx_constraint_id, 8);
 AT(shx_constraint_id, bits, 0);
 
-SIZE(shx_body_def, 304);
+SIZE(shx_body_def, 312);
 AT(shx_body_def, struct_size, 0);
 AT(shx_body_def, shape, 4);
 AT(shx_body_def, pose, 8);
@@ -237,6 +237,7 @@ AT(shx_body_def, friction, 280);
 AT(shx_body_def, viscous_friction, 288);
 AT(shx_body_def, group, 296);
 AT(shx_body_def, mask, 300);
+AT(shx_body_def, shape_of, 304);
 
 SIZE(shx_contact_options, 72);
 AT(shx_contact_options, struct_size, 0);

@@ -1,19 +1,19 @@
-//! `superhelix bake`: a closed mesh into a signed distance grid.
+//! `superhelix bake`: a mesh into a signed distance grid.
 
 use std::path::PathBuf;
 
 use clap::Args;
-use superhelix::contact::shape::{DistanceGrid, Mesh, Sides};
+use superhelix::contact::shape::{DistanceGrid, Mesh};
 use superhelix::error::Error;
 use superhelix::files::{distance_grid, obj_mesh};
 
 use crate::failure::Failure;
 use crate::simulate::positive;
 
-/// Bakes a closed mesh into a grid of signed distances, a shape for scenes ("grid") that costs the same however fine the mesh is.
+/// Bakes a mesh into a grid of signed distances, a shape for scenes ("grid") that costs the same however fine the mesh is.
 #[derive(Debug, Args)]
 pub struct BakeArguments {
-    /// The mesh: .obj with faces, closed, wound anticlockwise seen from outside.
+    /// The mesh: .obj with faces, closed but for small openings, wound anticlockwise seen from outside.
     #[arg(value_name = "MESH.obj")]
     mesh: PathBuf,
     /// Where the grid goes.
@@ -34,8 +34,9 @@ pub struct BakeArguments {
 pub fn run(arguments: &BakeArguments) -> Result<(), Failure> {
     let file = obj_mesh::read(&arguments.mesh)?;
     let vertices = file.vertices.iter().map(|vertex| vertex * arguments.scale).collect();
-    let mesh = Mesh::new(vertices, file.triangles, Sides::Solid).map_err(|error| Failure::file(&arguments.mesh, error))?;
+    let mesh = Mesh::for_baking(vertices, file.triangles).map_err(|error| Failure::file(&arguments.mesh, error))?;
     let grid = DistanceGrid::bake(&mesh, arguments.cell, arguments.band).map_err(|error| match error {
+        Error::InvalidArgument { ref argument, .. } if argument == "mesh" => Failure::file(&arguments.mesh, error),
         Error::InvalidArgument { argument, value, expected } => {
             Failure::Other(format!("--{argument} is {value}; expected {expected}"))
         }

@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::coefficient::Coefficient;
 use super::response::{Depth, Response};
 use super::secular;
-use super::{across, check_unit};
+use super::{across, check_unit, diagonalising};
 use crate::error::Result;
 
 /// What a contact does along its surface.
@@ -118,10 +118,9 @@ impl ContactSolve {
         let n = contact.normal;
         let [s, t] = across(&n);
         let (ws, wt) = (response * s, response * t);
-        // The rotation that makes W's tangential part diagonal (Jacobi's).
+        // W's tangential part, and the tangents in which it is diagonal.
         let (ss, st, tt) = (s.dot(&ws), 0.5 * (t.dot(&ws) + s.dot(&wt)), t.dot(&wt));
-        let angle = 0.5 * (2.0 * st).atan2(ss - tt);
-        let (sin, cos) = angle.sin_cos();
+        let (cos, sin) = diagonalising(ss, st, tt);
         let tangents = [s * cos + t * sin, t * cos - s * sin];
         let wn = response * n;
         let scale = response.trace().max(0.0);

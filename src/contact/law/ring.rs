@@ -7,7 +7,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::coefficient::Coefficient;
-use super::{across, check_unit};
+use super::{across, check_unit, diagonalising};
 use crate::error::Result;
 
 /// A ring: the first strand passes through its partner, or a point of the world.
@@ -57,8 +57,7 @@ impl RingSolve {
         let t = ring.tangent;
         let [s, r] = across(&t);
         let (ws, wr, wt) = (response * s, response * r, response * t);
-        let angle = 0.5 * (s.dot(&wr) + r.dot(&ws)).atan2(s.dot(&ws) - r.dot(&wr));
-        let (sin, cos) = angle.sin_cos();
+        let (cos, sin) = diagonalising(s.dot(&ws), 0.5 * (s.dot(&wr) + r.dot(&ws)), r.dot(&wr));
         let sides = [s * cos + r * sin, r * cos - s * sin];
         let least = 4.0 * f64::EPSILON * response.trace().max(0.0);
         let stiffness = sides.map(|side| {

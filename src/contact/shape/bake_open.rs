@@ -38,7 +38,7 @@ fn near<'a>(lattice: &Lattice, distances: &'a [f32], numbers: &'a [f32]) -> impl
     distances.iter().zip(numbers).filter(move |(distance, _)| f64::from(**distance) < most).map(|(_, number)| number)
 }
 
-/// Refuses a mesh about which too many winding numbers tell no side.
+/// Refuses a mesh about which too many winding numbers tell no side, or none an inside.
 fn check(lattice: &Lattice, distances: &[f32], numbers: &[f32]) -> Result<()> {
     let is_unclear = |number: &&f32| **number < -UNCLEAR || (UNCLEAR..1.0 - UNCLEAR).contains(*number);
     let unclear = near(lattice, distances, numbers).filter(is_unclear).count();
@@ -54,6 +54,13 @@ fn check(lattice: &Lattice, distances: &[f32], numbers: &[f32]) -> Result<()> {
                 "at most {:.0} %: a mesh that is closed but for small openings, its triangles anticlockwise seen from outside",
                 100.0 * MOST_UNCLEAR
             ),
+        ));
+    }
+    if !numbers.iter().any(|number| *number > 0.5) {
+        return Err(Error::invalid(
+            "mesh",
+            "without an inside: nowhere on the lattice is its winding number above one half",
+            "a mesh that is closed but for small openings, its triangles anticlockwise seen from outside",
         ));
     }
     Ok(())

@@ -1,4 +1,4 @@
-//! Signed distance grid: a closed surface as distances at the nodes of a lattice, linear in between.
+//! Signed distance grid: a closed surface as distances at the nodes of a lattice, cubic in between.
 
 use nalgebra::Vector3;
 
@@ -12,7 +12,7 @@ use crate::error::{Error, Result, check_finite, check_positive};
 /// Most nodes of a grid: 2²⁷, half a gigabyte.
 pub const NODE_LIMIT: u64 = 1 << 27;
 
-/// Signed distances on a lattice. Its surface is the zero level of their trilinear interpolation: edges of the mesh are rounded by about
+/// Signed distances on a lattice. Its surface is the zero level of their tricubic interpolation: edges of the mesh are rounded by about
 /// a cell.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DistanceGrid {
@@ -37,7 +37,7 @@ impl DistanceGrid {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] when the mesh is too open for an inside (of the nodes within two cells of it more than a fifth are
-    /// neither inside nor outside by their winding numbers), `cell` or `band` is not finite and above zero, or there would be more than
+    /// neither inside nor outside by their winding numbers, or none at all is inside), `cell` or `band` is not finite and above zero, or there would be more than
     /// [`NODE_LIMIT`] nodes; [`Error::OutOfMemory`].
     pub fn bake(mesh: &Mesh, cell: f64, band: f64) -> Result<Self> {
         let (bounds, counts) = Self::lattice(mesh, cell, band)?;
@@ -136,36 +136,33 @@ impl DistanceGrid {
         Bounds { low: self.low, high: self.low + cells * self.cell }
     }
 
-    /// The surface as seen from a point: the interpolated distance and its direction of steepest growth. None outside the grid, where
-    /// the surface is farther than the band.
+    /// The surface as seen from a point: the interpolated distance and its direction of steepest growth, which has no jumps. None outside
+    /// the grid, where the surface is farther than the band.
     pub fn closest(&self, point: Vector3<f64>) -> Option<Surface> {
         let place = (point - self.low) / self.cell;
-        let mut base = [0usize; 3];
-        let mut part = [0.0; 3];
-        for axis in 0..3 {
-            let last = f64::from(self.counts[axis] - 1);
-            if !(place[axis] >= 0.0 && place[axis] <= last) {
-                return None;
-            }
-            let floor = place[axis].floor().min(last - 1.0);
-            base[axis] = floor as usize;
-            part[axis] = place[axis] - floor;
-        }
+        let x = Taps::new(place.x, self.counts[0])?;
+        let y = Taps::new(place.y, self.counts[1])?;
+        let z = Taps::new(place.z, self.counts[2])?;
         let (row, sheet) = (self.counts[0] as usize, self.counts[0] as usize * self.counts[1] as usize);
-        let first = base[0] + base[1] * row + base[2] * sheet;
-        let value = |i: usize, j: usize, k: usize| f64::from(self.values[first + i + j * row + k * sheet]);
-        let [x, y, z] = part;
-        let mix = |a: f64, b: f64, u: f64| a + (b - a) * u;
-        // Along x at the four edges, then along y at the two faces.
-        let edge = [[0, 0], [1, 0], [0, 1], [1, 1]]
-            .map(|[j, k]| (mix(value(0, j, k), value(1, j, k), x), value(1, j, k) - value(0, j, k)));
-        let (low, high) = (mix(edge[0].0, edge[1].0, y), mix(edge[2].0, edge[3].0, y));
-        let distance = mix(low, high, z);
-        let gradient = Vector3::new(
-            mix(mix(edge[0].1, edge[1].1, y), mix(edge[2].1, edge[3].1, y), z),
-            mix(edge[1].0 - edge[0].0, edge[3].0 - edge[2].0, z),
-            high - low,
-        );
+        // The value and its slopes, summed along x, then y, then z.
+        let (mut distance, mut gradient) = (0.0, Vector3::zeros());
+        for k in 0..z.count {
+            let (mut value, mut along_x, mut along_y) = (0.0, 0.0, 0.0);
+            for j in 0..y.count {
+                let from = (z.first + k) * sheet + (y.first + j) * row + x.first;
+                let (mut sum, mut slope) = (0.0, 0.0);
+                for (i, node) in self.values[from..from + x.count].iter().enumerate() {
+                    let node = f64::from(*node);
+                    sum += x.weights[i] * node;
+                    slope += x.slopes[i] * node;
+                }
+                value += y.weights[j] * sum;
+                along_x += y.weights[j] * slope;
+                along_y += y.slopes[j] * sum;
+            }
+            distance += z.weights[k] * value;
+            gradient += Vector3::new(z.weights[k] * along_x, z.weights[k] * along_y, z.slopes[k] * value);
+        }
         let normal = gradient.try_normalize(0.0).unwrap_or_else(Vector3::x);
         Some(Surface::smooth(point - normal * distance, normal, distance))
     }
@@ -178,6 +175,53 @@ impl DistanceGrid {
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
         size_of_val::<[f32]>(&self.values)
+    }
+}
+
+/// The nodes along an axis that a place between two of them is interpolated from, by Catmull and Rom's cubic: through all nodes, with
+/// slopes that go on from cell to cell. Beyond the last nodes what is interpolated goes on straight.
+struct Taps {
+    first: usize,
+    count: usize,
+    weights: [f64; 4],
+    /// What the weights grow by a cell.
+    slopes: [f64; 4],
+}
+
+impl Taps {
+    /// For a place in cells from the first of `count` nodes. None outside of them.
+    #[inline]
+    fn new(place: f64, count: u32) -> Option<Self> {
+        let last = f64::from(count - 1);
+        if !(place >= 0.0 && place <= last) {
+            return None;
+        }
+        let below = place.floor().min(last - 1.0);
+        let u = place - below;
+        let (base, last) = (below as usize, count as usize - 1);
+        // Of the node before, the two around the place, and the one after.
+        let [mut a, mut b, mut c, mut d] = [
+            [-0.5 * u * (1.0 - u) * (1.0 - u), -0.5 * (1.0 - u) * (1.0 - 3.0 * u)],
+            [1.0 + u * u * (1.5 * u - 2.5), u * (4.5 * u - 5.0)],
+            [u * (0.5 + u * (2.0 - 1.5 * u)), 0.5 + u * (4.0 - 4.5 * u)],
+            [-0.5 * u * u * (1.0 - u), u * (1.5 * u - 1.0)],
+        ];
+        let part = |taps: [[f64; 2]; 4], of: usize| taps.map(|tap| tap[of]);
+        if base == 0 {
+            for of in 0..2 {
+                (b[of], c[of]) = (b[of] + 2.0 * a[of], c[of] - a[of]);
+            }
+            a = [0.0; 2];
+        }
+        if base + 2 > last {
+            for of in 0..2 {
+                (c[of], b[of]) = (c[of] + 2.0 * d[of], b[of] - d[of]);
+            }
+            d = [0.0; 2];
+        }
+        let all = if base == 0 { [b, c, d, a] } else { [a, b, c, d] };
+        let first = base.saturating_sub(1);
+        Some(Self { first, count: (last - first + 1).min(4), weights: part(all, 0), slopes: part(all, 1) })
     }
 }
 

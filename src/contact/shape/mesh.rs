@@ -88,6 +88,16 @@ impl Mesh {
         Ok(Self::assembled(vertices, triangles, sides, neighbours))
     }
 
+    /// A mesh for [`DistanceGrid::bake`](super::DistanceGrid::bake), which takes nearly closed ones: solid where every edge is on two
+    /// triangles that run along it in opposite directions, else one of two sides.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] as [`Mesh::new`], but for what says of edges.
+    pub fn for_baking(vertices: Vec<Vector3<f64>>, triangles: Vec<[u32; 3]>) -> Result<Self> {
+        let closed = neighbours(&triangles, Sides::Solid).is_ok();
+        Self::new(vertices, triangles, if closed { Sides::Solid } else { Sides::Both })
+    }
+
     /// A mesh as it was in the middle of a run: it may have lost area or volume since it was made.
     ///
     /// # Errors
