@@ -60,8 +60,8 @@ fn a_resting_strand_is_borne_by_its_contacts() {
             root.force
         );
         assert!((contacts + wrench.force).norm() < 1e-15);
-        // The penalty models are still swinging a little, and what they bear follows; the hard model solves friction roughly.
-        let allowed = [1e-3, 1e-3, 1e-4, 1e-6][model as usize - 1];
+        // The penalty models are iterated to 2e-3 rad, and still swing a little; the hard model solves friction roughly.
+        let allowed = [3e-3, 3e-3, 1e-4, 1e-6][model as usize - 1];
         assert!((contacts - root.force - Vector3::new(0.0, 0.0, weight)).norm() < allowed * weight);
     }
 }

@@ -24,7 +24,7 @@ const ROUGH: f64 = 1e-4;
 const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
-const ROUGH_TOLERANCE: f64 = 5e-4;
+const ROUGH_TOLERANCE: f64 = 1e-4;
 /// What the penalty models are content with: the residual, and rad.
 const SOFT: (f64, f64) = (1e-3, 2e-3);
 /// A strand that ends further from the end than this, rad, has come to nowhere.
@@ -33,7 +33,7 @@ const LOST: f64 = 0.1;
 /// Iterations in which what is left to do must halve, where it is good enough as it is and where not; an island that does not get on will not.
 const PATIENCE: [u32; 2] = [5, 12];
 /// What an island that has not come to its end may be off by and still be kept as it is: rad, in units of the tolerance of touches, m.
-const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-6);
+const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-9);
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
 const NO_SOLUTION: f64 = 1e4;
 
@@ -274,7 +274,10 @@ impl Island {
             self.best = (left, self.iterations);
         }
         let pressing = self.joints.iter().filter(|joint| joint.is_touch()).map(|joint| joint.force.norm()).fold(0.0, f64::max);
-        let stuck = self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)] || pressing > NO_SOLUTION * self.usual_force(strands, step);
+        // Constraints alone may turn a strand right round, a little in every iteration.
+        let turning = !self.joints.iter().any(Joint::is_touch);
+        let stuck = !turning && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)]
+            || pressing > NO_SOLUTION * self.usual_force(strands, step);
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
