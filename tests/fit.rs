@@ -11,7 +11,7 @@ use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 
 fn fit(points: &[Vector3<f64>], element_count: usize) -> Fit {
-    fit_polyline(points, &FitOptions { element_count }).unwrap()
+    fit_polyline(points, &FitOptions::elements(element_count)).unwrap()
 }
 
 /// Root mean square errors over the length, ascending.
@@ -143,7 +143,7 @@ fn hard_polylines_are_fitted_and_bad_ones_refused() {
     let short: Vec<_> = line(3).iter().map(|p| p * 1e-4).collect();
     assert!(fit(&short, 40).max_error < 1e-9);
 
-    let bad = |points: &[Vector3<f64>], element_count| fit_polyline(points, &FitOptions { element_count });
+    let bad = |points: &[Vector3<f64>], element_count| fit_polyline(points, &FitOptions::elements(element_count));
     for result in [
         bad(&line(4), 0),
         bad(&line(4), usize::MAX),

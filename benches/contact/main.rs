@@ -44,7 +44,7 @@ fn guides() -> Outcome<Vec<StrandDef>> {
         let aside = Vector3::new(turn.cos(), 0.0, turn.sin()) * (1.5e-3 * copy as f64);
         let points: Vec<Vector3<f64>> =
             curves.strand(index).iter().map(|p| Vector3::from(p.map(f64::from)) * SCALE + aside).collect();
-        let fit = fit_polyline(&points, &FitOptions { element_count: ELEMENTS })?;
+        let fit = fit_polyline(&points, &FitOptions::elements(ELEMENTS))?;
         let mut def = StrandDef::straight(1.0, ELEMENTS);
         def.element_lengths.clone_from(&fit.element_lengths);
         def.natural.clone_from(&fit.curvatures);

@@ -93,7 +93,7 @@ fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Res
         return Err(format!("its length of {length:.3e} m is not more than its width of {width:.3e} m"));
     }
     let words = |error: Error| error.to_string();
-    let fit = fit_polyline(points, &FitOptions { element_count: recipe.elements }).map_err(words)?;
+    let fit = fit_polyline(points, &FitOptions::elements(recipe.elements)).map_err(words)?;
     let mut definition = StrandDef {
         element_lengths: fit.element_lengths,
         material: recipe.material,

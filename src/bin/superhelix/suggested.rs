@@ -36,7 +36,7 @@ impl Suggested {
         for strand in curves.strands().step_by(every) {
             let points: Vec<Vector3<f64>> =
                 strand.iter().map(|point| Vector3::from(point.map(|value| f64::from(value) * metres_per_unit))).collect();
-            if fit_polyline(&points, &FitOptions { element_count: 1 }).is_err() {
+            if fit_polyline(&points, &FitOptions::elements(1)).is_err() {
                 continue;
             }
             strands += 1;
@@ -70,7 +70,7 @@ impl Suggested {
 /// The least number of elements, by doubling and halving.
 fn least(points: &[Vector3<f64>], tolerance: f64) -> Option<usize> {
     let met = |element_count: usize| {
-        fit_polyline(points, &FitOptions { element_count }).is_ok_and(|fit| {
+        fit_polyline(points, &FitOptions::elements(element_count)).is_ok_and(|fit| {
             let turn = largest_turn(&fit.element_lengths, &fit.curvatures);
             fit.max_error <= tolerance && turn <= LARGEST_TURN
         })
