@@ -136,13 +136,7 @@ impl<S: Default + Send> Crew<S> {
 
     /// Calls `work` on slices that make up `items`, each call with scratch memory of its own. Slices are multiples of `least` long (the
     /// last may be shorter), and at most `most`.
-    pub fn for_each_task<T: Send>(
-        &self,
-        items: &mut [T],
-        least: usize,
-        most: usize,
-        work: impl Fn(&mut [T], &mut S) + Sync,
-    ) {
+    pub fn for_each_task<T: Send>(&self, items: &mut [T], least: usize, most: usize, work: impl Fn(&mut [T], &mut S) + Sync) {
         let run = |chunk: &mut [T]| {
             let mut scratch = self.lock().pop().unwrap_or_default();
             work(chunk, &mut scratch);

@@ -25,6 +25,7 @@ use linearised::{Freedom, Weights};
 use measure::Errors;
 use search::Search;
 use shape::Shape;
+use start::{Kind, Nodes};
 use target::Target;
 
 /// How to fit.
@@ -36,9 +37,8 @@ pub struct FitOptions {
     /// doubling and halving, so that it keeps the tolerance and one element less does not. Where even [`FitOptions::element_count`] do not keep
     /// it, the fit has that many and its [`Fit::max_error`] says so. Default: none.
     pub tolerance: Option<f64>,
-    /// Whether elements may differ in length; else all are equally long. Default true: it halves the error. A host that steps many strands in
-    /// one solver loses nothing by it.
-    pub free_lengths: bool,
+    /// Whether elements may differ in length. Default [`ElementLengths::WhereNeeded`].
+    pub lengths: ElementLengths,
     /// The least length of an element in those of equal ones, 0.05 to 1. Default 0.3.
     pub least_length: f64,
     /// Whether elements may be twisted. Without twist (κ0 = 0) the material frames are those carried along the centreline without turning
@@ -65,7 +65,7 @@ impl Default for FitOptions {
         Self {
             element_count: 10,
             tolerance: None,
-            free_lengths: true,
+            lengths: ElementLengths::WhereNeeded,
             least_length: 0.3,
             twist: true,
             starts: 4,
@@ -116,6 +116,21 @@ impl FitOptions {
         }
         Ok(())
     }
+}
+
+/// Whether a strand's elements may differ in length.
+///
+/// Free lengths halve the error. A strand steps as fast with them, but [`Solver::sample_tiles`](crate::solver::Solver::sample_tiles) takes
+/// strands of equal elements side by side and others one by one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ElementLengths {
+    /// All are equally long.
+    Equal,
+    /// Equally long where that is good ([`FitOptions::good`], or the tolerance), else free.
+    #[default]
+    WhereNeeded,
+    /// Free.
+    Free,
 }
 
 /// Where a strand's root frame comes from. Its origin is the curve's first point.
@@ -253,9 +268,8 @@ const LEAST_GAIN: f64 = 1e-2;
 impl FitScratch {
     /// The best of the starts, into `best`; distances in units of the length.
     fn fit(&mut self, count: usize, options: &FitOptions, tolerance: Option<f64>) -> Errors {
-        let twist = options.twist;
         let search = Search {
-            freedom: Freedom { root: self.target.free_root, twist, nodes: options.free_lengths && count > 1 },
+            freedom: Freedom { root: self.target.free_root, twist: options.twist, nodes: false },
             weights: Weights { twist: TWIST_WEIGHT, normal: options.frame_weight.powi(2), spacing: SPACING_WEIGHT },
             iterations: ITERATIONS,
             least_gain: LEAST_GAIN,
@@ -263,25 +277,32 @@ impl FitScratch {
         };
         self.target.coarsen(count);
         self.start.look_at(&self.target, count);
-        let mut best: Option<(f64, f64)> = None;
-        let kinds = start::KINDS.iter().filter(|kind| {
-            (twist && !self.target.has_normals() || !kind.twisted) && (search.freedom.nodes || kind.nodes == start::Nodes::Equal)
-        });
-        for kind in kinds.take(options.starts) {
+        // Of the best: what is left of all that is weighed, and whether its nodes are free.
+        let mut best: Option<(f64, bool)> = None;
+        for (kind, nodes) in attempts(options, count, self.target.has_normals()) {
+            let search = Search { freedom: Freedom { nodes, ..search.freedom }, ..search };
             self.shape.root = self.target.root;
             self.start.nodes(kind.nodes, count, options.least_length, &mut self.shape.nodes);
             self.start.curvatures(&mut self.shape, kind.twisted, &self.target);
-            let left = self.search.minimise(&mut self.shape, self.target.coarse(), &search);
-            if best.is_none_or(|least| left.0 < least.0) {
-                best = Some(left);
+            let (cost, squared) = self.search.minimise(&mut self.shape, self.target.coarse(), &search);
+            if best.is_none_or(|(least, _)| cost < least) {
+                best = Some((cost, nodes));
                 std::mem::swap(&mut self.shape, &mut self.best);
+                let good = match tolerance {
+                    None => squared.sqrt() <= options.good,
+                    Some(tolerance) => measure::errors(&self.best, self.target.coarse()).largest <= tolerance,
+                };
+                if good {
+                    break;
+                }
             }
-            let distance = best.map_or(f64::INFINITY, |(_, squared)| squared.sqrt());
-            if distance <= options.good || tolerance.is_some_and(|tolerance| distance > 2.0 * tolerance) {
+            // So far off that no other start will do.
+            if nodes && tolerance.is_some_and(|tolerance| squared.sqrt() > 3.0 * tolerance) {
                 break;
             }
         }
-        let last = Search { iterations: LAST_ITERATIONS, ..search };
+        let nodes = best.is_some_and(|(_, nodes)| nodes);
+        let last = Search { freedom: Freedom { nodes, ..search.freedom }, iterations: LAST_ITERATIONS, ..search };
         self.search.minimise(&mut self.best, &self.target.samples, &last);
         measure::errors(&self.best, &self.target.samples)
     }
@@ -307,4 +328,14 @@ impl FitScratch {
             radius: target.radius,
         }
     }
+}
+
+/// The starts to try, and whether nodes are free from there.
+fn attempts(options: &FitOptions, count: usize, has_normals: bool) -> impl Iterator<Item = (Kind, bool)> {
+    let FitOptions { starts, twist, lengths, .. } = *options;
+    let free = lengths != ElementLengths::Equal && count > 1;
+    let allowed = move |kind: &Kind| !kind.twisted || twist && !has_normals;
+    let first = (free && lengths == ElementLengths::WhereNeeded).then_some((Kind { nodes: Nodes::Equal, twisted: false }, false));
+    let kinds = start::KINDS.into_iter().filter(move |kind| allowed(kind) && (free || kind.nodes == Nodes::Equal));
+    first.into_iter().chain(kinds.take(starts).map(move |kind| (kind, free)))
 }

@@ -62,7 +62,8 @@ impl Polyline {
             let edge = (self.points[end + 1] - self.points[end]).norm();
             // Rounding of what the host summed.
             if to - from < edge * (1.0 - 1e-9) {
-                let expected = format!("at least {}, so that the edge of {edge} m before it is no longer than its arc", from + edge);
+                let expected =
+                    format!("at least {}, so that the edge of {edge} m before it is no longer than its arc", from + edge);
                 return Err(Error::invalid(format!("arclengths[{}]", kept[1]), to, expected));
             }
         }

@@ -16,7 +16,13 @@ const MOST: usize = 256;
 /// [`Error::Unsupported`](crate::error::Error::Unsupported) where threads cannot be started. A pool's threads are there for the call alone.
 pub fn fit_curves(curves: &[FitCurve<'_>], options: &FitOptions, workers: &Workers) -> Result<Vec<Result<Fit>>> {
     let mut fits = Vec::with_capacity(curves.len());
-    fit_each(curves.len(), options, workers, |index, scratch| fit_curve(&curves[index], options, scratch), |_, fit| fits.push(fit))?;
+    fit_each(
+        curves.len(),
+        options,
+        workers,
+        |index, scratch| fit_curve(&curves[index], options, scratch),
+        |_, fit| fits.push(fit),
+    )?;
     Ok(fits)
 }
 

@@ -169,7 +169,15 @@ pub(super) struct Damping {
 
 impl Elimination {
     /// The step from a state. Without free twist there are no free nodes either.
-    pub fn solve(&mut self, shape: &Shape, state: &State, weights: &Weights, freedom: Freedom, damping: &Damping, step: &mut Step) {
+    pub fn solve(
+        &mut self,
+        shape: &Shape,
+        state: &State,
+        weights: &Weights,
+        freedom: Freedom,
+        damping: &Damping,
+        step: &mut Step,
+    ) {
         match (freedom.twist, freedom.nodes) {
             (false, false) => solve_for::<2>(&mut self.two, [1, 2], shape, state, weights, freedom, damping, step),
             (true, false) => solve_for::<3>(&mut self.three, [0, 1, 2], shape, state, weights, freedom, damping, step),
@@ -300,7 +308,11 @@ fn eliminate<const D: usize>(
     let arm = right.b.mul(&Mat3::cross(end));
     let mut left = Downstream {
         // A + [a]×Bᵀ + B[a]×ᵀ + [a]× C [a]×ᵀ.
-        a: right.a.add(&right.b.transpose().crossed_from_left(end)).sub(&arm).sub(&right.c.crossed_from_left(end).mul(&Mat3::cross(end))),
+        a: right
+            .a
+            .add(&right.b.transpose().crossed_from_left(end))
+            .sub(&arm)
+            .sub(&right.c.crossed_from_left(end).mul(&Mat3::cross(end))),
         b: b_moved,
         c: right.c,
         moment: right.moment + end.cross(right.force),

@@ -59,11 +59,8 @@ impl Scratch {
             self.iterations += 1;
             let mut gained = 0.0;
             for _ in 0..TRIALS {
-                let springs = Damping {
-                    tilt: damping + RIDGE,
-                    curvature: damping + RIDGE,
-                    node: (10.0 * damping + RIDGE) * count * count,
-                };
+                let springs =
+                    Damping { tilt: damping + RIDGE, curvature: damping + RIDGE, node: (10.0 * damping + RIDGE) * count * count };
                 self.elimination.solve(shape, &self.state, &weights, search.freedom, &springs, &mut self.step);
                 self.advance(shape, search);
                 self.trial_state.place(&self.trial, samples, &weights);

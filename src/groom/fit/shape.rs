@@ -24,13 +24,6 @@ impl Default for Root {
 }
 
 impl Shape {
-    /// Nodes of equally long elements.
-    pub fn equal_nodes(count: usize) -> Vec<f64> {
-        let mut nodes: Vec<f64> = (0..count).map(|k| k as f64 / count as f64).collect();
-        nodes.push(1.0);
-        nodes
-    }
-
     /// Length of an element.
     pub fn length(&self, element: usize) -> f64 {
         self.nodes[element + 1] - self.nodes[element]

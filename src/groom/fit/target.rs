@@ -34,7 +34,9 @@ impl Target {
     pub fn set(&mut self, curve: &FitCurve<'_>, options: &FitOptions) -> Result<()> {
         let points = curve.points.len();
         let entries = |name: &str, count: Option<usize>| match count {
-            Some(count) if count != points => Err(Error::invalid(name, format!("{count} entries"), format!("{points}, one a point"))),
+            Some(count) if count != points => {
+                Err(Error::invalid(name, format!("{count} entries"), format!("{points}, one a point")))
+            }
             _ => Ok(()),
         };
         entries("arclengths", curve.arclengths.map(<[f64]>::len))?;
@@ -53,7 +55,11 @@ impl Target {
         if let Some(frames) = curve.frames
             && let Some(index) = frames.iter().position(|frame| !frame.coords.iter().all(|number| number.is_finite()))
         {
-            return Err(Error::invalid(format!("frames[{index}]"), format!("{:?}", frames[index].coords.as_slice()), "finite numbers"));
+            return Err(Error::invalid(
+                format!("frames[{index}]"),
+                format!("{:?}", frames[index].coords.as_slice()),
+                "finite numbers",
+            ));
         }
         let normal = |index: usize| curve.frames.map(|frames| frames[polyline.kept[index]] * Vector3::y());
         self.free_root = curve.root == FitRoot::Curve;
