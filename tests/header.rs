@@ -65,6 +65,8 @@ const SECTIONS: [(&str, &str); 34] = [
     ("SHX_API shx_result shx_constraint_def_init(", "Constraints"),
     ("SHX_API shx_result shx_solver_snapshot(", "State"),
     ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
+    ("SHX_API shx_result shx_fit_options_init(", "Fitting strands to many curves"),
+    ("SHX_API shx_result shx_spline_points(", "Splines"),
     ("SHX_API shx_result shx_settings_init(", "Settings"),
     ("SHX_API shx_result shx_friction_def_init(", "Fitting friction to recorded curves"),
     ("SHX_API shx_result shx_suggest_def_init(", "Choosing the number of elements"),

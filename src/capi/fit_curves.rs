@@ -156,8 +156,7 @@ pub struct shx_fit_curves {
     pub points: shx_input,
     /// curve_count numbers, whose sum is points.count.
     pub point_counts: *const u32,
-    /// Null (default: the sum of the edges), or the arclength of each point, m: from 0 at each root, ascending, no edge longer than its
-    /// arc.
+    /// Null (default: the sum of the edges), or the arclength of each point, m: from 0 at each root, ascending.
     pub arclengths: *const f64,
     /// Null (default), or the hair's width at each point, m, 0 or above.
     pub widths: *const f64,

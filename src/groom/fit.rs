@@ -47,6 +47,7 @@ pub struct FitOptions {
     /// How many starts are tried at most, 1 to [`MAX_STARTS`]. Default 4.
     pub starts: usize,
     /// A start is good, and the last, when the root mean square distance is below this share of the length; 0 to 1. Default 1e-3.
+    /// 0: every start is tried and every search goes on to its end, at ten times the time.
     pub good: f64,
     /// What the points may be off by, m; 0 or above. Where the curve zigzags by noise its edges add up to more than its length: with this
     /// the length and the arclengths are taken along the means of runs of points that are eight times as long. Default 0. The noise of
@@ -151,8 +152,7 @@ pub enum FitRoot {
 pub struct FitCurve<'a> {
     /// Points in metres, root first; at least two distinct ones. Doubled points are skipped, with what is given for them below.
     pub points: &'a [Vector3<f64>],
-    /// The arclength of each point, m, where it is known better than by the sum of the edges: from 0, ascending, no edge longer than its
-    /// arclength.
+    /// The arclength of each point, m, where it is known better than by the sum of the edges: from 0, ascending.
     pub arclengths: Option<&'a [f64]>,
     /// A material frame at each point, of which n1 counts (the image of the y axis): the strand's frames follow them as well as they can
     /// ([`FitOptions::frame_weight`]). A helix that bends cannot also turn its frame freely.
@@ -220,7 +220,7 @@ pub fn fit_polyline(points: &[Vector3<f64>], options: &FitOptions) -> Result<Fit
 ///
 /// # Errors
 /// [`Error::InvalidArgument`] for numbers that are not finite, fewer than two distinct points, lists that do not have one entry a point,
-/// arclengths that do not ascend or are shorter than the edges, widths below zero, a direction without length, or options out of range.
+/// arclengths that do not ascend from 0, widths below zero, a direction without length, or options out of range.
 pub fn fit_curve(curve: &FitCurve<'_>, options: &FitOptions, scratch: &mut FitScratch) -> Result<Fit> {
     options.check("options.")?;
     scratch.target.set(curve, options)?;
@@ -260,19 +260,23 @@ const TWIST_WEIGHT: f64 = 4e-9;
 /// matter stay.
 const SPACING_WEIGHT: f64 = 1e-8;
 /// Iterations from one start, and of the best once more.
-const ITERATIONS: usize = 30;
-const LAST_ITERATIONS: usize = 60;
+const ITERATIONS: [usize; 2] = [30, 60];
 /// A search ends when two iterations have gained less of the cost than this each.
 const LEAST_GAIN: f64 = 1e-2;
+/// The same for those who are content with nothing.
+const ITERATIONS_TO_THE_END: [usize; 2] = [100, 500];
+const LEAST_GAIN_TO_THE_END: f64 = 1e-5;
 
 impl FitScratch {
     /// The best of the starts, into `best`; distances in units of the length.
     fn fit(&mut self, count: usize, options: &FitOptions, tolerance: Option<f64>) -> Errors {
+        let ([iterations, last_iterations], least_gain) =
+            if options.good > 0.0 { (ITERATIONS, LEAST_GAIN) } else { (ITERATIONS_TO_THE_END, LEAST_GAIN_TO_THE_END) };
         let search = Search {
             freedom: Freedom { root: self.target.free_root, twist: options.twist, nodes: false },
             weights: Weights { twist: TWIST_WEIGHT, normal: options.frame_weight.powi(2), spacing: SPACING_WEIGHT },
-            iterations: ITERATIONS,
-            least_gain: LEAST_GAIN,
+            iterations,
+            least_gain,
             least_length: options.least_length,
         };
         self.target.coarsen(count);
@@ -302,7 +306,7 @@ impl FitScratch {
             }
         }
         let nodes = best.is_some_and(|(_, nodes)| nodes);
-        let last = Search { freedom: Freedom { nodes, ..search.freedom }, iterations: LAST_ITERATIONS, ..search };
+        let last = Search { freedom: Freedom { nodes, ..search.freedom }, iterations: last_iterations, ..search };
         self.search.minimise(&mut self.best, &self.target.samples, &last);
         measure::errors(&self.best, &self.target.samples)
     }

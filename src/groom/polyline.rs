@@ -16,6 +16,9 @@ pub(super) struct Polyline {
 /// A polyline whose edges sum to less than this cannot be told from a point in f64 arithmetic on metres.
 const SHORTEST: f64 = 1e-12;
 
+/// Points closer together than this share of the length tell no direction.
+const NEARLY_DOUBLED: f64 = 1e-6;
+
 impl Polyline {
     /// Checks the points and drops the doubled ones.
     pub fn new(points: &[Vector3<f64>]) -> Result<Self> {
@@ -57,15 +60,16 @@ impl Polyline {
         if first != 0.0 {
             return Err(Error::invalid(format!("arclengths[{}]", self.kept[0]), first, "0, at the root"));
         }
-        for (end, kept) in self.kept.windows(2).enumerate() {
+        for kept in self.kept.windows(2) {
             let (from, to) = (arclengths[kept[0]], arclengths[kept[1]]);
-            let edge = (self.points[end + 1] - self.points[end]).norm();
-            // Rounding of what the host summed.
-            if to - from < edge * (1.0 - 1e-9) {
-                let expected =
-                    format!("at least {}, so that the edge of {edge} m before it is no longer than its arc", from + edge);
+            if to <= from {
+                let expected = format!("above {from}, that of the distinct point before it");
                 return Err(Error::invalid(format!("arclengths[{}]", kept[1]), to, expected));
             }
+        }
+        let length = arclengths[self.kept[self.kept.len() - 1]];
+        if length <= SHORTEST {
+            return Err(Error::invalid("arclengths", length, format!("a length above {SHORTEST} m")));
         }
         for (own, kept) in self.arclengths.iter_mut().zip(&self.kept) {
             *own = arclengths[*kept];
@@ -114,9 +118,11 @@ impl Polyline {
         self.arclengths[self.arclengths.len() - 1]
     }
 
-    /// Direction of edge `index`.
-    pub fn direction(&self, index: usize) -> Vector3<f64> {
-        (self.points[index + 1] - self.points[index]).normalize()
+    /// The direction in which the polyline leaves: towards the first point that is not as good as doubled.
+    pub fn direction(&self) -> Vector3<f64> {
+        let least = NEARLY_DOUBLED * self.length();
+        let away = self.points[1..].iter().map(|point| point - self.points[0]).find(|away| away.norm() > least);
+        away.unwrap_or(self.points[1] - self.points[0]).normalize()
     }
 
     /// A frame with n0 in a direction of length one, and n1 as near as can be to `normal`, or without one (or along it) to a world axis

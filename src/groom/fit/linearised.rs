@@ -141,6 +141,16 @@ pub(super) struct Step {
     pub gain: f64,
 }
 
+impl Step {
+    /// Goes a share of the way. The gain is then at least that share.
+    pub fn shorten(&mut self, share: f64) {
+        self.tilt.0 = self.tilt.0.scale(share);
+        self.rows.iter_mut().flatten().for_each(|change| *change *= share);
+        self.nodes.iter_mut().for_each(|change| *change *= share);
+        self.gain *= share;
+    }
+}
+
 /// A vector that is zero by default.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Vec3Default(pub Vec3<f64>);

@@ -6,6 +6,7 @@ use super::linearised::{Damping, Elimination, Freedom, State, Step, Weights};
 use super::samples::Sample;
 use super::shape::{Root, Shape};
 use crate::math::rotation::from_rotation_vector;
+use crate::math::trigonometry::sine_cosine;
 use crate::math::vector::Mat3;
 
 /// How to search.
@@ -36,9 +37,11 @@ pub(super) struct Scratch {
 /// Springs that always hold back what the samples do not see, against the mean squared distance.
 const RIDGE: f64 = 1e-12;
 /// The first damping.
-const FIRST_DAMPING: f64 = 1e-5;
+const FIRST_DAMPING: f64 = 1e-6;
 /// Below this mean squared distance twist is charged in proportion to it: noise of that size is what the charge is for.
 const CHARGED_WHOLE: f64 = 1e-6;
+/// No frame turns about its tangent by more than this in an iteration, rad: beyond it lie other minima, mostly worse ones.
+const TURN_LIMIT: f64 = 0.5;
 /// How often an iteration damps more before it gives up.
 const TRIALS: usize = 8;
 
@@ -59,8 +62,11 @@ impl Scratch {
             self.iterations += 1;
             let mut gained = 0.0;
             for _ in 0..TRIALS {
-                let springs =
-                    Damping { tilt: damping + RIDGE, curvature: damping + RIDGE, node: (10.0 * damping + RIDGE) * count * count };
+                let springs = Damping {
+                    tilt: damping + RIDGE,
+                    curvature: damping + RIDGE,
+                    node: (100.0 * damping + RIDGE) * count * count,
+                };
                 self.elimination.solve(shape, &self.state, &weights, search.freedom, &springs, &mut self.step);
                 self.advance(shape, search);
                 self.trial_state.place(&self.trial, samples, &weights);
@@ -95,18 +101,34 @@ impl Scratch {
     /// `trial` is `shape` after the step, held where an element would become too short.
     fn advance(&mut self, shape: &Shape, search: &Search) {
         self.trial.copy_from(shape);
+        let (mut turn, mut largest) = (0.0_f64, 0.0_f64);
+        for (index, change) in self.step.rows.iter().enumerate() {
+            turn += change[0] * shape.length(index);
+            largest = largest.max(turn.abs());
+        }
+        if largest > TURN_LIMIT {
+            self.step.shorten(TURN_LIMIT / largest);
+        }
         let tilt = from_rotation_vector(Vector3::from(self.step.tilt.0)).to_rotation_matrix().into_inner();
         self.trial.root = Root(shape.root.0.mul(&Mat3::from(tilt)));
-        for (row, change) in self.trial.rows.iter_mut().zip(&self.step.rows) {
-            for axis in 0..3 {
-                row[axis] += change[axis];
-            }
-        }
         for (node, change) in self.trial.nodes[1..].iter_mut().zip(&self.step.nodes) {
             *node += change;
         }
         if search.freedom.nodes {
             keep_apart(&mut self.trial.nodes, search.least_length / shape.rows.len() as f64);
+        }
+        // What the step says of the bending is kept in frames without twist: to first order it is the same, but a twist that changes by much
+        // would otherwise turn the bending of all that follows.
+        let (mut before, mut after) = (0.0, 0.0);
+        for (index, change) in self.step.rows.iter().enumerate() {
+            let row = shape.rows[index];
+            let twist = row[0] + change[0];
+            let (old, new) = (row[0] * shape.length(index), twist * self.trial.length(index));
+            let turn = (after + 0.5 * new) - (before + 0.5 * old);
+            (before, after) = (before + old, after + new);
+            let bend = [row[1] + change[1] - turn * row[2], row[2] + change[2] + turn * row[1]];
+            let (sine, cosine) = sine_cosine(turn);
+            self.trial.rows[index] = [twist, bend[0] * cosine + bend[1] * sine, bend[1] * cosine - bend[0] * sine];
         }
     }
 }

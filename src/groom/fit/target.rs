@@ -127,7 +127,7 @@ fn root_rotation(polyline: &Polyline, root: &FitRoot, normal: Option<Vector3<f64
             }
             return Ok(*frame);
         }
-        FitRoot::Curve => polyline.direction(0),
+        FitRoot::Curve => polyline.direction(),
         FitRoot::Direction(direction) => {
             for axis in 0..3 {
                 check_finite(|| format!("root.direction[{axis}]"), direction[axis])?;
