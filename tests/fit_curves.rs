@@ -222,6 +222,7 @@ fn a_tolerance_is_kept_with_the_fewest_elements() {
 #[test]
 fn noise_is_averaged_and_not_followed() {
     // Points of a strand, each off by up to 0.5 mm along every axis: the fit is closer to the strand than they are.
+    // (Its root is one of them.)
     let mut def = StrandDef::straight(0.2, 3);
     def.natural = vec![[5.0, 20.0, 0.0], [0.0, 15.0, 10.0], [-5.0, -10.0, 15.0]];
     let (exact, arclengths, _) = sampled(&def, 60);
@@ -231,7 +232,7 @@ fn noise_is_averaged_and_not_followed() {
     let fitted = fit(&with_arclengths(&noisy, &arclengths), &options);
     let off = distance_from(&fitted, &exact, &arclengths);
     println!("noise 0.5 mm: {:.2e} m from the noisy points (largest), {off:.2e} m from the strand", fitted.max_error);
-    assert!(off < 0.0005 && fitted.max_error > off, "{off:e}");
+    assert!(off < 0.0005 * 3.0_f64.sqrt() && fitted.max_error > off, "{off:e}");
 
     // Ten thousand points closer together than the noise: the edges zigzag to many times the length. Told of the noise, the fit measures
     // along the middle.

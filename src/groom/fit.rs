@@ -255,7 +255,7 @@ pub fn fit_curve(curve: &FitCurve<'_>, options: &FitOptions, scratch: &mut FitSc
 /// Weight of a strand's own twist, ∫ (κ0 L)² ds against the mean squared distance, both in units of the length: a twist that moves the
 /// centreline by less than what it costs is noise, and an element that turns by many radians for nothing cannot bend its axis when it is
 /// simulated. The search charges less of it the closer the strand comes, so that exact helices are found exactly.
-const TWIST_WEIGHT: f64 = 4e-9;
+const TWIST_WEIGHT: f64 = 1e-8;
 /// Weight of (ℓ − L/N)² (N/L)², summed over the elements, against the mean squared distance in units of the length: nodes whose place does not
 /// matter stay.
 const SPACING_WEIGHT: f64 = 1e-8;

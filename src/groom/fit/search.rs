@@ -38,7 +38,7 @@ pub(super) struct Scratch {
 const RIDGE: f64 = 1e-12;
 /// The first damping.
 const FIRST_DAMPING: f64 = 1e-6;
-/// Below this mean squared distance twist is charged in proportion to it: noise of that size is what the charge is for.
+/// Below this mean squared distance twist and spacing are charged in proportion to it: noise of that size is what the charge is for.
 const CHARGED_WHOLE: f64 = 1e-6;
 /// No frame turns about its tangent by more than this in an iteration, rad: beyond it lie other minima, mostly worse ones.
 const TURN_LIMIT: f64 = 0.5;
@@ -54,9 +54,10 @@ impl Scratch {
         self.state.place(shape, samples, &weights);
         let mut slow = 0;
         for _ in 0..search.iterations {
-            let charged = search.weights.twist * (self.state.distance / CHARGED_WHOLE).min(1.0);
-            if charged != weights.twist {
-                weights.twist = charged;
+            let share = (self.state.distance / CHARGED_WHOLE).min(1.0);
+            if share < 1.0 || weights.twist < search.weights.twist {
+                weights.twist = search.weights.twist * share;
+                weights.spacing = search.weights.spacing * share;
                 self.state.place(shape, samples, &weights);
             }
             self.iterations += 1;
