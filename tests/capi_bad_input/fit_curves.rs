@@ -34,15 +34,15 @@ impl Scene {
 #[rustfmt::skip] // a table: one case a line
 pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_fit_options_init", "options", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_fit_options_init(null_mut(), size_of::<shx_fit_options>()) });
-    case!(cases, "shx_fit_options_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| { shx_fit_options_init(s.out(), 0) });
-    case!(cases, "shx_fit_options_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| { shx_fit_options_init(s.out(), size_of::<shx_fit_options>() - 8) });
-    case!(cases, "shx_fit_options_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| { shx_fit_options_init(s.out(), size_of::<shx_fit_options>() + 4) });
-    case!(cases, "shx_fit_options_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| { shx_fit_options_init(s.out(), usize::MAX) });
+    case!(cases, "shx_fit_options_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), 0));
+    case!(cases, "shx_fit_options_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), size_of::<shx_fit_options>() - 8));
+    case!(cases, "shx_fit_options_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), size_of::<shx_fit_options>() + 4));
+    case!(cases, "shx_fit_options_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), usize::MAX));
     case!(cases, "shx_fit_curves_init", "curves", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_fit_curves_init(null_mut(), size_of::<shx_fit_curves>()) });
-    case!(cases, "shx_fit_curves_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| { shx_fit_curves_init(s.out(), 0) });
-    case!(cases, "shx_fit_curves_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| { shx_fit_curves_init(s.out(), size_of::<shx_fit_curves>() - 8) });
-    case!(cases, "shx_fit_curves_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| { shx_fit_curves_init(s.out(), size_of::<shx_fit_curves>() + 4) });
-    case!(cases, "shx_fit_curves_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| { shx_fit_curves_init(s.out(), usize::MAX) });
+    case!(cases, "shx_fit_curves_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_curves_init(s.out(), 0));
+    case!(cases, "shx_fit_curves_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_curves_init(s.out(), size_of::<shx_fit_curves>() - 8));
+    case!(cases, "shx_fit_curves_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_curves_init(s.out(), size_of::<shx_fit_curves>() + 4));
+    case!(cases, "shx_fit_curves_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_curves_init(s.out(), usize::MAX));
     case!(cases, "shx_fit_strands", "options", "struct_size 0", SHX_ERROR_STRUCT_SIZE, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.struct_size = 0; fit(s, &options, &curves) });
     case!(cases, "shx_fit_strands", "options", "element_count 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.element_count = 0; fit(s, &options, &curves) });
     case!(cases, "shx_fit_strands", "options", "element_count 100_001", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.element_count = 100_001; fit(s, &options, &curves) });
