@@ -38,10 +38,10 @@ def methods():
     for row in rows("groom_fit_methods.csv"):
         key = (row["groom"], row["elements"])
         lines.append(((row["groom"].replace("_", " "), row["elements"]) if key != last else ("", ""))
-                     + (row["method"], f"{percent(row['rms50'])} / {percent(row['rms95'])}",
+                     + (row["method"], row["strands"], f"{percent(row['rms50'])} / {percent(row['rms95'])}",
                         f"{percent(row['max50'])} / {percent(row['max95'])} / {percent(row['max100'])}", f"{float(row['microseconds']):.0f}"))
         last = key
-    put(table(("groom", "N", "method", "rms, %: 50 / 95", "largest, %: 50 / 95 / 100", "µs a strand"), lines), "methods")
+    put(table(("groom", "N", "method", "strands", "rms, %: 50 / 95", "largest, %: 50 / 95 / 100", "µs a strand"), lines), "methods")
 
 
 def tolerances():

@@ -74,7 +74,7 @@ struct Piece {
 }
 
 impl Piece {
-    /// The shortest helix between two points with these tangents, which make the same angle with the chord.
+    /// The helix that turns least out of the plane between two points with these tangents, which make the same angle with the chord.
     fn between(from: Vector3<f64>, to: Vector3<f64>, t0: Vector3<f64>, t1: Vector3<f64>) -> Option<Self> {
         let chord = to - from;
         let size = chord.norm();
@@ -110,7 +110,7 @@ impl Piece {
         let mut best: Option<f64> = None;
         for side in [1.0, -1.0] {
             let (mut low, mut value) = (0.0, miss(0.0));
-            for step in 1..=60 {
+            for step in 1..=120 {
                 let high = side * 0.026 * f64::from(step);
                 let next = miss(high);
                 if value * next <= 0.0 && (value - next).abs() < 1.0 {

@@ -25,19 +25,19 @@ type Method = fn(&[Vector3<f64>], usize) -> Option<Errors>;
 pub const METHODS: [(&str, Method); 7] = [
     ("sequential", sequential::fit),
     ("floating tangents", floating_tangents::fit),
-    ("whole curve, equal lengths, one start", |points, elements| {
+    ("whole curve: equal lengths; one start", |points, elements| {
         ours(points, FitOptions { lengths: ElementLengths::Equal, starts: 1, ..FitOptions::elements(elements) })
     }),
-    ("whole curve, equal lengths, no twist", |points, elements| {
+    ("whole curve: equal lengths; no twist", |points, elements| {
         ours(points, FitOptions { lengths: ElementLengths::Equal, twist: false, ..FitOptions::elements(elements) })
     }),
-    ("whole curve, free lengths, one start", |points, elements| {
+    ("whole curve: free lengths; one start", |points, elements| {
         ours(points, FitOptions { lengths: ElementLengths::Free, starts: 1, ..FitOptions::elements(elements) })
     }),
-    ("whole curve, lengths where needed, four starts (the default)", |points, elements| {
+    ("whole curve: lengths where needed; four starts (the default)", |points, elements| {
         ours(points, FitOptions::elements(elements))
     }),
-    ("whole curve, free lengths, eight starts to the end", |points, elements| {
+    ("whole curve: free lengths; eight starts to the end", |points, elements| {
         ours(points, FitOptions { lengths: ElementLengths::Free, starts: 8, good: 0.0, ..FitOptions::elements(elements) })
     }),
 ];

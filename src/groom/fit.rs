@@ -277,6 +277,8 @@ impl FitScratch {
             weights: Weights { twist: TWIST_WEIGHT, normal: options.frame_weight.powi(2), spacing: SPACING_WEIGHT },
             iterations,
             least_gain,
+            // What is a thousandth of good needs no polish.
+            enough: (1e-3 * options.good).powi(2),
             least_length: options.least_length,
         };
         self.target.coarsen(count);

@@ -58,6 +58,10 @@ pub(super) struct State {
     first: Vec<usize>,
     /// Weighted mean of the squared distances.
     pub distance: f64,
+    /// What else is weighed, without its weights.
+    twist: f64,
+    angles: f64,
+    spacing: f64,
     /// All that is minimised.
     pub cost: f64,
 }
@@ -105,8 +109,14 @@ impl State {
             self.elements.push(element);
         }
         self.first.push(next);
-        self.distance = distance;
-        self.cost = distance + weights.normal * angles + weights.twist * twist + weights.spacing * spacing;
+        (self.distance, self.twist, self.angles, self.spacing) = (distance, twist, angles, spacing);
+        self.weigh(weights);
+    }
+
+    /// Takes other weights.
+    pub fn weigh(&mut self, weights: &Weights) {
+        let others = weights.normal * self.angles + weights.twist * self.twist + weights.spacing * self.spacing;
+        self.cost = self.distance + others;
     }
 }
 

@@ -18,6 +18,8 @@ pub(super) struct Search {
     pub iterations: usize,
     /// An iteration that gains less of the cost than this is the last.
     pub least_gain: f64,
+    /// A mean squared distance below this is as good as none.
+    pub enough: f64,
     /// The least length of an element, in those of equal elements.
     pub least_length: f64,
 }
@@ -30,8 +32,6 @@ pub(super) struct Scratch {
     trial: Shape,
     elimination: Elimination,
     step: Step,
-    /// Iterations so far.
-    pub iterations: usize,
 }
 
 /// Springs that always hold back what the samples do not see, against the mean squared distance.
@@ -54,13 +54,15 @@ impl Scratch {
         self.state.place(shape, samples, &weights);
         let mut slow = 0;
         for _ in 0..search.iterations {
+            if self.state.distance < search.enough {
+                break;
+            }
             let share = (self.state.distance / CHARGED_WHOLE).min(1.0);
             if share < 1.0 || weights.twist < search.weights.twist {
                 weights.twist = search.weights.twist * share;
                 weights.spacing = search.weights.spacing * share;
-                self.state.place(shape, samples, &weights);
+                self.state.weigh(&weights);
             }
-            self.iterations += 1;
             let mut gained = 0.0;
             for _ in 0..TRIALS {
                 let springs = Damping {
