@@ -25,11 +25,10 @@ def grooms():
         head = (row["groom"].replace("_", " "), row["strands"], f"{float(row['turning_degrees']):.0f}")
         lines.append((head if row["groom"] != last else ("", "", "")) + (row["elements"],)
                      + tuple(" / ".join(percent(row[f"{norm}{rank}"]) for rank in (50, 95, 99, 100)) for norm in ("rms", "max"))
-                     + (percent(row["distance95"]), f"{100 * int(row['unequal']) / int(row['strands']):.0f}", f"{float(row['seconds']):.2f}"))
+                     + (percent(row["distance95"]), f"{100 * int(row['unequal']) / int(row['strands']):.0f}", f"{float(row['processor_seconds']):.2f}"))
         last = row["groom"]
-    threads = rows("groom_fit.csv")[0]["threads"]
     put(table(("groom", "strands", "turning, degrees", "N", "rms, %: 50 / 95 / 99 / 100", "largest, %: 50 / 95 / 99 / 100",
-               "nearest, %: 95", "unequal, %", f"seconds, {threads} threads"), lines), "grooms")
+               "nearest, %: 95", "unequal, %", "processor time, s"), lines), "grooms")
 
 
 def methods():
@@ -47,9 +46,9 @@ def methods():
 def tolerances():
     lines = [(row["groom"].replace("_", " "), percent(row["tolerance"]), row["strands"], f"{float(row['elements50']):.0f}",
               f"{float(row['elements95']):.0f}", f"{float(row['elements100']):.0f}", row["unmet"],
-              f"{1e6 * float(row['seconds']) * int(row['threads']) / int(row['strands']):.0f}")
+              f"{1e6 * float(row['processor_seconds']) / int(row['strands']):.0f}")
              for row in rows("groom_fit_tolerance.csv")]
-    put(table(("groom", "tolerance, %", "strands", "elements: half", "95 %", "most", "not kept by 100", "µs a strand and thread"), lines),
+    put(table(("groom", "tolerance, %", "strands", "elements: half", "95 %", "most", "not kept by 100", "µs a strand"), lines),
         "tolerances")
 
 
