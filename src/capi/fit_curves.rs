@@ -48,7 +48,7 @@ pub struct shx_fit_options {
     pub good: f64,
     /// What the points may be off by, m, 0 or above: the length of a curve that zigzags by less is taken along its middle. Default 0.
     pub noise: f64,
-    /// Where curves have frames: how many metres of distance, in units of the curve's length, one radian between the frames is worth;
+    /// Where curves have frames: how many metres of distance, in units of the curve's length, one radian between the frames is worth,
     /// 0 or above. Default 3e-3.
     pub frame_weight: f64,
     /// Starts tried at most, 1 to 8. Default 4.
