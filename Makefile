@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test demo soak bench contact instructions figures tradeoff peers clean
+.PHONY: help lib test demo soak bench contact fit instructions figures tradeoff peers clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -43,6 +43,10 @@ bench: ## what the engine costs: every table of docs/performance.md, the costs t
 contact: ## what contact costs and errs by, a thousand guides on a shaken head: the tables of docs/contact.md (a few minutes)
 	@scripts/setup.sh build figures
 	scripts/bench_contact.sh
+
+fit: ## how close strands come to real grooms: the tables of docs/groom_fit.md (GROOMS=directory of .hair and .tfx, also .gz; a few minutes)
+	@scripts/setup.sh build figures
+	scripts/groom_fit.sh
 
 instructions: ## instructions an element costs, by callgrind: docs/figures/instructions.csv (INSTRUCTIONS_CHECK=1 compares with it)
 	@scripts/setup.sh test

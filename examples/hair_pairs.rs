@@ -29,7 +29,7 @@ fn groom() -> Vec<Strand> {
     let fitted = curves.strands().map(|strand| {
         let points: Vec<Vector3<f64>> =
             strand.iter().map(|p| Vector3::new(p[0].into(), p[1].into(), p[2].into()) * 0.0012).collect();
-        let fit = fit_polyline(&points, &FitOptions { element_count: 10 }).expect("a strand of the groom");
+        let fit = fit_polyline(&points, &FitOptions::elements(10)).expect("a strand of the groom");
         Strand {
             origin: fit.root.origin,
             root: fit.root.rotation.to_rotation_matrix().into_inner(),

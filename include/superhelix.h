@@ -291,6 +291,34 @@
 // A ring that the strand has slipped out of.
 #define SHX_CONSTRAINT_RELEASED 4
 
+// ---- Fitting strands -----------------------------------------------------------------------------------------------
+
+// All elements of a strand are equally long.
+#define SHX_FIT_LENGTHS_EQUAL 1
+
+// Equally long where that is good, else free. The default.
+#define SHX_FIT_LENGTHS_WHERE_NEEDED 2
+
+// Free: half the error. Strands step as fast; shx_solver_sample takes strands of equal elements side by side, others one by one.
+#define SHX_FIT_LENGTHS_FREE 3
+
+// ---- Kinds of splines ----------------------------------------------------------------------------------------------
+
+// Uniform Catmull-Rom: the curve goes through the control points; the first and the last only give directions.
+#define SHX_SPLINE_CATMULL_ROM 1
+
+// Uniform cubic B-spline.
+#define SHX_SPLINE_B 2
+
+// Cubic Bezier spans that share their end points: 3 k + 1 control points.
+#define SHX_SPLINE_BEZIER 3
+
+// A span for every four successive control points, and no more.
+#define SHX_SPLINE_ENDS_OPEN 1
+
+// The curve begins at the first control point and ends at the last: one is added beyond both, straight on.
+#define SHX_SPLINE_ENDS_PINNED 2
+
 // ---- Presets and measured scenes -----------------------------------------------------------------------------------
 
 // To see what happens while working: the motion's kind is right, its course is not.
@@ -851,6 +879,92 @@ typedef struct shx_fit {
   // The largest such distance, m.
   double max_error;
 } shx_fit;
+
+// How to fit, and by whom. Fill with shx_fit_options_init.
+typedef struct shx_fit_options {
+  // Set by shx_fit_options_init.
+  uint32_t struct_size;
+  // Helical elements a strand, 1 to 100000; with a tolerance, the most. Default 10.
+  uint32_t element_count;
+  // Above 0: the smallest number of elements for which no point is farther than this from the strand at equal arclength, m. Where
+  // element_count do not keep it, the strand has that many, and its max_error says so. 0 (default): none.
+  double tolerance;
+  // SHX_FIT_LENGTHS_. Default SHX_FIT_LENGTHS_WHERE_NEEDED.
+  uint32_t lengths;
+  // 1 (default): elements may be twisted where that brings the centreline closer. 0: no twist; material frames are carried along
+  // without turning, and elements are arcs of circles.
+  uint32_t twist;
+  // The least length of an element in those of equal ones, 0.05 to 1. Default 0.3.
+  double least_length;
+  // A start is good, and the last, when the root mean square distance is below this share of the length; 0 to 1. Default 1e-3.
+  double good;
+  // What the points may be off by, m, 0 or above: the length of a curve that zigzags by less is taken along its middle. Default 0.
+  double noise;
+  // Where curves have frames: how many metres of distance, in units of the curve's length, one radian between the frames is worth,
+  // 0 or above. Default 3e-3.
+  double frame_weight;
+  // Starts tried at most, 1 to 8. Default 4.
+  uint32_t starts;
+  // Threads: 0 or 1 (default): the calling thread; 2 to 256: a pool, there for the call alone. The results' bits do not depend on it.
+  uint32_t worker_count;
+  // Or the host's parallel loop.
+  shx_parallel_for_fn parallel_for;
+  // Handed to parallel_for.
+  void *parallel_for_user;
+  // 0.
+  uint64_t reserved[4];
+} shx_fit_options;
+
+// Curves to fit strands to. Prepare with shx_fit_curves_init, then set at least points, point_counts and curve_count. What is pointed
+// to is read during the call and not kept.
+typedef struct shx_fit_curves {
+  // Set by shx_fit_curves_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // How many curves.
+  size_t curve_count;
+  // The points of all curves, one curve after the other, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is
+  // not looked at). Doubled points are skipped.
+  shx_input points;
+  // curve_count numbers, whose sum is points.count.
+  const uint32_t *point_counts;
+  // Null (default: the sum of the edges), or the arclength of each point, m: from 0 at each root, ascending.
+  const double *arclengths;
+  // Null (default), or the hair's width at each point, m, 0 or above.
+  const double *widths;
+  // count 0 (default), or a material frame at each point (SHX_FORMAT_FRAME, of which the rotation counts, or _F32X4, _F64X4:
+  // quaternions x, y, z, w): the strands' n1 follow the images of the y axis as well as they can.
+  shx_input frames;
+  // count 0 (default: from the curve), or for each curve the root's frame (formats as frames), or the direction in which the strand
+  // leaves (SHX_FORMAT_F32X3, _F64X3; any length above zero).
+  shx_input roots;
+  // 0.
+  uint64_t reserved[4];
+} shx_fit_curves;
+
+// A strand that was fitted to a curve, beside its element lengths and curvatures.
+typedef struct shx_fitted_strand {
+  // SHX_OK, or why the curve could not be fitted (SHX_ERROR_INVALID_ARGUMENT: no length, numbers that are not finite, ...); then
+  // the rest is 0.
+  shx_result status;
+  // How many elements the strand has.
+  uint32_t element_count;
+  // Root frame: the curve's first point.
+  shx_frame root;
+  // m.
+  double length;
+  // Root mean square distance between the curve's points and the strand at equal arclength, m.
+  double rms_error;
+  // The largest such distance, m.
+  double max_error;
+  // The largest distance of the curve's points from the strand, wherever on it the nearest place is, m.
+  double max_distance;
+  // Root mean square angle between n1 and the curve's frames, rad; 0 without frames.
+  double frame_error;
+  // Half the mean width, m; 0 without widths.
+  double radius;
+} shx_fitted_strand;
 
 // Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
 // integrator, max_iterations, max_subdivisions and the three tolerances into a shx_solver_def, element_count into a
@@ -1523,6 +1637,37 @@ SHX_API shx_result shx_fit_polyline(const shx_input *polyline, uint32_t element_
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
 SHX_API shx_result shx_fit_natural_curvatures(const shx_strand_def *def, const double *curvatures, size_t count,
     const double gravity[3], double *out_natural);
+
+// ---- Fitting strands to many curves --------------------------------------------------------------------------------
+
+// Prepares a shx_fit_options. size is sizeof(shx_fit_options).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_fit_options_init(shx_fit_options *options, size_t size);
+
+// Prepares a shx_fit_curves. size is sizeof(shx_fit_curves).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_fit_curves_init(shx_fit_curves *curves, size_t size);
+
+// Fits a strand to each of many curves, on as many threads as options say (null: the defaults). Item i of strands (stride bytes apart,
+// 0: packed) says what came of curve i; a curve that cannot be fitted has its status and leaves the others alone. The rows of curve i
+// begin at i * options.element_count, both in out_element_lengths (m) and out_curvatures (rad/m, rows of three doubles); what a strand
+// has fewer elements than that is filled with 0. capacity says how many elements both hold: at least curve_count *
+// options.element_count. Put them into shx_strand_def.root, .element_lengths and .natural (or .initial).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL,
+// SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
+SHX_API shx_result shx_fit_strands(const shx_fit_options *options, const shx_fit_curves *curves,
+    shx_fitted_strand *strands, size_t stride, double *out_element_lengths, double *out_curvatures, size_t capacity);
+
+// ---- Splines -------------------------------------------------------------------------------------------------------
+
+// Makes points of a cubic curve: per_span (1 to 1024) a span and one more, evenly spaced in its parameter, and the arclength of each,
+// which is the curve's own. kind is SHX_SPLINE_, ends is SHX_SPLINE_ENDS_ (Bezier: either). controls holds at least 4 control points,
+// pinned at least 2 (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is not looked at). How many points there are goes to
+// out_count; to ask for it alone give null for points and out_arclengths. points: SHX_FORMAT_F32X3, _F64X3; out_arclengths (null: not
+// wanted) holds as many doubles as there are points. Give both to shx_fit_strands.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_spline_points(uint32_t kind, uint32_t ends, const shx_input *controls, uint32_t per_span,
+    const shx_output *points, double *out_arclengths, size_t *out_count);
 
 // ---- Settings ------------------------------------------------------------------------------------------------------
 

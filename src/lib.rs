@@ -12,3 +12,4 @@ pub mod rod;
 pub mod solver;
 pub mod step;
 pub mod study;
+pub mod workers;

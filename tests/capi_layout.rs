@@ -10,6 +10,7 @@ use superhelix::capi::{
     contact::{shx_contact_options, shx_strand_contact},
     contacts::shx_contact,
     fit::shx_fit,
+    fit_curves::{shx_fit_curves, shx_fit_options, shx_fitted_strand},
     friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
     sampling::shx_sample_def,
     settings::shx_settings,
@@ -54,6 +55,9 @@ fn every_size_and_offset_is_as_published() {
         shx_suggest_def: 64 { struct_size: 0, max_elements: 4, tolerance: 8, gravity: 16, motion: 40, motion_count: 48, motion_interval: 56 }
         shx_suggestion: 40 { struct_size: 0, element_count: 4, met: 8, reserved: 12, rest_error: 16, motion_error: 24, turn: 32 }
         shx_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
+        shx_fit_options: 112 { struct_size: 0, element_count: 4, tolerance: 8, lengths: 16, twist: 20, least_length: 24, good: 32, noise: 40, frame_weight: 48, starts: 56, worker_count: 60, parallel_for: 64, parallel_for_user: 72, reserved: 80 }
+        shx_fit_curves: 168 { struct_size: 0, reserved0: 4, curve_count: 8, points: 16, point_counts: 48, arclengths: 56, widths: 64, frames: 72, roots: 104, reserved: 136 }
+        shx_fitted_strand: 112 { status: 0, element_count: 4, root: 8, length: 64, rms_error: 72, max_error: 80, max_distance: 88, frame_error: 96, radius: 104 }
         shx_friction_def: 256 { struct_size: 0, observable: 4, coefficients: 8, start: 12, direction: 16, internal_friction_range: 40, viscosity_range: 56, air_drag_range: 72, internal_friction_guess: 88, viscosity_guess: 96, air_drag_guess: 104, lead_in: 112, discard: 120, time_step: 128, grid_points: 136, fit_offset: 140, max_iterations: 144, reserved0: 148, oscillation_amplitude: 152, oscillation_frequency: 160, oscillation_phase: 168, oscillation_direction: 176, root_times: 200, root_frames: 208, root_count: 216, reserved: 224 }
         shx_fitted_coefficient: 48 { verdict: 0, reserved: 4, value: 8, standard_error: 16, step_shift: 24, excluded_below: 32, excluded_above: 40 }
         shx_friction_report: 200 { struct_size: 0, converged: 4, internal_friction: 8, viscosity: 56, air_drag: 104, rms_residual: 152, noise: 160, residual_correlation: 168, offset: 176, simulations: 184, unconverged: 188, first_compared: 192, compared: 196 }

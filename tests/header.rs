@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 26] = [
+const SOURCES: [&str; 28] = [
     "version",
     "errors",
     "types",
@@ -27,6 +27,8 @@ const SOURCES: [&str; 26] = [
     "constraints",
     "state",
     "fit",
+    "fit_curves",
+    "spline",
     "settings",
     "friction_fit",
     "suggest",
@@ -34,7 +36,7 @@ const SOURCES: [&str; 26] = [
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 34] = [
+const SECTIONS: [(&str, &str); 38] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -45,6 +47,8 @@ const SECTIONS: [(&str, &str); 34] = [
     ("#define SHX_CONTACT_PENALTY ", "Models of contact"),
     ("#define SHX_PARTNER_BODY ", "What a strand met"),
     ("#define SHX_HOLD_POINT ", "Constraints"),
+    ("#define SHX_FIT_LENGTHS_EQUAL ", "Fitting strands"),
+    ("#define SHX_SPLINE_CATMULL_ROM ", "Kinds of splines"),
     ("#define SHX_PRESET_PREVIEW ", "Presets and measured scenes"),
     ("#define SHX_OBSERVABLE_SPAN ", "Fitting friction"),
     ("typedef struct shx_curves ", "Handles"),
@@ -65,6 +69,8 @@ const SECTIONS: [(&str, &str); 34] = [
     ("SHX_API shx_result shx_constraint_def_init(", "Constraints"),
     ("SHX_API shx_result shx_solver_snapshot(", "State"),
     ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
+    ("SHX_API shx_result shx_fit_options_init(", "Fitting strands to many curves"),
+    ("SHX_API shx_result shx_spline_points(", "Splines"),
     ("SHX_API shx_result shx_settings_init(", "Settings"),
     ("SHX_API shx_result shx_friction_def_init(", "Fitting friction to recorded curves"),
     ("SHX_API shx_result shx_suggest_def_init(", "Choosing the number of elements"),

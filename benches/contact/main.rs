@@ -54,7 +54,7 @@ fn guides(head: &Shape) -> Outcome<Vec<StrandDef>> {
         if is_in(head, &points) {
             continue;
         }
-        let fit = fit_polyline(&points, &FitOptions { element_count: ELEMENTS })?;
+        let fit = fit_polyline(&points, &FitOptions::elements(ELEMENTS))?;
         let mut def = StrandDef::straight(1.0, ELEMENTS);
         def.element_lengths.clone_from(&fit.element_lengths);
         def.natural.clone_from(&fit.curvatures);

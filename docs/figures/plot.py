@@ -32,8 +32,9 @@ def save(figure, name):
 def put(lines, page, name):
     """Puts a table between a page's markers."""
     page = DOCS / page
-    start, end = f"<!-- {name}: made by make figures -->\n", f"<!-- end of {name} -->"
-    before, rest = page.read_text().split(start)
+    text, end = page.read_text(), f"<!-- end of {name} -->"
+    start = next(line + "\n" for line in text.splitlines() if line.startswith(f"<!-- {name}: made by "))
+    before, rest = text.split(start)
     _, after = rest.split(end)
     page.write_text(before + start + "\n".join(lines) + "\n" + end + after)
     print(f"docs/{page.name}: table of {name}")

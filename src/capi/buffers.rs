@@ -309,6 +309,13 @@ impl Reader {
         [0, 1, 2].map(|axis| self.number(index, axis))
     }
 
+    /// The rotation of an item of any format of frames.
+    pub(crate) fn rotation(&self, argument: &str, index: usize) -> Result<nalgebra::UnitQuaternion<f64>> {
+        let first = if self.format == SHX_FORMAT_FRAME { 3 } else { 0 };
+        let rotation = [0, 1, 2, 3].map(|position| self.number(index, first + position));
+        Ok(Frame::from_arrays(&format!("{argument}[{index}]"), [0.0; 3], rotation)?.rotation)
+    }
+
     /// An item of SHX_FORMAT_FRAME.
     pub(crate) fn frame(&self, argument: &str, index: usize) -> Result<Frame> {
         assert_eq!(self.format, SHX_FORMAT_FRAME);

@@ -90,7 +90,7 @@ pub unsafe extern "C" fn shx_fit_polyline(
         };
         lengths.check_room(element_count)?;
         let points: Vec<Vector3<f64>> = (0..reader.count()).map(|index| reader.point(index).into()).collect();
-        let fit = fit_polyline(&points, &FitOptions { element_count })?;
+        let fit = fit_polyline(&points, &FitOptions::elements(element_count))?;
         lengths.write(&fit.element_lengths)?;
         rows.write(&fit.curvatures)?;
         fit_output.write(&shx_fit {

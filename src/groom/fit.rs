@@ -1,320 +1,347 @@
-//! A strand from a polyline: the Super-Helix whose centreline comes closest at equal arclength.
+//! A strand from a curve: the Super-Helix whose centreline comes closest at equal arclength.
 //!
-//! Two starts: the polyline's turning without twist, spread over the elements; and element by element from the root, the three
-//! curvatures of each found from several guesses (the element before, the mean turning, and that with the twist of a helix to either
-//! side), so that a curl is not mistaken for a straight line. From each start all curvatures and the root's direction together, by
-//! Levenberg and Marquardt's method on the squared distance; its linear systems are those of a step (a spring from every quadrature
-//! point to the polyline) and take linear time. The better end is kept.
+//! The squared distance at the curve's points, weighted by the length that each stands for, is minimised over the elements' curvatures, where
+//! the elements begin and end, and the root's direction, by Levenberg and Marquardt's method. Its linear systems take linear time, as those of
+//! a step do (`fit/linearised.rs`). The length is the curve's, by construction. Several starts are tried until one is good: helices that the
+//! curve's curvature resembles, an element at a time, on nodes where the curvature varies and on others (`fit/start.rs`). `docs/groom_fit.md`
+//! has what that leaves on real grooms, beside other methods.
+
+pub mod bulk;
+mod linearised;
+mod measure;
+mod samples;
+mod search;
+mod shape;
+mod start;
+mod target;
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
-use super::polyline::Polyline;
 pub use super::rest_shape::{natural_under_gravity, natural_under_gravity_with};
-use crate::chain::elimination::Elimination;
-use crate::chain::system::{ChainSystem, LinearSolve};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_finite, check_positive};
 use crate::math::frame::Frame;
-use crate::math::quadrature::Rule;
-use crate::math::rotation::from_rotation_vector;
-use crate::math::vector::{Mat3, Vec3};
 use crate::rod::definition::MAX_ELEMENTS;
-use crate::rod::kinematics::Kinematics;
+use linearised::{Freedom, Weights};
+use measure::Errors;
+use search::Search;
+use shape::Shape;
+use start::{Kind, Nodes};
+use target::Target;
 
 /// How to fit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitOptions {
-    /// Helical elements of the fitted strand, 1 to [`MAX_ELEMENTS`].
+    /// Helical elements of the fitted strand, 1 to [`MAX_ELEMENTS`]; with a tolerance, the most. Default 10.
     pub element_count: usize,
+    /// The smallest number of elements for which no point of the curve is farther than this from the strand at equal arclength, m; found by
+    /// doubling and halving, so that it keeps the tolerance and one element less does not. Where even [`FitOptions::element_count`] do not keep
+    /// it, the fit has that many and its [`Fit::max_error`] says so. Default: none.
+    pub tolerance: Option<f64>,
+    /// Whether elements may differ in length. Default [`ElementLengths::WhereNeeded`].
+    pub lengths: ElementLengths,
+    /// The least length of an element in those of equal ones, 0.05 to 1. Default 0.3.
+    pub least_length: f64,
+    /// Whether elements may be twisted. Without twist (κ0 = 0) the material frames are those carried along the centreline without turning
+    /// about it, and elements are arcs of circles; with it there is no more than brings the centreline closer. Default true.
+    pub twist: bool,
+    /// How many starts are tried at most, 1 to [`MAX_STARTS`]. Default 4.
+    pub starts: usize,
+    /// A start is good, and the last, when the root mean square distance is below this share of the length; 0 to 1. Default 1e-3.
+    /// 0: every start is tried and every search goes on to its end, at ten times the time.
+    pub good: f64,
+    /// What the points may be off by, m; 0 or above. Where the curve zigzags by noise its edges add up to more than its length: with this
+    /// the length and the arclengths are taken along the means of runs of points that are eight times as long. Default 0. The noise of
+    /// curves with arclengths of their own is left as it is.
+    pub noise: f64,
+    /// Where the curve has frames: how many metres of distance, in units of its length, one radian between the frames is worth; 0 or above.
+    /// Default 3e-3.
+    pub frame_weight: f64,
+}
+
+/// The most starts there are.
+pub const MAX_STARTS: usize = start::KINDS.len();
+
+impl Default for FitOptions {
+    fn default() -> Self {
+        Self {
+            element_count: 10,
+            tolerance: None,
+            lengths: ElementLengths::WhereNeeded,
+            least_length: 0.3,
+            twist: true,
+            starts: 4,
+            good: 1e-3,
+            noise: 0.0,
+            frame_weight: 3e-3,
+        }
+    }
+}
+
+impl FitOptions {
+    /// The default way to that number of elements.
+    pub fn elements(element_count: usize) -> Self {
+        Self { element_count, ..Self::default() }
+    }
+
+    /// The smallest number of elements up to `most` that keeps a tolerance, m.
+    pub fn within(tolerance: f64, most: usize) -> Self {
+        Self { element_count: most, tolerance: Some(tolerance), ..Self::default() }
+    }
+
+    /// Checks every value; `argument` is the name put before the field in the message, with its dot.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for the first that is out of range.
+    pub fn check(&self, argument: &str) -> Result<()> {
+        let name = |field: &str| format!("{argument}{field}");
+        if !(1..=MAX_ELEMENTS).contains(&self.element_count) {
+            return Err(Error::invalid(name("element_count"), self.element_count, format!("1 to {MAX_ELEMENTS}")));
+        }
+        if let Some(tolerance) = self.tolerance {
+            check_positive(|| name("tolerance"), tolerance)?;
+        }
+        if !(0.05..=1.0).contains(&self.least_length) {
+            return Err(Error::invalid(name("least_length"), self.least_length, "0.05 to 1"));
+        }
+        if !(1..=MAX_STARTS).contains(&self.starts) {
+            return Err(Error::invalid(name("starts"), self.starts, format!("1 to {MAX_STARTS}")));
+        }
+        if !(0.0..=1.0).contains(&self.good) {
+            return Err(Error::invalid(name("good"), self.good, "0 to 1"));
+        }
+        for (field, value) in [("noise", self.noise), ("frame_weight", self.frame_weight)] {
+            check_finite(|| name(field), value)?;
+            if value < 0.0 {
+                return Err(Error::invalid(name(field), value, "0 or above"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether a strand's elements may differ in length.
+///
+/// Free lengths halve the error. A strand steps as fast with them, but [`Solver::sample_tiles`](crate::solver::Solver::sample_tiles) takes
+/// strands of equal elements side by side and others one by one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ElementLengths {
+    /// All are equally long.
+    Equal,
+    /// Equally long where that is good ([`FitOptions::good`], or the tolerance), else free.
+    #[default]
+    WhereNeeded,
+    /// Free.
+    Free,
+}
+
+/// Where a strand's root frame comes from. Its origin is the curve's first point.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum FitRoot {
+    /// From the curve: its direction is fitted with the rest, beginning with the first edge's; n1 is as near as can be to a world axis that
+    /// the edge is far from, or to that of the curve's first frame.
+    #[default]
+    Curve,
+    /// The strand leaves in this direction, of any length above zero: the follicle's. n1 as above.
+    Direction(Vector3<f64>),
+    /// The root has this frame: the scalp's, for example.
+    Frame(UnitQuaternion<f64>),
+}
+
+/// A curve to fit a strand to. Splines are made into points first: [`crate::groom::spline`].
+#[derive(Debug, Clone, Copy)]
+pub struct FitCurve<'a> {
+    /// Points in metres, root first; at least two distinct ones. Doubled points are skipped, with what is given for them below.
+    pub points: &'a [Vector3<f64>],
+    /// The arclength of each point, m, where it is known better than by the sum of the edges: from 0, ascending.
+    pub arclengths: Option<&'a [f64]>,
+    /// A material frame at each point, of which n1 counts (the image of the y axis): the strand's frames follow them as well as they can
+    /// ([`FitOptions::frame_weight`]). A helix that bends cannot also turn its frame freely.
+    pub frames: Option<&'a [UnitQuaternion<f64>]>,
+    /// The hair's width at each point, m, 0 or above.
+    pub widths: Option<&'a [f64]>,
+    /// Where the root frame comes from.
+    pub root: FitRoot,
+}
+
+impl<'a> FitCurve<'a> {
+    /// A polyline and no more.
+    pub fn polyline(points: &'a [Vector3<f64>]) -> Self {
+        Self { points, arclengths: None, frames: None, widths: None, root: FitRoot::Curve }
+    }
 }
 
 /// A fitted strand.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
-    /// Root frame: at the first point; its direction begins as the first edge's and is fitted with the rest.
+    /// Root frame: at the first point.
     pub root: Frame,
-    /// Element lengths, m; their sum is the polyline's length.
+    /// Element lengths, m; their sum is the curve's length to rounding.
     pub element_lengths: Vec<f64>,
-    /// Curvature rows.
+    /// Curvature rows, rad/m.
     pub curvatures: Vec<[f64; 3]>,
-    /// Root mean square of the distance between the polyline's points and the centreline at the same arclength, m.
+    /// Root mean square of the distance between the curve's points and the centreline at the same arclength, m.
     pub rms_error: f64,
     /// The largest such distance, m.
     pub max_error: f64,
+    /// The largest distance of the curve's points from the centreline, wherever on it the nearest place is, m; no more than `max_error`.
+    /// Searched for downhill from equal arclength: not below the true distance.
+    pub max_distance: f64,
+    /// Root mean square of the angle between n1 of the strand and of the curve's frames about the tangent, rad; 0 without frames.
+    pub frame_error: f64,
+    /// Half the mean width along the curve, m; `None` without widths.
+    pub radius: Option<f64>,
 }
 
-/// Weight of the pull towards the present curvatures that keeps unobservable ones (twist of a straight piece) where they are,
-/// against the squared distance, both without dimension.
-const RIDGE: f64 = 1e-9;
+/// Memory for fitting, used again from strand to strand.
+#[derive(Default)]
+pub struct FitScratch {
+    search: search::Scratch,
+    start: start::Scratch,
+    target: Target,
+    shape: Shape,
+    best: Shape,
+}
 
-/// Weight of a strand's own twist, (κ0 L)² against the squared distance over L²: a twist that moves the centreline by less than what it
-/// costs is noise, and an element that turns by many radians for nothing cannot bend its axis when it is simulated. A curl of sixty
-/// radians is worth 4e-3 L of distance in its cost and moves by far less, since the distance is stiff there.
-const TWIST_WEIGHT: f64 = 4e-9;
+impl std::fmt::Debug for FitScratch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("FitScratch").finish_non_exhaustive()
+    }
+}
 
-/// Fits a strand to a polyline of at least two distinct points, in metres, root first. Doubled points are skipped.
+/// Fits a strand to a polyline of at least two distinct points, in metres, root first.
 ///
 /// # Errors
-/// [`Error::InvalidArgument`] for points that are not finite, fewer than two distinct ones, or a number of elements out of range.
+/// [`Error::InvalidArgument`] for points that are not finite, fewer than two distinct ones, or options out of range.
 pub fn fit_polyline(points: &[Vector3<f64>], options: &FitOptions) -> Result<Fit> {
-    let count = options.element_count;
-    if count == 0 || count > MAX_ELEMENTS {
-        return Err(Error::invalid("element_count", count, format!("1 to {MAX_ELEMENTS}")));
-    }
-    let polyline = Polyline::new(points)?;
-    let length = polyline.length();
-    let lengths = vec![length / count as f64; count];
-    let root = polyline.root_rotation();
-    let turnings = polyline.turnings(root);
-    // An element's share of the turning says how many points it needs; a polyline's corners need no more.
-    let turning: f64 = turnings.iter().map(|(_, turn)| turn.norm()).sum();
-    let nodes = (8.0 + turning / count as f64).min(24.0) as usize;
-    let rule = Rule::gauss_legendre(nodes);
-
-    let matrix = Mat3::from(root.to_rotation_matrix().into_inner());
-    let mut problem = Problem { polyline: &polyline, rule: &rule, scale: length, work: Work::default() };
-    let mut starts = vec![spread(&polyline, &turnings, &lengths)];
-    if 3 * count <= polyline.points.len() {
-        // With fewer points than that an element sees little but noise.
-        starts.push(problem.element_by_element(&matrix, &lengths, &turnings));
-    }
-    let mut best: Option<(f64, Vec<[f64; 3]>, Mat3<f64>)> = None;
-    for start in starts {
-        let (rows, turned) = problem.refine(&lengths, matrix, start);
-        let cost = problem.cost(&lengths, &turned, &rows);
-        if best.as_ref().is_none_or(|(least, _, _)| cost < *least) {
-            best = Some((cost, rows, turned));
-        }
-    }
-    let (_, curvatures, matrix) = best.unwrap_or_else(|| (0.0, vec![[0.0; 3]; count], matrix));
-
-    let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(matrix.into()));
-    let (rms_error, max_error) = distances(&polyline, &matrix, &lengths, &curvatures);
-    Ok(Fit { root: Frame { origin: polyline.points[0], rotation }, element_lengths: lengths, curvatures, rms_error, max_error })
+    fit_curve(&FitCurve::polyline(points), options, &mut FitScratch::default())
 }
 
-/// Curvatures without twist: each corner's turning spread evenly between the middles of the edges that meet there.
-fn spread(polyline: &Polyline, turnings: &[(f64, Vector3<f64>)], lengths: &[f64]) -> Vec<[f64; 3]> {
-    let mut rows = vec![Vector3::<f64>::zeros(); lengths.len()];
-    let length = lengths[0];
-    for (corner, (arclength, turn)) in turnings.iter().enumerate() {
-        // Corner k lies between edges k and k + 1.
-        let from = 0.5 * (polyline.arclengths[corner] + arclength);
-        let to = 0.5 * (arclength + polyline.arclengths[corner + 2]);
-        let last = lengths.len() - 1;
-        let (first_element, last_element) = (((from / length) as usize).min(last), ((to / length) as usize).min(last));
-        for (element, row) in rows.iter_mut().enumerate().take(last_element + 1).skip(first_element) {
-            let (left, right) = (element as f64 * length, (element + 1) as f64 * length);
-            let shared = (right.min(to) - left.max(from)).max(0.0);
-            *row += turn * (shared / (to - from) / length);
-        }
-    }
-    rows.into_iter().map(|row| [0.0, row.y, row.z]).collect()
-}
-
-/// Root mean square and largest distance at the polyline's points.
-fn distances(polyline: &Polyline, root: &Mat3<f64>, lengths: &[f64], curvatures: &[[f64; 3]]) -> (f64, f64) {
-    let (mut frame, mut origin, mut element, mut start) = (*root, Vec3::from(polyline.points[0]), 0, 0.0);
-    let state = |index: usize, frame, origin| {
-        crate::rod::kinematics::element_state(Vec3(curvatures[index]), lengths[index], frame, origin)
+/// Fits a strand to a curve. The result does not depend on what the scratch was used for before.
+///
+/// # Errors
+/// [`Error::InvalidArgument`] for numbers that are not finite, fewer than two distinct points, lists that do not have one entry a point,
+/// arclengths that do not ascend from 0, widths below zero, a direction without length, or options out of range.
+pub fn fit_curve(curve: &FitCurve<'_>, options: &FitOptions, scratch: &mut FitScratch) -> Result<Fit> {
+    options.check("options.")?;
+    scratch.target.set(curve, options)?;
+    let Some(tolerance) = options.tolerance else {
+        let errors = scratch.fit(options.element_count, options, None);
+        return Ok(scratch.result(&errors));
     };
-    let mut now = state(0, frame, origin);
-    let (mut sum, mut largest) = (0.0, 0.0_f64);
-    for (point, arclength) in polyline.points.iter().zip(&polyline.arclengths) {
-        while *arclength > start + lengths[element] && element + 1 < lengths.len() {
-            start += lengths[element];
-            element += 1;
-            (frame, origin) = (now.frame_right(), now.origin_right());
-            now = state(element, frame, origin);
-        }
-        let off = now.point((arclength - start).min(lengths[element])).position - Vec3::from(*point);
-        sum += off.norm_squared();
-        largest = largest.max(off.norm_squared());
+    let tolerance = tolerance / scratch.target.length;
+    let (mut low, mut high) = (0, 1);
+    let mut errors = scratch.fit(high, options, Some(tolerance));
+    while errors.largest > tolerance && high < options.element_count {
+        (low, high) = (high, (2 * high).min(options.element_count));
+        errors = scratch.fit(high, options, Some(tolerance));
     }
-    ((sum / polyline.points.len() as f64).sqrt(), largest.sqrt())
+    if errors.largest > tolerance {
+        return Ok(scratch.result(&errors));
+    }
+    let mut least = scratch.result(&errors);
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        let errors = scratch.fit(middle, options, Some(tolerance));
+        if errors.largest > tolerance {
+            low = middle;
+        } else {
+            high = middle;
+            least = scratch.result(&errors);
+        }
+    }
+    Ok(least)
 }
 
-/// Scratch of the least squares.
-#[derive(Default)]
-struct Work {
-    kinematics: Kinematics<f64>,
-    system: ChainSystem<f64>,
-    elimination: Elimination<f64>,
-    targets: Vec<Vec3<f64>>,
-    change: Vec<[f64; 3]>,
-}
+/// Weight of a strand's own twist, ∫ (κ0 L)² ds against the mean squared distance, both in units of the length: a twist that moves the
+/// centreline by less than what it costs is noise, and an element that turns by many radians for nothing cannot bend its axis when it is
+/// simulated. The search charges less of it the closer the strand comes, so that exact helices are found exactly.
+const TWIST_WEIGHT: f64 = 1e-8;
+/// Weight of (ℓ − L/N)² (N/L)², summed over the elements, against the mean squared distance in units of the length: nodes whose place does not
+/// matter stay.
+const SPACING_WEIGHT: f64 = 1e-8;
+/// Iterations from one start, and of the best once more.
+const ITERATIONS: [usize; 2] = [30, 60];
+/// A search ends when two iterations have gained less of the cost than this each.
+const LEAST_GAIN: f64 = 1e-2;
+/// The same for those who are content with nothing.
+const ITERATIONS_TO_THE_END: [usize; 2] = [100, 500];
+const LEAST_GAIN_TO_THE_END: f64 = 1e-5;
 
-struct Problem<'a> {
-    polyline: &'a Polyline,
-    rule: &'a Rule,
-    /// The length by which distances and curvatures are measured.
-    scale: f64,
-    work: Work,
-}
-
-impl Problem<'_> {
-    /// A first guess: each element fitted to its stretch of the polyline, from where the ones before it ended.
-    fn element_by_element(&mut self, root: &Mat3<f64>, lengths: &[f64], turnings: &[(f64, Vector3<f64>)]) -> Vec<[f64; 3]> {
-        let (mut frame, mut origin) = (*root, Vec3::<f64>::zero());
-        let mut rows: Vec<[f64; 3]> = Vec::with_capacity(lengths.len());
-        // `turnings` are in frames without twist; `carried` turns them into the axes of the frames built here.
-        let mut start = 0.0;
-        let mut carried = 0.0_f64;
-        let mut next = 0;
-        for length in lengths {
-            let mut turn = Vector3::<f64>::zeros();
-            let mut last_angle: Option<f64> = None;
-            let (mut twist, mut turned) = (0.0, 0.0);
-            while next < turnings.len() && turnings[next].0 <= start + length {
-                let here = turnings[next].1;
-                turn += here;
-                // The bend's direction about the tangent: how it wanders is the curve's torsion.
-                let size = here.norm();
-                if size > 1e-3 {
-                    let angle = here.z.atan2(here.y);
-                    if let Some(last) = last_angle {
-                        let full = std::f64::consts::TAU;
-                        twist += (angle - last + 0.5 * full).rem_euclid(full) - 0.5 * full;
-                    }
-                    last_angle = Some(angle);
-                }
-                turned += size;
-                next += 1;
-            }
-            let mean = Vector3::new(0.0, turn.y, turn.z) / *length;
-            let (sine, cosine) = carried.sin_cos();
-            let mean = [0.0, mean.y * cosine + mean.z * sine, mean.z * cosine - mean.y * sine];
-            let mut starts = vec![mean];
-            if let Some(last) = rows.last() {
-                starts.push(*last);
-            }
-            let size = turned / length;
-            let base = (mean[1] * mean[1] + mean[2] * mean[2]).sqrt();
-            if twist.abs() > 0.3 && base > 0.0 {
-                for sign in [1.0, -1.0] {
-                    starts.push([sign * twist / length, mean[1] / base * size, mean[2] / base * size]);
-                }
-            }
-            let mut best = ([0.0; 3], f64::INFINITY);
-            for guess in starts {
-                let (row, error) = self.fit_element(start, *length, frame, origin, guess);
-                if error < best.1 {
-                    best = (row, error);
-                }
-            }
-            let element = crate::rod::kinematics::element_state(Vec3(best.0), *length, frame, origin);
-            (frame, origin) = (element.frame_right(), element.origin_right());
-            carried += best.0[0] * length;
-            rows.push(best.0);
-            start += length;
-        }
-        rows
-    }
-
-    /// One element against its stretch, from one start: its curvatures and the squared distance left.
-    fn fit_element(&mut self, start: f64, length: f64, frame: Mat3<f64>, origin: Vec3<f64>, guess: [f64; 3]) -> ([f64; 3], f64) {
-        let shifted: Vec<Vec3<f64>> = self.targets(start, &[length]).into_iter().map(|t| t - origin).collect();
-        self.work.targets = shifted;
-        let (rows, _) = self.minimise(&[length], frame, vec![guess], false, 12);
-        let error = self.cost(&[length], &frame, &rows);
-        (rows[0], error)
-    }
-
-    /// All elements together.
-    fn refine(&mut self, lengths: &[f64], root: Mat3<f64>, rows: Vec<[f64; 3]>) -> (Vec<[f64; 3]>, Mat3<f64>) {
-        self.work.targets = self.targets(0.0, lengths);
-        self.minimise(lengths, root, rows, true, 60)
-    }
-
-    /// Where the polyline is at the quadrature points, relative to its first point.
-    fn targets(&self, start: f64, lengths: &[f64]) -> Vec<Vec3<f64>> {
-        let mut out = Vec::with_capacity(lengths.len() * self.rule.len());
-        let mut left = start;
-        for length in lengths {
-            for node in &self.rule.nodes {
-                out.push(Vec3::from(self.polyline.at(left + node * length) - self.polyline.points[0]));
-            }
-            left += length;
-        }
-        out
-    }
-
-    fn cost(&mut self, lengths: &[f64], root: &Mat3<f64>, rows: &[[f64; 3]]) -> f64 {
-        self.work.kinematics.update(root, lengths, rows, self.rule);
-        let mut sum = 0.0;
-        for (p, point) in self.work.kinematics.points.iter().enumerate() {
-            let weight = self.rule.weights[p % self.rule.len()] * lengths[p / self.rule.len()];
-            sum += weight * (point.position - self.work.targets[p]).norm_squared();
-        }
-        let twist: f64 = rows.iter().zip(lengths).map(|(row, length)| row[0] * row[0] * length).sum();
-        sum + TWIST_WEIGHT * self.scale.powi(4) * twist
-    }
-
-    /// Levenberg and Marquardt's method from `rows` towards `work.targets`.
-    fn minimise(
-        &mut self,
-        lengths: &[f64],
-        mut root: Mat3<f64>,
-        mut rows: Vec<[f64; 3]>,
-        turn_root: bool,
-        iterations: usize,
-    ) -> (Vec<[f64; 3]>, Mat3<f64>) {
-        let points = lengths.len() * self.rule.len();
-        self.work.system.resize(lengths.len(), points);
-        self.work.system.exact = false;
-        // Weights w ℓ make the cost an integral of squared distance, in m³; a curvature enters as κ·scale².
-        let ridge = self.scale.powi(4);
-        let mut damping = 1e-2;
-        let mut cost = self.cost(lengths, &root, &rows);
-        for _ in 0..iterations {
-            self.cost(lengths, &root, &rows);
-            let work = &mut self.work;
-            for p in 0..points {
-                let weight = self.rule.weights[p % self.rule.len()] * lengths[p / self.rule.len()];
-                work.system.point_stiffness[p] = weight;
-                work.system.point_force[p] = (work.targets[p] - work.kinematics.points[p].position).scale(weight);
-            }
-            let mut better = false;
-            for _ in 0..8 {
-                let work = &mut self.work;
-                for (element, length) in lengths.iter().enumerate() {
-                    let spring = (damping * 1e-3 + RIDGE) * length * ridge;
-                    let twist = TWIST_WEIGHT * length * ridge;
-                    work.system.curvature_stiffness[element] = [spring + twist, spring, spring];
-                    work.system.curvature_force[element] = [-twist * rows[element][0], 0.0, 0.0];
-                }
-                let turn = if turn_root {
-                    let stiffness = (damping * 1e-3 + RIDGE) * self.scale.powi(3);
-                    work.elimination.solve_with_turning_root(&work.kinematics, &work.system, stiffness, &mut work.change).1
-                } else {
-                    work.elimination.solve(&work.kinematics, &work.system, &[0, 1, 2], &mut work.change);
-                    Vec3::zero()
+impl FitScratch {
+    /// The best of the starts, into `best`; distances in units of the length.
+    fn fit(&mut self, count: usize, options: &FitOptions, tolerance: Option<f64>) -> Errors {
+        let ([iterations, last_iterations], least_gain) =
+            if options.good > 0.0 { (ITERATIONS, LEAST_GAIN) } else { (ITERATIONS_TO_THE_END, LEAST_GAIN_TO_THE_END) };
+        let search = Search {
+            freedom: Freedom { root: self.target.free_root, twist: options.twist, nodes: false },
+            weights: Weights { twist: TWIST_WEIGHT, normal: options.frame_weight.powi(2), spacing: SPACING_WEIGHT },
+            iterations,
+            least_gain,
+            // What is a thousandth of good needs no polish.
+            enough: (1e-3 * options.good).powi(2),
+            least_length: options.least_length,
+        };
+        self.target.coarsen(count);
+        self.start.look_at(&self.target, count);
+        // Of the best: what is left of all that is weighed, and whether its nodes are free.
+        let mut best: Option<(f64, bool)> = None;
+        for (kind, nodes) in attempts(options, count, self.target.has_normals()) {
+            let search = Search { freedom: Freedom { nodes, ..search.freedom }, ..search };
+            self.shape.root = self.target.root;
+            self.start.nodes(kind.nodes, count, options.least_length, &mut self.shape.nodes);
+            self.start.curvatures(&mut self.shape, kind.twisted, &self.target);
+            let (cost, squared) = self.search.minimise(&mut self.shape, self.target.coarse(), &search);
+            if best.is_none_or(|(least, _)| cost < least) {
+                best = Some((cost, nodes));
+                std::mem::swap(&mut self.shape, &mut self.best);
+                let good = match tolerance {
+                    None => squared.sqrt() <= options.good,
+                    Some(tolerance) => measure::errors(&self.best, self.target.coarse()).largest <= tolerance,
                 };
-                let trial_root = turned(&root, turn);
-                let trial: Vec<[f64; 3]> = rows
-                    .iter()
-                    .zip(&work.change)
-                    .map(|(row, change)| std::array::from_fn(|axis| row[axis] + change[axis]))
-                    .collect();
-                let trial_cost = self.cost(lengths, &trial_root, &trial);
-                if trial_cost < cost {
-                    better = cost - trial_cost > 1e-6 * cost;
-                    (rows, root, cost) = (trial, trial_root, trial_cost);
-                    damping = (damping * 0.1).max(1e-9);
+                if good {
                     break;
                 }
-                damping *= 10.0;
-                self.cost(lengths, &root, &rows);
             }
-            if !better {
+            // So far off that no other start will do.
+            if nodes && tolerance.is_some_and(|tolerance| squared.sqrt() > 3.0 * tolerance) {
                 break;
             }
         }
-        (rows, root)
+        let nodes = best.is_some_and(|(_, nodes)| nodes);
+        let last = Search { freedom: Freedom { nodes, ..search.freedom }, iterations: last_iterations, ..search };
+        self.search.minimise(&mut self.best, &self.target.samples, &last);
+        measure::errors(&self.best, &self.target.samples)
+    }
+
+    /// `best` in metres.
+    fn result(&self, errors: &Errors) -> Fit {
+        let (target, shape, length) = (&self.target, &self.best, self.target.length);
+        let count = shape.rows.len();
+        let mut element_lengths: Vec<f64> = (0..count).map(|element| shape.length(element) * length).collect();
+        let before: f64 = element_lengths[..count - 1].iter().sum();
+        element_lengths[count - 1] = length - before;
+        Fit {
+            root: Frame {
+                origin: target.origin,
+                rotation: UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(shape.root.0.into())),
+            },
+            element_lengths,
+            curvatures: shape.rows.iter().map(|row| row.map(|curvature| curvature / length)).collect(),
+            rms_error: errors.root_mean_square * length,
+            max_error: errors.largest * length,
+            max_distance: errors.farthest * length,
+            frame_error: errors.frames,
+            radius: target.radius,
+        }
     }
 }
 
-/// The root's frame turned by a rotation vector in its own axes.
-fn turned(root: &Mat3<f64>, turn: Vec3<f64>) -> Mat3<f64> {
-    let rotation = from_rotation_vector(turn.into()).to_rotation_matrix().into_inner();
-    root.mul(&Mat3::from(rotation))
+/// The starts to try, and whether nodes are free from there.
+fn attempts(options: &FitOptions, count: usize, has_normals: bool) -> impl Iterator<Item = (Kind, bool)> {
+    let FitOptions { starts, twist, lengths, .. } = *options;
+    let free = lengths != ElementLengths::Equal && count > 1;
+    let allowed = move |kind: &Kind| !kind.twisted || twist && !has_normals;
+    let first = (free && lengths == ElementLengths::WhereNeeded).then_some((Kind { nodes: Nodes::Equal, twisted: false }, false));
+    let kinds = start::KINDS.into_iter().filter(move |kind| allowed(kind) && (free || kind.nodes == Nodes::Equal));
+    first.into_iter().chain(kinds.take(starts).map(move |kind| (kind, free)))
 }

@@ -9,95 +9,136 @@ use crate::error::{Error, Result, check_finite};
 pub(super) struct Polyline {
     pub points: Vec<Vector3<f64>>,
     pub arclengths: Vec<f64>,
+    /// Which of the given points they are.
+    pub kept: Vec<usize>,
 }
 
 /// A polyline whose edges sum to less than this cannot be told from a point in f64 arithmetic on metres.
 const SHORTEST: f64 = 1e-12;
 
+/// Points closer together than this share of the length tell no direction.
+const NEARLY_DOUBLED: f64 = 1e-6;
+
 impl Polyline {
     /// Checks the points and drops the doubled ones.
     pub fn new(points: &[Vector3<f64>]) -> Result<Self> {
-        let mut kept: Vec<Vector3<f64>> = Vec::with_capacity(points.len());
+        let mut kept = Vec::with_capacity(points.len());
+        let mut distinct: Vec<Vector3<f64>> = Vec::with_capacity(points.len());
         let mut arclengths = Vec::with_capacity(points.len());
         let mut length = 0.0;
         for (index, point) in points.iter().enumerate() {
             for axis in 0..3 {
                 check_finite(|| format!("points[{index}][{axis}]"), point[axis])?;
             }
-            match kept.last() {
-                None => {}
-                Some(last) => {
-                    let edge = (point - last).norm();
-                    if edge == 0.0 {
-                        continue;
-                    }
-                    length += edge;
+            if let Some(last) = distinct.last() {
+                let edge = (point - last).norm();
+                if edge == 0.0 {
+                    continue;
                 }
+                length += edge;
             }
-            kept.push(*point);
+            kept.push(index);
+            distinct.push(*point);
             arclengths.push(length);
         }
-        if kept.len() < 2 || !(length > SHORTEST && length.is_finite()) {
+        if distinct.len() < 2 || !(length > SHORTEST && length.is_finite()) {
             return Err(Error::invalid(
                 "points",
-                format!("{} points, {} of them distinct, of length {length} m", points.len(), kept.len()),
+                format!("{} points, {} of them distinct, of length {length} m", points.len(), distinct.len()),
                 format!("a polyline of at least two distinct points, longer than {SHORTEST} m"),
             ));
         }
-        Ok(Self { points: kept, arclengths })
+        Ok(Self { points: distinct, arclengths, kept })
     }
 
+    /// Takes arclengths that are known better, one for each of the given points.
+    pub fn set_arclengths(&mut self, arclengths: &[f64]) -> Result<()> {
+        for (index, arclength) in arclengths.iter().enumerate() {
+            check_finite(|| format!("arclengths[{index}]"), *arclength)?;
+        }
+        let first = arclengths[self.kept[0]];
+        if first != 0.0 {
+            return Err(Error::invalid(format!("arclengths[{}]", self.kept[0]), first, "0, at the root"));
+        }
+        for kept in self.kept.windows(2) {
+            let (from, to) = (arclengths[kept[0]], arclengths[kept[1]]);
+            if to <= from {
+                let expected = format!("above {from}, that of the distinct point before it");
+                return Err(Error::invalid(format!("arclengths[{}]", kept[1]), to, expected));
+            }
+        }
+        let length = arclengths[self.kept[self.kept.len() - 1]];
+        if length <= SHORTEST {
+            return Err(Error::invalid("arclengths", length, format!("a length above {SHORTEST} m")));
+        }
+        for (own, kept) in self.arclengths.iter_mut().zip(&self.kept) {
+            *own = arclengths[*kept];
+        }
+        Ok(())
+    }
+
+    /// Measures arclength along the means of runs of points, each run at least `run` long from end to end: what zigzags within a run adds
+    /// nothing. Between the runs' middles arclength grows with the points' number.
+    pub fn measure_along_runs(&mut self, run: f64) {
+        let last = self.points.len() - 1;
+        // Knots: place among the points, position.
+        let mut knots: Vec<(f64, Vector3<f64>)> = vec![(0.0, self.points[0])];
+        let mut begin = 1;
+        for index in 1..last {
+            // Along the middle of a run noise is averaged; its two ends tell how long it is.
+            if (self.points[index] - self.points[begin]).norm() >= run || index + 1 == last {
+                let count = index + 1 - begin;
+                let mean = self.points[begin..=index].iter().sum::<Vector3<f64>>() / count as f64;
+                knots.push((0.5 * (begin + index) as f64, mean));
+                begin = index + 1;
+            }
+        }
+        knots.push((last as f64, self.points[last]));
+        let mut length = 0.0;
+        let mut ends = vec![0.0];
+        for pair in knots.windows(2) {
+            length += (pair[1].1 - pair[0].1).norm();
+            ends.push(length);
+        }
+        if length <= SHORTEST {
+            return;
+        }
+        let mut knot = 0;
+        for (index, arclength) in self.arclengths.iter_mut().enumerate() {
+            while knot + 2 < knots.len() && index as f64 > knots[knot + 1].0 {
+                knot += 1;
+            }
+            let share = (index as f64 - knots[knot].0) / (knots[knot + 1].0 - knots[knot].0);
+            *arclength = ends[knot] + (ends[knot + 1] - ends[knot]) * share;
+        }
+    }
+
+    /// The arclength of the last point.
     pub fn length(&self) -> f64 {
         self.arclengths[self.arclengths.len() - 1]
     }
 
-    /// The point at an arclength, held at both ends.
-    pub fn at(&self, arclength: f64) -> Vector3<f64> {
-        let next = self.arclengths.partition_point(|s| *s < arclength).clamp(1, self.points.len() - 1);
-        let (s0, s1) = (self.arclengths[next - 1], self.arclengths[next]);
-        let u = ((arclength - s0) / (s1 - s0)).clamp(0.0, 1.0);
-        self.points[next - 1] + (self.points[next] - self.points[next - 1]) * u
+    /// The direction in which the polyline leaves: towards the first point that is not as good as doubled.
+    pub fn direction(&self) -> Vector3<f64> {
+        let least = NEARLY_DOUBLED * self.length();
+        let away = self.points[1..].iter().map(|point| point - self.points[0]).find(|away| away.norm() > least);
+        away.unwrap_or(self.points[1] - self.points[0]).normalize()
     }
 
-    /// Direction of edge `index`.
-    pub fn direction(&self, index: usize) -> Vector3<f64> {
-        (self.points[index + 1] - self.points[index]).normalize()
-    }
-
-    /// Number of edges.
-    pub fn edge_count(&self) -> usize {
-        self.points.len() - 1
-    }
-
-    /// A frame at the root: n0 along the first edge, n1 as near as can be to a world axis that the edge is far from.
-    pub fn root_rotation(&self) -> UnitQuaternion<f64> {
-        let n0 = self.direction(0);
-        let axis = if n0.x.abs() <= n0.y.abs() && n0.x.abs() <= n0.z.abs() {
-            Vector3::x()
-        } else if n0.y.abs() <= n0.z.abs() {
-            Vector3::y()
-        } else {
-            Vector3::z()
-        };
-        let n1 = (axis - n0 * n0.dot(&axis)).normalize();
-        let n2 = n0.cross(&n1);
-        UnitQuaternion::from_rotation_matrix(&Rotation3::from_basis_unchecked(&[n0, n1, n2]))
-    }
-
-    /// Turning at each inner point as rotation vectors in frames carried along without twist from `root`, with the arclength of the point.
-    pub fn turnings(&self, root: UnitQuaternion<f64>) -> Vec<(f64, Vector3<f64>)> {
-        let mut frame = root;
-        let mut out = Vec::with_capacity(self.edge_count());
-        let first = UnitQuaternion::rotation_between(&(frame * Vector3::x()), &self.direction(0));
-        frame = first.map_or(frame, |turn| turn * frame);
-        for edge in 1..self.edge_count() {
-            let (from, to) = (self.direction(edge - 1), self.direction(edge));
-            // Back along itself there is no least rotation: any axis across will do.
-            let turn = UnitQuaternion::rotation_between(&from, &to)
-                .unwrap_or_else(|| UnitQuaternion::from_scaled_axis(frame * Vector3::y() * std::f64::consts::PI));
-            out.push((self.arclengths[edge], frame.inverse() * turn.scaled_axis()));
-            frame = turn * frame;
-        }
-        out
+    /// A frame with n0 in a direction of length one, and n1 as near as can be to `normal`, or without one (or along it) to a world axis
+    /// that the direction is far from.
+    pub fn frame_along(n0: Vector3<f64>, normal: Option<Vector3<f64>>) -> UnitQuaternion<f64> {
+        let across = |axis: Vector3<f64>| axis - n0 * n0.dot(&axis);
+        let wanted = normal.map(across).filter(|across| across.norm() > 1e-6).unwrap_or_else(|| {
+            across(if n0.x.abs() <= n0.y.abs() && n0.x.abs() <= n0.z.abs() {
+                Vector3::x()
+            } else if n0.y.abs() <= n0.z.abs() {
+                Vector3::y()
+            } else {
+                Vector3::z()
+            })
+        });
+        let n1 = wanted.normalize();
+        UnitQuaternion::from_rotation_matrix(&Rotation3::from_basis_unchecked(&[n0, n1, n0.cross(&n1)]))
     }
 }

@@ -1,7 +1,5 @@
 //! What a host says to make a solver; strands: [`StrandDef`].
 
-use std::sync::Arc;
-
 use nalgebra::Vector3;
 
 use crate::contact::options::ContactOptions;
@@ -9,35 +7,7 @@ use crate::error::{Error, Result, check_finite};
 use crate::math::lanes::InstructionSet;
 pub use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
 use crate::step::options::StepOptions;
-
-/// A host's own task system: `run(count, min_range, task)` must call `task(begin, end, worker)` over disjoint ranges that cover
-/// `[0, count)` exactly once, on any threads, and return when all are done.
-pub trait ParallelFor: Send + Sync {
-    /// Runs `task` over `[0, count)`; a range should hold at least `min_range` items (the last may be shorter).
-    fn run(&self, count: u32, min_range: u32, task: &(dyn Fn(u32, u32, u32) + Sync));
-}
-
-/// Who runs the strands of a step.
-#[derive(Clone, Default)]
-pub enum Workers {
-    /// The calling thread.
-    #[default]
-    Serial,
-    /// A private pool of that many threads (2 to 256), made with the solver and joined when it is dropped.
-    Pool(usize),
-    /// The host's task system.
-    Host(Arc<dyn ParallelFor>),
-}
-
-impl std::fmt::Debug for Workers {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Workers::Serial => write!(f, "Serial"),
-            Workers::Pool(count) => write!(f, "Pool({count})"),
-            Workers::Host(_) => write!(f, "Host"),
-        }
-    }
-}
+pub use crate::workers::{ParallelFor, Workers};
 
 /// What a solver is made from.
 #[derive(Debug, Clone)]
@@ -81,11 +51,7 @@ impl SolverOptions {
         }
         self.step.check(argument)?;
         self.contact.check(&format!("{argument}.contact"))?;
-        if let Workers::Pool(count) = self.workers
-            && !(2..=256).contains(&count)
-        {
-            return Err(Error::invalid(format!("{argument}.worker_count"), count, "2 to 256 threads, or 0 or 1 for none"));
-        }
+        self.workers.check(argument)?;
         if let Some(set) = self.instruction_set
             && set > InstructionSet::detected()
         {

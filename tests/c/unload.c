@@ -123,6 +123,32 @@ static void fit(void) {
   MUST(p_shx_fit_natural_curvatures(&def, &rows[0][0], 3, gravity, &natural[0][0]));
 }
 
+static void fit_many(void) {
+  LOAD(shx_fit_options_init);
+  LOAD(shx_fit_curves_init);
+  LOAD(shx_fit_strands);
+  LOAD(shx_spline_points);
+  const double points[8][3] = {{0, 0, 0}, {0.01, 0, 0.001}, {0.02, 0.004, 0}, {0.03, 0, 0}, {0, 0, 0}, {0, 0.02, 0}, {0, 0.03, 0.01}, {0, 0.03, 0.02}};
+  const uint32_t counts[2] = {4, 4};
+  double lengths[6], rows[6][3];
+  shx_fit_options options;
+  shx_fit_curves curves;
+  shx_fitted_strand strands[2];
+  MUST(p_shx_fit_curves_init(&curves, sizeof curves));
+  curves.curve_count = 2;
+  curves.points = (shx_input){points, 0, 8, SHX_FORMAT_F64X3, 0};
+  curves.point_counts = counts;
+  for (uint32_t workers = 1; workers <= 2; workers++) {
+    MUST(p_shx_fit_options_init(&options, sizeof options));
+    options.element_count = 3;
+    options.worker_count = workers;
+    MUST(p_shx_fit_strands(&options, &curves, strands, 0, lengths, &rows[0][0], 6));
+  }
+  const shx_input controls = {points, 0, 4, SHX_FORMAT_F64X3, 0};
+  size_t count;
+  MUST(p_shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &controls, 4, NULL, NULL, &count));
+}
+
 static void fit_friction(void) {
   LOAD(shx_strand_def_init);
   LOAD(shx_friction_def_init);
@@ -164,8 +190,10 @@ int main(int argc, char **argv) {
       return 1;
     }
     use(round % 4 == 1 ? 3 : 1, 1 + (uint32_t)(round / 4 % 4));
-    if (round % 4 == 2)
+    if (round % 4 == 2) {
       fit();
+      fit_many();
+    }
     if (round % 4 == 3)
       fit_friction();
     if (dlclose(library) != 0 || mapped()) {

@@ -8,6 +8,7 @@ mod contact;
 mod curves;
 mod definitions;
 mod fit;
+mod fit_curves;
 mod friction_fit;
 mod level_of_detail;
 mod roots;
@@ -32,6 +33,7 @@ use superhelix::capi::contacts::*;
 use superhelix::capi::curves::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
+use superhelix::capi::fit_curves::*;
 use superhelix::capi::friction_fit::*;
 use superhelix::capi::level_of_detail::*;
 use superhelix::capi::roots::*;
@@ -41,6 +43,7 @@ use superhelix::capi::settle::*;
 use superhelix::capi::shape::*;
 use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
+use superhelix::capi::spline::*;
 use superhelix::capi::state::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
@@ -152,6 +155,7 @@ fn table() -> Vec<Case> {
         contact::cases,
         constraints::cases,
         fit::cases,
+        fit_curves::cases,
         settings::cases,
         friction_fit::cases,
         curves::cases,

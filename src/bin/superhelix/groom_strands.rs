@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use serde::Serialize;
 use superhelix::error::Error;
-use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity_with};
+use superhelix::groom::fit::{Fit, FitOptions, fit_polyline, natural_under_gravity_with};
 use superhelix::rod::material::Material;
 use superhelix::solver::definition::StrandDef;
 
@@ -88,12 +88,24 @@ pub fn make(
 
 fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Result<GroomStrand, String> {
     let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
-    let width = 2.0 * recipe.material.radius[0].max(recipe.material.radius[1]);
+    check_length(length, &recipe.material)?;
+    let fit = fit_polyline(points, &FitOptions::elements(recipe.elements)).map_err(|error| error.to_string())?;
+    let fit_error = (fit.rms_error, fit.max_error);
+    let definition = definition(fit, recipe).map_err(|error| error.to_string())?;
+    Ok(GroomStrand { index, definition, fit_error })
+}
+
+/// A strand that is not longer than wide cannot be simulated.
+pub fn check_length(length: f64, material: &Material) -> Result<(), String> {
+    let width = 2.0 * material.radius[0].max(material.radius[1]);
     if length <= width {
         return Err(format!("its length of {length:.3e} m is not more than its width of {width:.3e} m"));
     }
-    let words = |error: Error| error.to_string();
-    let fit = fit_polyline(points, &FitOptions { element_count: recipe.elements }).map_err(words)?;
+    Ok(())
+}
+
+/// A fitted strand with a material and a natural shape.
+pub fn definition(fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, Error> {
     let mut definition = StrandDef {
         element_lengths: fit.element_lengths,
         material: recipe.material,
@@ -103,9 +115,8 @@ fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Res
     };
     if recipe.natural == NaturalShape::SagFree {
         definition.natural =
-            natural_under_gravity_with(&definition, &fit.curvatures, recipe.gravity, recipe.quadrature_tolerance)
-                .map_err(words)?;
+            natural_under_gravity_with(&definition, &fit.curvatures, recipe.gravity, recipe.quadrature_tolerance)?;
         definition.initial = Some(fit.curvatures);
     }
-    Ok(GroomStrand { index, definition, fit_error: (fit.rms_error, fit.max_error) })
+    Ok(definition)
 }

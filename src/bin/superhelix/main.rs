@@ -4,7 +4,9 @@ mod atomic_file;
 mod bake;
 mod bench;
 mod failure;
+mod fit;
 mod fit_friction;
+mod fit_scene;
 mod groom_statistics;
 mod groom_strands;
 mod head;
@@ -49,6 +51,7 @@ enum Command {
     Bake(bake::BakeArguments),
     Picture(picture::PictureArguments),
     Settings(settings::SettingsArguments),
+    Fit(Box<fit::FitArguments>),
     FitFriction(Box<fit_friction::FitFrictionArguments>),
     Bench(bench::BenchArguments),
 }
@@ -80,6 +83,7 @@ fn main() -> ExitCode {
         Command::Bake(arguments) => bake::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
         Command::Settings(arguments) => settings::run(arguments),
+        Command::Fit(arguments) => fit::run(arguments),
         Command::FitFriction(arguments) => fit_friction::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
     };

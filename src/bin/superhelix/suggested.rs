@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use serde::Serialize;
 use superhelix::files::curves::Curves;
-use superhelix::groom::fit::{FitOptions, fit_polyline};
+use superhelix::groom::fit::{FitCurve, FitOptions, FitScratch, fit_curve, fit_polyline};
 use superhelix::rod::turning::{LARGEST_TURN, largest_turn};
 
 use crate::groom_statistics::Spread;
@@ -36,7 +36,7 @@ impl Suggested {
         for strand in curves.strands().step_by(every) {
             let points: Vec<Vector3<f64>> =
                 strand.iter().map(|point| Vector3::from(point.map(|value| f64::from(value) * metres_per_unit))).collect();
-            if fit_polyline(&points, &FitOptions { element_count: 1 }).is_err() {
+            if fit_polyline(&points, &FitOptions::elements(1)).is_err() {
                 continue;
             }
             strands += 1;
@@ -69,8 +69,11 @@ impl Suggested {
 
 /// The least number of elements, by doubling and halving.
 fn least(points: &[Vector3<f64>], tolerance: f64) -> Option<usize> {
-    let met = |element_count: usize| {
-        fit_polyline(points, &FitOptions { element_count }).is_ok_and(|fit| {
+    let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+    let mut scratch = FitScratch::default();
+    let mut met = |element_count: usize| {
+        let options = FitOptions { good: 0.1 * tolerance / length, ..FitOptions::elements(element_count) };
+        fit_curve(&FitCurve::polyline(points), &options, &mut scratch).is_ok_and(|fit| {
             let turn = largest_turn(&fit.element_lengths, &fit.curvatures);
             fit.max_error <= tolerance && turn <= LARGEST_TURN
         })

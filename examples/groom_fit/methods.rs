@@ -1,0 +1,48 @@
+//! The ways to fit that are compared. Curves have length one.
+
+use nalgebra::Vector3;
+use superhelix::groom::fit::{ElementLengths, FitCurve, FitOptions, FitScratch, fit_curve};
+
+use crate::{floating_tangents, sequential};
+
+/// Distances between the curve's points and the strand at equal shares of the length.
+pub struct Errors {
+    pub root_mean_square: f64,
+    pub largest: f64,
+}
+
+impl Errors {
+    /// Of distances at the points.
+    pub fn of(distances: &[f64]) -> Self {
+        let sum: f64 = distances.iter().map(|distance| distance * distance).sum();
+        Self { root_mean_square: (sum / distances.len() as f64).sqrt(), largest: distances.iter().copied().fold(0.0, f64::max) }
+    }
+}
+
+type Method = fn(&[Vector3<f64>], usize) -> Option<Errors>;
+
+/// What is compared.
+pub const METHODS: [(&str, Method); 7] = [
+    ("sequential", sequential::fit),
+    ("floating tangents", floating_tangents::fit),
+    ("whole curve: equal lengths; one start", |points, elements| {
+        ours(points, FitOptions { lengths: ElementLengths::Equal, starts: 1, ..FitOptions::elements(elements) })
+    }),
+    ("whole curve: equal lengths; no twist", |points, elements| {
+        ours(points, FitOptions { lengths: ElementLengths::Equal, twist: false, ..FitOptions::elements(elements) })
+    }),
+    ("whole curve: free lengths; one start", |points, elements| {
+        ours(points, FitOptions { lengths: ElementLengths::Free, starts: 1, ..FitOptions::elements(elements) })
+    }),
+    ("whole curve: lengths where needed; four starts (the default)", |points, elements| {
+        ours(points, FitOptions::elements(elements))
+    }),
+    ("whole curve: free lengths; eight starts to the end", |points, elements| {
+        ours(points, FitOptions { lengths: ElementLengths::Free, starts: 8, good: 0.0, ..FitOptions::elements(elements) })
+    }),
+];
+
+fn ours(points: &[Vector3<f64>], options: FitOptions) -> Option<Errors> {
+    let fit = fit_curve(&FitCurve::polyline(points), &options, &mut FitScratch::default()).ok()?;
+    Some(Errors { root_mean_square: fit.rms_error, largest: fit.max_error })
+}

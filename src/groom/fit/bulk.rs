@@ -1,0 +1,56 @@
+//! Many curves at once.
+
+use super::{Fit, FitCurve, FitOptions, FitScratch, fit_curve};
+use crate::error::Result;
+use crate::workers::{Crew, Workers};
+
+/// Curves that a worker takes at a time, at least and at most: one may be as long as thousands of others.
+const LEAST: usize = 4;
+const MOST: usize = 256;
+
+/// Fits a strand to each curve, by several workers; results are in the curves' order and the same for any number of them. A curve that cannot
+/// be fitted (one without length, for example: real grooms have them) has its error, as from [`fit_curve`], and leaves the others alone.
+///
+/// # Errors
+/// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for options or a number of workers out of range,
+/// [`Error::Unsupported`](crate::error::Error::Unsupported) where threads cannot be started. A pool's threads are there for the call alone.
+pub fn fit_curves(curves: &[FitCurve<'_>], options: &FitOptions, workers: &Workers) -> Result<Vec<Result<Fit>>> {
+    let mut fits = Vec::with_capacity(curves.len());
+    fit_each(
+        curves.len(),
+        options,
+        workers,
+        |index, scratch| fit_curve(&curves[index], options, scratch),
+        |_, fit| fits.push(fit),
+    )?;
+    Ok(fits)
+}
+
+/// The same for curves that are made one by one: `one` fits the curve of that index, on any worker; `take` gets what came of each, in
+/// order, on the calling thread.
+///
+/// # Errors
+/// As [`fit_curves`].
+pub fn fit_each<T: Send>(
+    count: usize,
+    options: &FitOptions,
+    workers: &Workers,
+    one: impl Fn(usize, &mut FitScratch) -> T + Sync,
+    mut take: impl FnMut(usize, T),
+) -> Result<()> {
+    options.check("options.")?;
+    workers.check("workers")?;
+    let crew = Crew::<FitScratch>::new(workers)?;
+    let mut slots: Vec<(usize, Option<T>)> = (0..count).map(|index| (index, None)).collect();
+    crew.for_each_task(&mut slots, LEAST, MOST, |slots, scratch| {
+        for (index, slot) in slots {
+            *slot = Some(one(*index, scratch));
+        }
+    });
+    for (index, slot) in slots {
+        if let Some(fit) = slot {
+            take(index, fit);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,475 @@
+//! The least squares of one strand, linearised: residuals at the samples, and the step of Levenberg and Marquardt's method in linear time.
+//!
+//! Unknown are, an element, its curvatures and where its right node lies, and the root's tilt. Elements are eliminated from tip to root as in
+//! [`crate::chain::elimination`], whose symbols are used; what is new is the node. Moving the node at b between elements of curvatures κ and
+//! κ′ by δb at fixed arclengths of everything else turns all that lies beyond it by R(b)(κ − κ′)δb about it: a hinge.
+
+use super::samples::Sample;
+use super::shape::Shape;
+use crate::chain::pivot::cholesky;
+use crate::math::entire::Stumpff;
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::{ElementState, element_state};
+use crate::rod::segment;
+
+/// What is weighed against distance.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Weights {
+    /// ∫ (κ0 L)² ds against the mean squared distance over L².
+    pub twist: f64,
+    /// Squared angles between n1 and the samples' normals, rad², against the same.
+    pub normal: f64,
+    /// (ℓ − L/N)² (N/L)² a node, against the same.
+    pub spacing: f64,
+}
+
+/// What may change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Freedom {
+    /// The root's direction.
+    pub root: bool,
+    /// The elements' twist.
+    pub twist: bool,
+    /// Where elements begin and end.
+    pub nodes: bool,
+}
+
+/// A sample as the strand has it.
+#[derive(Debug, Clone, Copy)]
+struct Placed {
+    /// Arclength from the element's left end.
+    s: f64,
+    c: Stumpff<f64>,
+    /// From the element's left end, its axes.
+    local: Vec3<f64>,
+    /// Target minus position, the element's axes.
+    off: Vec3<f64>,
+    weight: f64,
+    /// Tangent (the element's axes), and the angle about it from n1 to the wanted normal.
+    normal: Option<(Vec3<f64>, f64)>,
+}
+
+/// A strand at its samples.
+#[derive(Debug, Default)]
+pub(super) struct State {
+    elements: Vec<ElementState<f64>>,
+    placed: Vec<Placed>,
+    /// First sample of each element, and the number of samples.
+    first: Vec<usize>,
+    /// Weighted mean of the squared distances.
+    pub distance: f64,
+    /// What else is weighed, without its weights.
+    twist: f64,
+    angles: f64,
+    spacing: f64,
+    /// All that is minimised.
+    pub cost: f64,
+}
+
+impl State {
+    /// Places a strand's samples. They ascend in arclength.
+    pub fn place(&mut self, shape: &Shape, samples: &[Sample], weights: &Weights) {
+        self.elements.clear();
+        self.placed.clear();
+        self.first.clear();
+        let (mut frame, mut origin) = (shape.root.0, Vec3::<f64>::zero());
+        let count = shape.rows.len();
+        let (mut next, mut distance, mut angles, mut twist, mut spacing) = (0, 0.0, 0.0, 0.0, 0.0);
+        for (index, row) in shape.rows.iter().enumerate() {
+            let (left, right) = (shape.nodes[index], shape.nodes[index + 1]);
+            let element = element_state(Vec3(*row), right - left, frame, origin);
+            self.first.push(next);
+            while next < samples.len() && (samples[next].arclength <= right || index + 1 == count) {
+                let sample = &samples[next];
+                let point = element.point(sample.arclength - left);
+                let off = sample.target - point.position;
+                distance += sample.weight * off.norm_squared();
+                let normal = sample.normal.map(|wanted| {
+                    let theta = element.kappa.scale(point.s);
+                    let here = segment::frame(theta, element.kappa_squared * point.s * point.s, &point.c);
+                    let wanted = element.frame_left.apply_transposed(wanted);
+                    let angle = wanted.dot(here.column(2)).atan2(wanted.dot(here.column(1)));
+                    angles += sample.weight * angle * angle;
+                    (here.column(0), angle)
+                });
+                self.placed.push(Placed {
+                    s: point.s,
+                    c: point.c,
+                    local: point.local,
+                    off: element.frame_left.apply_transposed(off),
+                    weight: sample.weight,
+                    normal,
+                });
+                next += 1;
+            }
+            twist += row[0] * row[0] * (right - left);
+            let stretch = (right - left) * count as f64 - 1.0;
+            spacing += stretch * stretch;
+            (frame, origin) = (element.frame_right(), element.origin_right());
+            self.elements.push(element);
+        }
+        self.first.push(next);
+        (self.distance, self.twist, self.angles, self.spacing) = (distance, twist, angles, spacing);
+        self.weigh(weights);
+    }
+
+    /// Takes other weights.
+    pub fn weigh(&mut self, weights: &Weights) {
+        let others = weights.normal * self.angles + weights.twist * self.twist + weights.spacing * self.spacing;
+        self.cost = self.distance + others;
+    }
+}
+
+/// What lies downstream of a node, as seen there: `[A B; Bᵀ C]` and what pulls.
+#[derive(Clone, Copy)]
+struct Downstream {
+    a: Mat3<f64>,
+    b: Mat3<f64>,
+    c: Mat3<f64>,
+    moment: Vec3<f64>,
+    force: Vec3<f64>,
+}
+
+/// What the way from root to tip needs of an element.
+#[derive(Clone, Copy)]
+struct Eliminated<const D: usize> {
+    factor: [[f64; D]; D],
+    coupling: [[f64; 6]; D],
+    reduced: [f64; D],
+    psi: [Vec3<f64>; D],
+    jacobian: [Vec3<f64>; D],
+}
+
+/// A step: how the root tilts (rotation vector in its axes), and by how much curvatures and inner nodes change.
+#[derive(Debug, Default)]
+pub(super) struct Step {
+    pub tilt: Vec3Default,
+    pub rows: Vec<[f64; 3]>,
+    /// A node an element: its right one; 0 for the tip.
+    pub nodes: Vec<f64>,
+    /// By how much the quadratic model falls.
+    pub gain: f64,
+}
+
+impl Step {
+    /// Goes a share of the way. The gain is then at least that share.
+    pub fn shorten(&mut self, share: f64) {
+        self.tilt.0 = self.tilt.0.scale(share);
+        self.rows.iter_mut().flatten().for_each(|change| *change *= share);
+        self.nodes.iter_mut().for_each(|change| *change *= share);
+        self.gain *= share;
+    }
+}
+
+/// A vector that is zero by default.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Vec3Default(pub Vec3<f64>);
+
+impl Default for Vec3Default {
+    fn default() -> Self {
+        Self(Vec3::zero())
+    }
+}
+
+/// Memory of the elimination.
+#[derive(Default)]
+pub(super) struct Elimination {
+    two: Vec<Eliminated<2>>,
+    three: Vec<Eliminated<3>>,
+    four: Vec<Eliminated<4>>,
+}
+
+/// Springs of the step itself: they hold back what the samples do not see.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Damping {
+    pub tilt: f64,
+    pub curvature: f64,
+    pub node: f64,
+}
+
+impl Elimination {
+    /// The step from a state. Without free twist there are no free nodes either.
+    pub fn solve(
+        &mut self,
+        shape: &Shape,
+        state: &State,
+        weights: &Weights,
+        freedom: Freedom,
+        damping: &Damping,
+        step: &mut Step,
+    ) {
+        match (freedom.twist, freedom.nodes) {
+            (false, false) => solve_for::<2>(&mut self.two, [1, 2], shape, state, weights, freedom, damping, step),
+            (true, false) => solve_for::<3>(&mut self.three, [0, 1, 2], shape, state, weights, freedom, damping, step),
+            (false, true) => solve_for::<3>(&mut self.three, [1, 2, NODE], shape, state, weights, freedom, damping, step),
+            (true, true) => solve_for::<4>(&mut self.four, [0, 1, 2, NODE], shape, state, weights, freedom, damping, step),
+        }
+    }
+}
+
+/// The freedom that is not a curvature.
+const NODE: usize = 3;
+
+#[allow(clippy::too_many_arguments)]
+fn solve_for<const D: usize>(
+    done: &mut Vec<Eliminated<D>>,
+    axes: [usize; D],
+    shape: &Shape,
+    state: &State,
+    weights: &Weights,
+    freedom: Freedom,
+    damping: &Damping,
+    step: &mut Step,
+) {
+    let count = state.elements.len();
+    done.clear();
+    let zero = Mat3::<f64>::zero();
+    let mut down = Downstream { a: zero, b: zero, c: zero, moment: Vec3::zero(), force: Vec3::zero() };
+    for index in (0..count).rev() {
+        let (eliminated, left) = eliminate(&down, axes, shape, state, weights, damping, index);
+        done.push(eliminated);
+        down = left;
+        if index > 0 {
+            down = down.turned(&state.elements[index - 1].turn);
+        }
+    }
+    let tilt = if freedom.root { tilt_of_root(&down, damping.tilt) } else { Vec3::zero() };
+    step.tilt = Vec3Default(tilt);
+    step.gain = tilt.dot(down.moment);
+    step.rows.clear();
+    step.nodes.clear();
+    let (mut psi, mut rho) = (tilt, Vec3::<f64>::zero());
+    for (index, element) in state.elements.iter().enumerate() {
+        let done = &done[count - 1 - index];
+        let mut delta = [0.0; D];
+        for i in (0..D).rev() {
+            let mut value = done.reduced[i];
+            for axis in 0..3 {
+                value -= done.coupling[i][axis] * psi.0[axis] + done.coupling[i][axis + 3] * rho.0[axis];
+            }
+            for k in i + 1..D {
+                value -= done.factor[k][i] * delta[k];
+            }
+            delta[i] = value * done.factor[i][i];
+            // The model's fall is that of the squares that the elimination completes, one a freedom.
+            step.gain += done.reduced[i] * done.reduced[i];
+        }
+        let (mut next_psi, mut next_rho) = (psi, rho + psi.cross(element.end));
+        let (mut row, mut node) = ([0.0; 3], 0.0);
+        for i in 0..D {
+            next_psi += done.psi[i].scale(delta[i]);
+            next_rho += done.jacobian[i].scale(delta[i]);
+            if axes[i] == NODE {
+                node = delta[i];
+            } else {
+                row[axes[i]] = delta[i];
+            }
+        }
+        step.rows.push(row);
+        step.nodes.push(if index + 1 == count { 0.0 } else { node });
+        psi = element.turn.apply_transposed(next_psi);
+        rho = element.turn.apply_transposed(next_rho);
+    }
+}
+
+impl Downstream {
+    /// In the axes of the frame that `turn` starts from.
+    fn turned(&self, turn: &Mat3<f64>) -> Self {
+        let congruent = |m: &Mat3<f64>| turn.mul(m).mul_transposed(turn);
+        Self {
+            a: congruent(&self.a),
+            b: congruent(&self.b),
+            c: congruent(&self.c),
+            moment: turn.apply(self.moment),
+            force: turn.apply(self.force),
+        }
+    }
+}
+
+/// Solves (A + k I) ψ = moment for the tilt: not about the tangent, where a turn and one of all curvatures are the same.
+fn tilt_of_root(root: &Downstream, stiffness: f64) -> Vec3<f64> {
+    let a = &root.a.0;
+    let (m11, m12, m22) = (a[1][1] + stiffness, 0.5 * (a[1][2] + a[2][1]), a[2][2] + stiffness);
+    let determinant = m11 * m22 - m12 * m12;
+    let [_, y, z] = root.moment.0;
+    Vec3([0.0, (m22 * y - m12 * z) / determinant, (m11 * z - m12 * y) / determinant])
+}
+
+fn eliminate<const D: usize>(
+    right: &Downstream,
+    axes: [usize; D],
+    shape: &Shape,
+    state: &State,
+    weights: &Weights,
+    damping: &Damping,
+    index: usize,
+) -> (Eliminated<D>, Downstream) {
+    let element = &state.elements[index];
+    let (kappa, length, end) = (element.kappa, element.length, element.end);
+    let theta = kappa.scale(length);
+    let z = element.kappa_squared * (length * length);
+    let last = index + 1 == state.elements.len();
+    let mean = segment::mean_frame(theta, z, &element.c);
+    let gradient = segment::chord_gradient(theta, z, &element.c);
+    let (mut psi, mut jacobian) = ([Vec3::<f64>::zero(); D], [Vec3::<f64>::zero(); D]);
+    for i in 0..D {
+        if axes[i] == NODE {
+            if !last {
+                psi[i] = element.turn.apply(kappa - state.elements[index + 1].kappa);
+            }
+        } else {
+            psi[i] = mean.column(axes[i]).scale(length);
+            jacobian[i] = gradient.column(axes[i]).scale(length * length);
+        }
+    }
+
+    // What is downstream, moved to the left end: ρ_R = ρ + ψ×a = ρ − [a]×ψ.
+    let b_moved = right.b.add(&right.c.crossed_from_left(end));
+    let arm = right.b.mul(&Mat3::cross(end));
+    let mut left = Downstream {
+        // A + [a]×Bᵀ + B[a]×ᵀ + [a]× C [a]×ᵀ.
+        a: right
+            .a
+            .add(&right.b.transpose().crossed_from_left(end))
+            .sub(&arm)
+            .sub(&right.c.crossed_from_left(end).mul(&Mat3::cross(end))),
+        b: b_moved,
+        c: right.c,
+        moment: right.moment + end.cross(right.force),
+        force: right.force,
+    };
+    let mut kk = [[0.0; D]; D];
+    let mut psi_k = [Vec3::<f64>::zero(); D];
+    let mut rho_k = [Vec3::<f64>::zero(); D];
+    let mut reduced = [0.0; D];
+    for i in 0..D {
+        let y_psi = right.a.apply(psi[i]) + right.b.apply(jacobian[i]);
+        let y_rho = right.b.apply_transposed(psi[i]) + right.c.apply(jacobian[i]);
+        for k in 0..=i {
+            kk[i][k] = psi[k].dot(y_psi) + jacobian[k].dot(y_rho);
+        }
+        psi_k[i] = y_psi + end.cross(y_rho);
+        rho_k[i] = y_rho;
+        reduced[i] = psi[i].dot(right.moment) + jacobian[i].dot(right.force);
+    }
+
+    // The element's own samples: they do not feel the node beyond them.
+    let own = if axes[D - 1] == NODE { D - 1 } else { D };
+    for placed in &state.placed[state.first[index]..state.first[index + 1]] {
+        let (w, x, s) = (placed.weight, placed.local, placed.s);
+        let theta = kappa.scale(s);
+        let z = element.kappa_squared * (s * s);
+        let gradient = segment::chord_gradient(theta, z, &placed.c);
+        let f = placed.off.scale(w);
+        let wx = x.scale(w);
+        let xx = wx.dot(x);
+        for i in 0..3 {
+            for j in 0..3 {
+                left.a.0[i][j] -= wx.0[i] * x.0[j];
+            }
+            left.a.0[i][i] += xx;
+            left.c.0[i][i] += w;
+        }
+        left.b = left.b.add(&Mat3::cross(wx));
+        left.moment += x.cross(f);
+        left.force += f;
+        let mut j = [Vec3::<f64>::zero(); D];
+        for i in 0..own {
+            j[i] = gradient.column(axes[i]).scale(s * s);
+            let wj = j[i].scale(w);
+            rho_k[i] += wj;
+            psi_k[i] += wx.cross(j[i]);
+            for k in 0..=i {
+                kk[i][k] += j[k].dot(wj);
+            }
+            reduced[i] += j[i].dot(f);
+        }
+        if let Some((tangent, angle)) = placed.normal {
+            let w = w * weights.normal;
+            let mean = segment::mean_frame(theta, z, &placed.c);
+            let wt = tangent.scale(w);
+            for i in 0..3 {
+                for j in 0..3 {
+                    left.a.0[i][j] += wt.0[i] * tangent.0[j];
+                }
+            }
+            left.moment += wt.scale(angle);
+            let mut turn = [0.0; D];
+            for i in 0..own {
+                turn[i] = tangent.dot(mean.column(axes[i])) * s;
+                psi_k[i] += wt.scale(turn[i]);
+                for k in 0..=i {
+                    kk[i][k] += w * turn[i] * turn[k];
+                }
+                reduced[i] += w * angle * turn[i];
+            }
+        }
+    }
+
+    // Springs.
+    for i in 0..D {
+        match axes[i] {
+            NODE => {
+                kk[i][i] += damping.node;
+                if last {
+                    kk[i][i] += 1.0;
+                } else {
+                    let count = state.elements.len() as f64;
+                    // Half the second derivative of the squares of both elements' stretch; the neighbour node's share is left out.
+                    kk[i][i] += 2.0 * weights.spacing * count * count;
+                    reduced[i] += weights.spacing * count * count * (shape.length(index + 1) - shape.length(index));
+                }
+            }
+            0 => {
+                kk[i][i] += (damping.curvature + weights.twist) * length;
+                reduced[i] -= weights.twist * length * shape.rows[index][0];
+            }
+            _ => kk[i][i] += damping.curvature * length,
+        }
+    }
+    let mut pivot = kk;
+    for i in 0..D {
+        for k in 0..i {
+            pivot[k][i] = pivot[i][k];
+        }
+    }
+    let (factor, _) = cholesky(&pivot, 0.0);
+    let mut done = Eliminated { factor, coupling: [[0.0; 6]; D], reduced: [0.0; D], psi, jacobian };
+    for i in 0..D {
+        let ([a, b, c], [d, e, f]) = (psi_k[i].0, rho_k[i].0);
+        let mut row = [a, b, c, d, e, f];
+        let mut value = reduced[i];
+        for k in 0..i {
+            for column in 0..6 {
+                row[column] -= factor[i][k] * done.coupling[k][column];
+            }
+            value -= factor[i][k] * done.reduced[k];
+        }
+        for column in 0..6 {
+            done.coupling[i][column] = row[column] * factor[i][i];
+        }
+        done.reduced[i] = value * factor[i][i];
+    }
+    for i in 0..D {
+        let (w, y) = (&done.coupling[i], done.reduced[i]);
+        for row in 0..3 {
+            for column in 0..3 {
+                left.a.0[row][column] -= w[row] * w[column];
+                left.b.0[row][column] -= w[row] * w[column + 3];
+                left.c.0[row][column] -= w[row + 3] * w[column + 3];
+            }
+            left.moment.0[row] -= w[row] * y;
+            left.force.0[row] -= w[row + 3] * y;
+        }
+    }
+    // Kept symmetric: without it rounding grows along the strand.
+    for m in [&mut left.a, &mut left.c] {
+        for i in 0..3 {
+            for j in 0..i {
+                let middle = 0.5 * (m.0[i][j] + m.0[j][i]);
+                (m.0[i][j], m.0[j][i]) = (middle, middle);
+            }
+        }
+    }
+    (done, left)
+}

@@ -1,0 +1,148 @@
+//! Levenberg and Marquardt's method on one strand.
+
+use nalgebra::Vector3;
+
+use super::linearised::{Damping, Elimination, Freedom, State, Step, Weights};
+use super::samples::Sample;
+use super::shape::{Root, Shape};
+use crate::math::rotation::from_rotation_vector;
+use crate::math::trigonometry::sine_cosine;
+use crate::math::vector::Mat3;
+
+/// How to search.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Search {
+    pub freedom: Freedom,
+    pub weights: Weights,
+    /// Iterations at most.
+    pub iterations: usize,
+    /// An iteration that gains less of the cost than this is the last.
+    pub least_gain: f64,
+    /// A mean squared distance below this is as good as none.
+    pub enough: f64,
+    /// The least length of an element, in those of equal elements.
+    pub least_length: f64,
+}
+
+/// Memory of the search.
+#[derive(Default)]
+pub(super) struct Scratch {
+    state: State,
+    trial_state: State,
+    trial: Shape,
+    elimination: Elimination,
+    step: Step,
+}
+
+/// Springs that always hold back what the samples do not see, against the mean squared distance.
+const RIDGE: f64 = 1e-12;
+/// The first damping.
+const FIRST_DAMPING: f64 = 1e-6;
+/// Below this mean squared distance twist and spacing are charged in proportion to it: noise of that size is what the charge is for.
+const CHARGED_WHOLE: f64 = 1e-6;
+/// No frame turns about its tangent by more than this in an iteration, rad: beyond it lie other minima, mostly worse ones.
+const TURN_LIMIT: f64 = 0.5;
+/// How often an iteration damps more before it gives up.
+const TRIALS: usize = 8;
+
+impl Scratch {
+    /// Improves `shape`; gives back what is left of all that is weighed, and of the mean squared distance alone.
+    pub fn minimise(&mut self, shape: &mut Shape, samples: &[Sample], search: &Search) -> (f64, f64) {
+        let count = shape.rows.len() as f64;
+        let mut damping = FIRST_DAMPING;
+        let mut weights = search.weights;
+        self.state.place(shape, samples, &weights);
+        let mut slow = 0;
+        for _ in 0..search.iterations {
+            if self.state.distance < search.enough {
+                break;
+            }
+            let share = (self.state.distance / CHARGED_WHOLE).min(1.0);
+            if share < 1.0 || weights.twist < search.weights.twist {
+                weights.twist = search.weights.twist * share;
+                weights.spacing = search.weights.spacing * share;
+                self.state.weigh(&weights);
+            }
+            let mut gained = 0.0;
+            for _ in 0..TRIALS {
+                let springs = Damping {
+                    tilt: damping + RIDGE,
+                    curvature: damping + RIDGE,
+                    node: (100.0 * damping + RIDGE) * count * count,
+                };
+                self.elimination.solve(shape, &self.state, &weights, search.freedom, &springs, &mut self.step);
+                self.advance(shape, search);
+                self.trial_state.place(&self.trial, samples, &weights);
+                let fall = self.state.cost - self.trial_state.cost;
+                if fall > 0.0 {
+                    gained = fall / self.state.cost;
+                    let ratio = fall / self.step.gain;
+                    damping *= if ratio > 0.75 {
+                        0.25
+                    } else if ratio < 0.25 {
+                        4.0
+                    } else {
+                        0.5
+                    };
+                    std::mem::swap(&mut self.state, &mut self.trial_state);
+                    std::mem::swap(shape, &mut self.trial);
+                    break;
+                }
+                damping *= 4.0;
+            }
+            if gained == 0.0 {
+                break;
+            }
+            slow = if gained < search.least_gain { slow + 1 } else { 0 };
+            if slow == 2 {
+                break;
+            }
+        }
+        (self.state.cost, self.state.distance)
+    }
+
+    /// `trial` is `shape` after the step, held where an element would become too short.
+    fn advance(&mut self, shape: &Shape, search: &Search) {
+        self.trial.copy_from(shape);
+        let (mut turn, mut largest) = (0.0_f64, 0.0_f64);
+        for (index, change) in self.step.rows.iter().enumerate() {
+            turn += change[0] * shape.length(index);
+            largest = largest.max(turn.abs());
+        }
+        if largest > TURN_LIMIT {
+            self.step.shorten(TURN_LIMIT / largest);
+        }
+        let tilt = from_rotation_vector(Vector3::from(self.step.tilt.0)).to_rotation_matrix().into_inner();
+        self.trial.root = Root(shape.root.0.mul(&Mat3::from(tilt)));
+        for (node, change) in self.trial.nodes[1..].iter_mut().zip(&self.step.nodes) {
+            *node += change;
+        }
+        if search.freedom.nodes {
+            keep_apart(&mut self.trial.nodes, search.least_length / shape.rows.len() as f64);
+        }
+        // What the step says of the bending is kept in frames without twist: to first order it is the same, but a twist that changes by much
+        // would otherwise turn the bending of all that follows.
+        let (mut before, mut after) = (0.0, 0.0);
+        for (index, change) in self.step.rows.iter().enumerate() {
+            let row = shape.rows[index];
+            let twist = row[0] + change[0];
+            let (old, new) = (row[0] * shape.length(index), twist * self.trial.length(index));
+            let turn = (after + 0.5 * new) - (before + 0.5 * old);
+            (before, after) = (before + old, after + new);
+            let bend = [row[1] + change[1] - turn * row[2], row[2] + change[2] + turn * row[1]];
+            let (sine, cosine) = sine_cosine(turn);
+            self.trial.rows[index] = [twist, bend[0] * cosine + bend[1] * sine, bend[1] * cosine - bend[0] * sine];
+        }
+    }
+}
+
+/// Moves inner nodes that are closer than `least` apart, or out of order; the ends stay.
+pub(super) fn keep_apart(nodes: &mut [f64], least: f64) {
+    let last = nodes.len() - 1;
+    for index in 1..last {
+        nodes[index] = nodes[index].max(nodes[index - 1] + least);
+    }
+    for index in (1..last).rev() {
+        nodes[index] = nodes[index].min(nodes[index + 1] - least);
+    }
+}

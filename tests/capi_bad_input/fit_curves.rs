@@ -1,0 +1,119 @@
+//! Bad arguments of the functions that fit strands to many curves, and of splines.
+
+use super::*;
+
+/// Room for three elements a strand.
+fn new_options() -> shx_fit_options {
+    let mut options = std::mem::MaybeUninit::uninit();
+    // SAFETY: room for one structure, which the call fills.
+    unsafe {
+        assert_eq!(shx_fit_options_init(options.as_mut_ptr(), size_of::<shx_fit_options>()), SHX_OK);
+        shx_fit_options { element_count: 3, ..options.assume_init() }
+    }
+}
+
+/// Fits with memory that is enough for two strands of three elements.
+unsafe fn fit(s: &mut Scene, options: *const shx_fit_options, curves: *const shx_fit_curves) -> shx_result {
+    // SAFETY: what the case gives; the scene's memory.
+    unsafe { shx_fit_strands(options, curves, s.out(), 0, s.out2(), s.out2::<f64>().add(6), 6) }
+}
+
+impl Scene {
+    /// Two curves of two points each.
+    fn fit_curves(&self) -> shx_fit_curves {
+        static COUNTS: [u32; 2] = [2, 2];
+        let mut curves = std::mem::MaybeUninit::uninit();
+        // SAFETY: room for one structure, which the call fills.
+        unsafe {
+            assert_eq!(shx_fit_curves_init(curves.as_mut_ptr(), size_of::<shx_fit_curves>()), SHX_OK);
+            shx_fit_curves { curve_count: 2, points: self.point_input(), point_counts: COUNTS.as_ptr(), ..curves.assume_init() }
+        }
+    }
+}
+
+#[rustfmt::skip] // a table: one case a line
+pub fn cases(cases: &mut Vec<Case>) {
+    case!(cases, "shx_fit_options_init", "options", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_fit_options_init(null_mut(), size_of::<shx_fit_options>()) });
+    case!(cases, "shx_fit_options_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), 0));
+    case!(cases, "shx_fit_options_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), size_of::<shx_fit_options>() - 8));
+    case!(cases, "shx_fit_options_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), size_of::<shx_fit_options>() + 4));
+    case!(cases, "shx_fit_options_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), usize::MAX));
+    case!(cases, "shx_fit_curves_init", "curves", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_fit_curves_init(null_mut(), size_of::<shx_fit_curves>()) });
+    case!(cases, "shx_fit_curves_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_curves_init(s.out(), 0));
+    case!(cases, "shx_fit_curves_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_curves_init(s.out(), size_of::<shx_fit_curves>() - 8));
+    case!(cases, "shx_fit_curves_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_curves_init(s.out(), size_of::<shx_fit_curves>() + 4));
+    case!(cases, "shx_fit_curves_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_curves_init(s.out(), usize::MAX));
+    case!(cases, "shx_fit_strands", "options", "struct_size 0", SHX_ERROR_STRUCT_SIZE, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.struct_size = 0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "element_count 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.element_count = 0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "element_count 100_001", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.element_count = 100_001; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "element_count u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.element_count = u32::MAX; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "tolerance -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.tolerance = -1.0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "tolerance f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.tolerance = f64::NAN; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "tolerance f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.tolerance = f64::INFINITY; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "lengths 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.lengths = 0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "lengths 4", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.lengths = 4; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "twist 2", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.twist = 2; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "least_length 0.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.least_length = 0.0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "least_length 1.5", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.least_length = 1.5; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "least_length f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.least_length = f64::NAN; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "good -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good = -1.0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "good 2.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good = 2.0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "good f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good = f64::NAN; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "noise -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.noise = -1.0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "noise f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.noise = f64::NAN; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "noise f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.noise = f64::INFINITY; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "frame_weight -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.frame_weight = -1.0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "frame_weight f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.frame_weight = f64::NAN; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "starts 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.starts = 0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "starts 9", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.starts = 9; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "worker_count 257", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.worker_count = 257; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "reserved", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.reserved[3] = 1; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let options = new_options(); fit(s, &options, null()) });
+    case!(cases, "shx_fit_strands", "curves", "struct_size 4", SHX_ERROR_STRUCT_SIZE, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.struct_size = 4; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "reserved0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.reserved0 = 1; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "reserved", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.reserved[0] = 1; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "curve_count huge", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.curve_count = usize::MAX; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "point_counts null", SHX_ERROR_NULL_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.point_counts = null(); fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "points of another number", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.points.count = 3; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "points format 9", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.points.format = 9; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "points data null", SHX_ERROR_NULL_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.points.data = null(); fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "points stride too small", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.points.stride = 23; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "points reserved", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.points.reserved = 1; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "frames of another number", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.frames = s.frame_input(); fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "frames of points", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.frames = s.point_input(); fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "frames that are no rotations", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.frames = s.point_input(); curves.frames.format = SHX_FORMAT_F32X4; curves.frames.stride = 16; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "roots of another number", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.roots = s.point_input(); fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "roots format 9", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.roots = s.point_input(); curves.roots.format = 9; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "curves", "roots data null", SHX_ERROR_NULL_ARGUMENT, |s| { let (options, mut curves) = (new_options(), s.fit_curves()); curves.roots = s.frame_input(); curves.roots.data = null(); fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "strands", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, null_mut(), 0, s.out2(), s.out2(), 6) });
+    case!(cases, "shx_fit_strands", "stride", "111", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 111, s.out2(), s.out2(), 6) });
+    case!(cases, "shx_fit_strands", "stride", "usize::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), usize::MAX, s.out2(), s.out2(), 6) });
+    case!(cases, "shx_fit_strands", "out_element_lengths", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 0, null_mut(), s.out2(), 6) });
+    case!(cases, "shx_fit_strands", "out_curvatures", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 0, s.out2(), null_mut(), 6) });
+    case!(cases, "shx_fit_strands", "out_curvatures", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 0, s.out2(), s.out2::<u8>().add(1).cast(), 6) });
+    case!(cases, "shx_fit_strands", "capacity", "5", SHX_ERROR_BUFFER_TOO_SMALL, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 0, s.out2(), s.out2(), 5) });
+    case!(cases, "shx_fit_strands", "capacity", "usize::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 0, s.out2(), s.out2(), usize::MAX) });
+    case!(cases, "shx_spline_points", "kind", "0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(0, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "kind", "4", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(4, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "kind", "u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(u32::MAX, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "ends", "0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, 0, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "ends", "3", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, 3, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "controls", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, null(), 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "controls", "data null", SHX_ERROR_NULL_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); controls.data = null(); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "controls", "3 of 4", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); controls.count = 3; shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "controls", "none", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); controls.count = 0; shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_PINNED, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "controls", "not 3 k + 1", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); controls.count = 3; shx_spline_points(SHX_SPLINE_BEZIER, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "controls", "f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); s.points[1][2] = f64::NAN; shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "controls", "f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); s.points[0][0] = f64::INFINITY; shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "per_span", "0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 0, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "per_span", "1025", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 1025, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "per_span", "u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, u32::MAX, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "points", "null beside arclengths", SHX_ERROR_NULL_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, null(), s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "points", "room for 2", SHX_ERROR_BUFFER_TOO_SMALL, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); points.count = 2; shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "points", "format of frames", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); points.format = SHX_FORMAT_FRAME; shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "points", "data null", SHX_ERROR_NULL_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); points.data = null_mut(); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "points", "stride too small", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); points.stride = 23; shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "out_arclengths", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2::<u8>().add(1).cast(), s.out2::<usize>().add(400)) });
+    case!(cases, "shx_spline_points", "out_count", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), null_mut()) });
+    case!(cases, "shx_spline_points", "out_count", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<u8>().add(3).cast()) });
+}
