@@ -314,7 +314,7 @@ fn a_braid_stays_one() {
                     Vector3::new(wide * phase.sin(), deep * (2.0 * phase).sin(), -length * u)
                 })
                 .collect();
-            let fit = fit_polyline(&line, &FitOptions { element_count: 20 }).unwrap();
+            let fit = fit_polyline(&line, &FitOptions::elements(20)).unwrap();
             assert!(fit.max_error < 4e-4, "{}", fit.max_error);
             let mut def = StrandDef::straight(fit.element_lengths.iter().sum(), 20);
             def.element_lengths = fit.element_lengths;
