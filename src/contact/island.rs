@@ -239,11 +239,8 @@ impl Island {
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft() || self.relaxed;
         let exact = options.model == ContactModel::Coulomb || !self.joints.iter().any(Joint::is_touch);
-        let tolerance = match () {
-            () if exact => tolerance,
-            () if options.model.is_soft() => tolerance.max(SOFT.1),
-            () => tolerance.max(ROUGH_TOLERANCE),
-        };
+        let rough = if options.model.is_soft() { SOFT.1 } else { ROUGH_TOLERANCE };
+        let tolerance = if exact { tolerance } else { tolerance.max(rough) };
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
         let mut enough = residual <= GOOD_ENOUGH.0;

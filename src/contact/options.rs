@@ -7,7 +7,7 @@ use crate::error::{Error, Result, check_not_negative, check_positive};
 #[repr(u32)]
 pub enum ContactModel {
     /// The papers' penalty: a spring and a damper along the normal, viscous friction along the surface (paper 000, section 5). The cheap
-    /// model: two Newton iterations, one search for touches, and surfaces that sink into each other by their force over
+    /// model: iterated to 2e-3 rad, one search for touches, and surfaces that sink into each other by their force over
     /// [`ContactOptions::stiffness`].
     Penalty = 1,
     /// The same with document 004's spring, which begins softly (section 4.2.10): k d²/(2 d_reg) down to the depth d_reg, then k (d − d_reg/2).
