@@ -256,3 +256,53 @@ fn bodies_go_on_and_contacts_end_where_no_strand_touches() {
         assert!(solver.contacts().is_empty(), "away: {away}");
     }
 }
+
+/// As grooms are drawn: what is in a body when the scene begins comes out of it, slowly, and stays out.
+#[test]
+fn what_is_drawn_in_a_body_parts_slowly() {
+    for model in [ContactModel::Hard, ContactModel::Coulomb] {
+        let mut solver = solver(model, Vector3::new(0.0, 0.0, -GRAVITY));
+        let id = solver.add_strands(&[lying(10)]).unwrap()[0];
+        solver.set_contact(&[id], Some(&StrandContact { exempt_length: 0.02, ..StrandContact::default() })).unwrap();
+        // The floor's surface is 2 mm above the strand.
+        let above = Frame { origin: Vector3::new(0.0, 0.0, 2e-3), ..Frame::default() };
+        solver.add_bodies(vec![BodyDef { pose: above, ..floor() }]).unwrap();
+        let mut height = tip(&solver, id, 0.2).z;
+        let fastest = solver.options().contact.separation_speed / 60.0;
+        for step in 0..60 {
+            let report = solver.step(1.0 / 60.0, 1).unwrap();
+            assert_eq!(report.quarantined, 0, "{model:?} step {step}: {report:?}");
+            let now = tip(&solver, id, 0.2).z;
+            assert!(now - height < 1.5 * fastest, "{model:?} step {step}: {height} to {now}");
+            height = now;
+        }
+        assert!(height > 2e-3 - 1e-4, "{model:?}: {height}");
+    }
+}
+
+/// A strand drawn where two surfaces both push it into the other: no force parts them, and none is looked for without end.
+#[test]
+fn a_strand_drawn_between_two_surfaces_stays_whole() {
+    for model in [ContactModel::Hard, ContactModel::Coulomb] {
+        let mut solver = solver(model, Vector3::new(0.0, 0.0, -GRAVITY));
+        let id = solver.add_strands(&[lying(10)]).unwrap()[0];
+        solver.set_contact(&[id], Some(&StrandContact { exempt_length: 0.02, ..StrandContact::default() })).unwrap();
+        let floor_at = |height: f64, up: bool| {
+            let rotation = if up {
+                UnitQuaternion::identity()
+            } else {
+                UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
+            };
+            BodyDef { pose: Frame { origin: Vector3::new(0.0, 0.0, height), rotation }, ..floor() }
+        };
+        solver.add_bodies(vec![floor_at(1e-3, true), floor_at(-1e-3, false)]).unwrap();
+        let start = tip(&solver, id, 0.2);
+        for step in 0..30 {
+            let report = solver.step(1.0 / 60.0, 1).unwrap();
+            assert_eq!(report.quarantined, 0, "{model:?} step {step}: {report:?}");
+            let most = solver.contacts().iter().fold(0.0, |most: f64, contact| most.max(contact.force.norm()));
+            assert!(most < 1e-2, "{model:?} step {step}: {most} N");
+        }
+        assert!((tip(&solver, id, 0.2) - start).norm() < 2e-3);
+    }
+}

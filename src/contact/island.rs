@@ -25,13 +25,15 @@ const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 1e-4;
+/// And where constraints have a part, which are to hold to [`BOND_TOLERANCE`].
+const CONSTRAINED: f64 = 1e-8;
 /// What the penalty models are content with: the residual, and rad.
 const SOFT: (f64, f64) = (1e-3, 2e-3);
 /// A strand that ends further from the end than this, rad, has come to nowhere.
 const LOST: f64 = 0.1;
 
 /// Iterations in which what is left to do must halve, where it is good enough as it is and where not; an island that does not get on will not.
-const PATIENCE: [u32; 2] = [5, 12];
+const PATIENCE: [u32; 2] = [5, 25];
 /// What an island that has not come to its end may be off by and still be kept as it is: rad, in units of the tolerance of touches, m.
 const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-9);
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
@@ -217,8 +219,9 @@ impl Island {
             ContactModel::Hard => ROUGH,
             ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
         };
-        // No more exactly than the iterate deserves: the next one asks again.
-        let tolerance = tolerance.max(if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) });
+        // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
+        let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) };
+        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps };
         self.report = self.solver.solve(&self.space, &settings, &mut self.forces);
         self.sweeps += self.report.sweeps;
@@ -226,6 +229,10 @@ impl Island {
             joint.force = *force;
         }
         Ok(())
+    }
+
+    fn is_constrained(&self) -> bool {
+        !self.joints.iter().all(Joint::is_touch)
     }
 
     /// What takes the heaviest strand its own length in a step, N.
@@ -271,9 +278,8 @@ impl Island {
             self.best = (left, self.iterations);
         }
         let pressing = self.joints.iter().filter(|joint| joint.is_touch()).map(|joint| joint.force.norm()).fold(0.0, f64::max);
-        // Constraints alone may turn a strand right round, a little in every iteration.
-        let turning = !self.joints.iter().any(Joint::is_touch);
-        let stuck = !turning && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)]
+        // Constraints may turn a strand right round, a little in every iteration.
+        let stuck = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)]
             || pressing > NO_SOLUTION * self.usual_force(strands, step);
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
         // What has given way holds not, whatever it came to.

@@ -247,10 +247,12 @@ impl Joint {
             ContactModel::RegularisedPenalty => {
                 (Response::Regularised { stiffness: options.stiffness, depth: options.regularisation_depth }, 0.0)
             }
-            // What is in each other at the start is parted at a limited speed.
-            ContactModel::Hard | ContactModel::Coulomb => {
+            // What is in each other at the start is parted at a limited speed. (Of other touches `start_gap` says nothing: along a curved
+            // surface it is that of the start's place under the tangent plane at the end.)
+            ContactModel::Hard | ContactModel::Coulomb if self.deep => {
                 (Response::Hard, (start_gap + options.separation_speed * step).min(0.0))
             }
+            ContactModel::Hard | ContactModel::Coulomb => (Response::Hard, 0.0),
         };
         let u = normal * (gap - allowed) + (slip - normal * normal.dot(&slip));
         (Law::Contact(Contact { normal, response, friction }), u)
