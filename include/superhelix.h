@@ -1386,6 +1386,50 @@ SHX_API shx_result shx_solver_settle(shx_solver *solver, const shx_strand_id *id
     const shx_settle_def *def, shx_settle_report *report, shx_result *out_status, double *out_eigenvalues,
     double *out_residuals);
 
+// ---- Shapes taken as they are --------------------------------------------------------------------------------------
+
+// Makes the present shapes of count strands their natural ones, at any moment of a run: without weight they would rest in them,
+// with it they sag from here. Nothing moves at once, velocities stay. What shx_solver_set_element_count remembers of the natural
+// shapes before is forgotten.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_take_natural_shapes(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// Makes the present shapes of count strands those in which they rest under the solver's gravity with their roots held where they
+// are, by natural curvatures that balance their weight in closed form. Velocities stay: what moves goes on to move, about its new
+// rest; shx_solver_set_shapes with what shx_solver_get_shapes gave stops it. Wind, touches and constraints are not counted: a
+// strand that leans on something is held up as if nothing were there. The rest need not be stable: shx_solver_shape_stability
+// tells. What shx_solver_set_element_count remembers of the natural shapes before is forgotten.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a strand so limp that no finite curvatures
+// hold it). Alone with the solver.
+SHX_API shx_result shx_solver_take_rest_shapes(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// How firmly count strands would rest in their present shapes under the solver's gravity, once shx_solver_take_rest_shapes has
+// made them rest shapes; changes nothing. Each output holds count values or is null:
+// out_eigenvalues: the smallest eigenvalue of the static Hessian against the elastic stiffness, as shx_solver_settle has it: above
+// 0 stable, 1 where gravity does nothing.
+// out_youngs_scales: the smallest factor, 1 or above, on Young's modulus with which that eigenvalue is at least margin (0 to less
+// than 1; at 0 a strand is put on the very border and needs a little more). The natural shape is to be chosen anew then.
+// out_radius_scales: the same on both radii.
+// Costs the cube of the number of elements. The work is shared among the solver's own threads; a parallel_for is not used.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+SHX_API shx_result shx_solver_shape_stability(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    double margin, double *out_eigenvalues, double *out_youngs_scales, double *out_radius_scales);
+
+// The present curvatures of count strands (rad/m): a row of three doubles an element, strand after strand in the order of ids, into
+// out_curvatures, which holds capacity rows (at least the strands' elements together). Kept by the host they are initial shapes for
+// shx_solver_set_shapes; the solver itself remembers none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. May run beside
+// other reading calls.
+SHX_API shx_result shx_solver_get_shapes(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    double *out_curvatures, size_t capacity);
+
+// Puts count strands into shapes, at rest relative to their roots, all or none: row_count rows of curvatures as
+// shx_solver_get_shapes gives them. Clears quarantines. Frozen freedoms must hold their natural value.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (row_count is not the strands' elements
+// together, a number that is not finite, a frozen freedom). Alone with the solver.
+SHX_API shx_result shx_solver_set_shapes(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const double *curvatures, size_t row_count);
+
 // ---- Sampling ------------------------------------------------------------------------------------------------------
 
 // Fills a definition with the defaults. size is sizeof(shx_sample_def).

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 28] = [
+const SOURCES: [&str; 29] = [
     "version",
     "errors",
     "types",
@@ -19,6 +19,7 @@ const SOURCES: [&str; 28] = [
     "shape",
     "level_of_detail",
     "settle",
+    "restyling",
     "sampling",
     "body_def",
     "bodies",
@@ -36,7 +37,7 @@ const SOURCES: [&str; 28] = [
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 38] = [
+const SECTIONS: [(&str, &str); 39] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -62,6 +63,7 @@ const SECTIONS: [(&str, &str); 38] = [
     ("SHX_API shx_result shx_solver_set_natural_curvatures(", "Curvatures"),
     ("SHX_API shx_result shx_solver_set_element_count(", "Level of detail"),
     ("SHX_API shx_result shx_settle_def_init(", "Static rest"),
+    ("SHX_API shx_result shx_solver_take_natural_shapes(", "Shapes taken as they are"),
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
     ("SHX_API shx_result shx_body_def_init(", "Bodies"),
     ("SHX_API shx_result shx_contact_options_init(", "Contact"),

@@ -30,6 +30,7 @@ pub mod guard;
 pub mod level_of_detail;
 pub mod log;
 pub mod parallel;
+pub mod restyling;
 pub mod roots;
 mod sample_outputs;
 pub mod sampling;

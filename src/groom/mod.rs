@@ -4,3 +4,4 @@ pub mod fit;
 pub mod polyline;
 pub mod rest_shape;
 pub mod spline;
+pub mod stability;

@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use crate::chain::force::generalised;
 use crate::error::{Result, check_finite};
-use crate::math::quadrature::{self, Rules};
+use crate::math::frame::Frame;
+use crate::math::quadrature::{self, Rule, Rules};
 use crate::math::vector::Vec3;
 use crate::rod::definition::{StrandDef, check_rows};
 use crate::rod::kinematics::Kinematics;
@@ -16,8 +17,9 @@ use crate::step::state::rotation_matrix;
 ///
 /// The balance is exact to rounding in a solver of the default
 /// [`StepOptions::quadrature_tolerance`](crate::step::options::StepOptions::quadrature_tolerance), and to that tolerance in others:
-/// [`natural_under_gravity_with`] is for them. Whether that equilibrium is stable is another question: a limp strand drawn upright is held
-/// exactly, and falls at a touch.
+/// [`natural_under_gravity_with`] is for them. Whether that equilibrium is stable is another question, which
+/// [`stability_under_gravity`](super::stability::stability_under_gravity) answers: a limp strand drawn upright is held exactly, and falls at a
+/// touch.
 ///
 /// # Errors
 /// [`crate::error::Error::InvalidArgument`] for a definition or rows that cannot be used.
@@ -45,10 +47,21 @@ pub fn natural_under_gravity_with(
     // The rule that a step will use: the balance is then exact to rounding.
     let rules = Rules::new(quadrature_tolerance);
     let rule = rules.rule(rules.next_for_angle(0, model.largest_angle(curvatures)));
-    let mut kinematics = Kinematics::default();
-    kinematics.update(&rotation_matrix(&strand.root), &model.lengths, curvatures, rule);
+    Ok(held_up(&model, &strand.root, curvatures, gravity, rule, &mut Kinematics::default()))
+}
+
+/// The same of a living strand's constants, on the quadrature rule that its steps use; `kinematics` is scratch.
+pub(crate) fn held_up(
+    model: &StrandModel,
+    root: &Frame,
+    curvatures: &[[f64; 3]],
+    gravity: Vector3<f64>,
+    rule: &Rule,
+    kinematics: &mut Kinematics<f64>,
+) -> Vec<[f64; 3]> {
+    kinematics.update(&rotation_matrix(root), &model.lengths, curvatures, rule);
     let weight = Vec3::from(gravity * model.linear_density);
-    let forces = generalised(&kinematics, |p| weight.scale(rule.weights[p % rule.len()] * model.lengths[p / rule.len()]));
+    let forces = generalised(kinematics, |p| weight.scale(rule.weights[p % rule.len()] * model.lengths[p / rule.len()]));
     let mut natural = curvatures.to_vec();
     for (element, row) in natural.iter_mut().enumerate() {
         for axis in 0..3 {
@@ -57,5 +70,5 @@ pub fn natural_under_gravity_with(
             }
         }
     }
-    Ok(natural)
+    natural
 }

@@ -115,7 +115,7 @@ impl Solver {
     }
 
     /// Puts a strand into a shape, with rates (`None`: at rest relative to its root).
-    fn put(&mut self, index: usize, curvatures: Vec<[f64; 3]>, rates: Option<Vec<[f64; 3]>>) {
+    pub(super) fn put(&mut self, index: usize, curvatures: Vec<[f64; 3]>, rates: Option<Vec<[f64; 3]>>) {
         let strand = &mut self.strands[index];
         strand.state.rates = rates.unwrap_or_else(|| vec![[0.0; 3]; curvatures.len()]);
         strand.state.curvatures = curvatures;

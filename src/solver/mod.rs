@@ -11,6 +11,7 @@ mod level_of_detail;
 mod population;
 mod reading;
 pub mod report;
+mod restyling;
 mod sampling;
 mod sections;
 mod side_by_side;

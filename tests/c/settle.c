@@ -1,5 +1,5 @@
 /* shx_solver_settle: cantilevers against tests/data/reference/physics.json (the exact answer for one element, the continuous rod for
- * forty), an upright strand that must fall, what the outputs say, and rest afterwards. */
+ * forty), an upright strand that must fall, what the outputs say, and rest afterwards; shapes taken in the middle of a run. */
 #include <math.h>
 #include "expect.h"
 
@@ -28,6 +28,45 @@ static void tip_of(const shx_solver *solver, shx_strand_id id, double tip[3]) {
   EXPECT(shx_solver_sample_at(solver, id, &end, 1, NULL, &points, NULL, NULL) == SHX_OK);
   for (int axis = 0; axis < 3; axis++)
     tip[axis] /= 0.1;
+}
+
+/* Shapes taken as they are in the middle of a run: natural, or rested in; how much stiffer an upright strand would have to be. */
+static void shapes_taken(void) {
+  shx_solver *solver;
+  EXPECT(shx_solver_create(NULL, &solver) == SHX_OK);
+  shx_strand_def strands[2] = {rod(10, 4), rod(20, 20)};
+  const double half = sqrt(0.5), upright[4] = {0, -half, 0, half};
+  memcpy(strands[1].root.rotation, upright, sizeof upright);
+  shx_strand_id ids[2];
+  EXPECT(shx_solver_add_strands(solver, strands, sizeof strands[0], 2, ids) == SHX_OK);
+  double eigenvalues[2], youngs[2], radii[2];
+  EXPECT(shx_solver_shape_stability(solver, ids, 2, 0, eigenvalues, youngs, radii) == SHX_OK);
+  EXPECT(eigenvalues[0] > 0.1 && youngs[0] == 1 && radii[0] == 1);
+  EXPECT(eigenvalues[1] < 0 && fabs(youngs[1] * 7.837347 / 20 - 1) < 3e-3); /* Greenhill; twenty elements are 1e-3 off */
+  EXPECT(fabs(radii[1] * radii[1] - youngs[1]) < 1e-12);
+  EXPECT(shx_solver_shape_stability(solver, ids, 2, 0.5, NULL, NULL, NULL) == SHX_OK);
+
+  for (int step = 0; step < 6; step++)
+    EXPECT(shx_solver_step(solver, 1.0 / 60, 1, NULL) == SHX_OK);
+  double taken[24][3], later[24][3], natural[4][3], rates[4][3];
+  EXPECT(shx_solver_get_shapes(solver, ids, 2, &taken[0][0], 24) == SHX_OK);
+  EXPECT(fabs(taken[0][1]) + fabs(taken[0][2]) > 0.1);
+  EXPECT(shx_solver_take_rest_shapes(solver, ids, 1) == SHX_OK);
+  EXPECT(shx_solver_get_curvatures(solver, ids[0], NULL, &rates[0][0], 4) == SHX_OK);
+  EXPECT(fabs(rates[0][1]) + fabs(rates[0][2]) > 0.1); /* it goes on to move */
+  EXPECT(shx_solver_set_shapes(solver, ids, 2, &taken[0][0], 24) == SHX_OK);
+  for (int step = 0; step < 60; step++)
+    EXPECT(shx_solver_step(solver, 1.0 / 60, 1, NULL) == SHX_OK);
+  EXPECT(shx_solver_get_shapes(solver, ids, 2, &later[0][0], 24) == SHX_OK);
+  for (int element = 0; element < 4; element++)
+    for (int axis = 0; axis < 3; axis++)
+      EXPECT(fabs(later[element][axis] - taken[element][axis]) < 1e-6);
+
+  EXPECT(shx_solver_take_natural_shapes(solver, ids, 2) == SHX_OK);
+  EXPECT(shx_solver_get_natural_curvatures(solver, ids[0], &natural[0][0], 4) == SHX_OK);
+  EXPECT(memcmp(natural, later, sizeof natural) == 0);
+  EXPECT(shx_solver_take_natural_shapes(solver, NULL, 0) == SHX_OK && shx_solver_get_shapes(solver, NULL, 0, NULL, 0) == SHX_OK);
+  shx_solver_destroy(solver);
 }
 
 int main(void) {
@@ -102,6 +141,7 @@ int main(void) {
   EXPECT(shx_solver_strand_status(solver, &ids[1], 1, status) == SHX_OK && status[0] == SHX_UNCONVERGED);
   EXPECT(shx_solver_settle(solver, NULL, 0, NULL, &report, NULL, NULL, NULL) == SHX_OK && report.iterations == 0);
   shx_solver_destroy(solver);
-  printf("cantilevers lie where theory has them; an upright strand falls\n");
+  shapes_taken();
+  printf("cantilevers lie where theory has them; an upright strand falls; shapes taken stay\n");
   return 0;
 }

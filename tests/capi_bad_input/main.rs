@@ -11,6 +11,7 @@ mod fit;
 mod fit_curves;
 mod friction_fit;
 mod level_of_detail;
+mod restyling;
 mod roots;
 mod sampling;
 mod scene;
@@ -36,6 +37,7 @@ use superhelix::capi::fit::*;
 use superhelix::capi::fit_curves::*;
 use superhelix::capi::friction_fit::*;
 use superhelix::capi::level_of_detail::*;
+use superhelix::capi::restyling::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
 use superhelix::capi::settings::*;
@@ -148,6 +150,7 @@ fn table() -> Vec<Case> {
         roots::cases,
         shape::cases,
         settle::cases,
+        restyling::cases,
         level_of_detail::cases,
         suggest::cases,
         sampling::cases,

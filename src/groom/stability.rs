@@ -1,0 +1,60 @@
+//! Whether a strand that is held up in a shape stays in it when touched, and how much stiffer it must be to do so.
+//!
+//! With the natural shape chosen as [`super::rest_shape`] says, any shape is an equilibrium. The Hessian there is K + W: K elastic, W that of
+//! the weight, which depends on the shape and on nothing natural. λ is the smallest eigenvalue of (K + W) x = λ K x. A strand s times as
+//! stiff, of the same weight and shape, has K + W/s in units of its own stiffness, hence 1 + (λ − 1)/s in place of λ: the stiffening that
+//! is needed is known in closed form.
+
+use nalgebra::Vector3;
+
+use crate::error::{Error, Result};
+use crate::rod::definition::StrandDef;
+use crate::step::equilibrium;
+
+/// How firmly a strand rests in a shape under gravity, were its natural shape chosen to hold it there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stability {
+    /// The smallest eigenvalue λ of the static Hessian against the elastic stiffness: 1 where gravity does nothing (a little more for strands
+    /// that it holds everywhere), 0 at the border of stability, below it unstable. Rounding leaves it within 1e-9. Not a number if it could
+    /// not be found.
+    pub smallest_eigenvalue: f64,
+}
+
+impl Stability {
+    /// Whether the smallest eigenvalue is above zero.
+    pub fn is_stable(&self) -> bool {
+        self.smallest_eigenvalue > 0.0
+    }
+
+    /// The smallest factor, 1 or above, on Young's modulus (Poisson's ratio as it is) with which the eigenvalue is at least `margin`, 0 to
+    /// less than 1, in the same shape with a natural shape chosen anew. With margin 0 the strand is put on the very border: it needs a little
+    /// more.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a margin out of range.
+    pub fn youngs_scale(&self, margin: f64) -> Result<f64> {
+        if !(0.0..1.0).contains(&margin) {
+            return Err(Error::invalid("margin", margin, "0 to less than 1"));
+        }
+        let scale = (1.0 - self.smallest_eigenvalue) / (1.0 - margin);
+        Ok(if scale < 1.0 { 1.0 } else { scale })
+    }
+
+    /// The same for a factor on both radii of the section: stiffness grows with its fourth power, weight with its square.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a margin out of range.
+    pub fn radius_scale(&self, margin: f64) -> Result<f64> {
+        Ok(self.youngs_scale(margin)?.sqrt())
+    }
+}
+
+/// The stability under gravity (m/s²) of a strand of this definition in the shape `curvatures`, a row an element (frozen freedoms at their
+/// natural values), held there by the natural shape that [`natural_under_gravity`](super::rest_shape::natural_under_gravity) gives. Costs the
+/// cube of the number of elements.
+///
+/// # Errors
+/// [`Error::InvalidArgument`] for a definition, rows or gravity that cannot be used.
+pub fn stability_under_gravity(strand: &StrandDef, curvatures: &[[f64; 3]], gravity: Vector3<f64>) -> Result<Stability> {
+    Ok(Stability { smallest_eigenvalue: equilibrium::smallest_eigenvalue(strand, curvatures, gravity)? })
+}
