@@ -64,7 +64,7 @@ fn contacts_bear_the_weight_and_act_on_the_collider_as_well() {
             assert!((at[2] - 50e-6 - contact["gap"].as_f64().unwrap()).abs() < 1e-12, "{contact}");
         }
         let told = &result["report"]["contact"];
-        assert_eq!(told["touches_max"].as_u64().unwrap() as usize, contacts.len());
+        assert!(told["touches_max"].as_u64().unwrap() as usize >= contacts.len());
         assert_eq!(told["unconverged"], 0);
         assert!(told["penetration_max"].as_f64().unwrap() < if allowed < 1e-3 { TOLERANCE } else { 1e-3 }, "{told}");
     }
