@@ -78,23 +78,11 @@ impl<T: Lane, const D: usize> Kernel for SolveFor<'_, T, D> {
     type Output = Direction<T>;
     #[inline(always)]
     fn run(self) -> Direction<T> {
-        solve_for::<T, D, false>(self.scratch, self.kinematics, self.system, &[], self.axes, None, self.change).0
+        solve_for::<T, D, false>(self.scratch, self.kinematics, self.system, &[], self.axes, self.change)
     }
 }
 
 impl<T: Lane> Elimination<T> {
-    /// The same over all three curvatures, with a root that may turn against a spring of `root_stiffness` (N·m/rad): also gives the
-    /// root's rotation in its own axes. For fitting, where the follicle's direction is part of what is sought.
-    pub fn solve_with_turning_root(
-        &mut self,
-        kinematics: &Kinematics<T>,
-        system: &ChainSystem<T>,
-        root_stiffness: T,
-        change: &mut Vec<[T; 3]>,
-    ) -> (Direction<T>, Vec3<T>) {
-        solve_for::<T, 3, false>(&mut self.three, kinematics, system, &[], [0, 1, 2], Some(root_stiffness), change)
-    }
-
     /// The same as [`LinearSolve::solve`] of a strand on which forces act at stations (`loads`, from root to tip): their geometric terms
     /// are in the matrix; their forces are not in the direction, see [`super::response`].
     pub fn solve_loaded(
@@ -106,9 +94,9 @@ impl<T: Lane> Elimination<T> {
         change: &mut Vec<[T; 3]>,
     ) -> Direction<T> {
         match *axes {
-            [a] => solve_for::<T, 1, true>(&mut self.one, kinematics, system, loads, [a], None, change).0,
-            [a, b] => solve_for::<T, 2, true>(&mut self.two, kinematics, system, loads, [a, b], None, change).0,
-            _ => solve_for::<T, 3, true>(&mut self.three, kinematics, system, loads, [0, 1, 2], None, change).0,
+            [a] => solve_for::<T, 1, true>(&mut self.one, kinematics, system, loads, [a], change),
+            [a, b] => solve_for::<T, 2, true>(&mut self.two, kinematics, system, loads, [a, b], change),
+            _ => solve_for::<T, 3, true>(&mut self.three, kinematics, system, loads, [0, 1, 2], change),
         }
     }
 }
@@ -240,9 +228,8 @@ fn solve_for<T: Lane, const D: usize, const LOADED: bool>(
     system: &ChainSystem<T>,
     mut loads: &[Load<T>],
     axes: [usize; D],
-    root_stiffness: Option<T>,
     change: &mut Vec<[T; 3]>,
-) -> (Direction<T>, Vec3<T>) {
+) -> Direction<T> {
     let count = kinematics.elements.len();
     scratch.clear();
     let mut repaired = T::zero();
@@ -257,13 +244,11 @@ fn solve_for<T: Lane, const D: usize, const LOADED: bool>(
         scratch.push(eliminated);
         down = if index > 0 { left.turned(&kinematics.elements[index - 1].turn) } else { left };
     }
-    // From root to tip: the root does not move, or turns as the last reduced system says.
+    // From root to tip: the root does not move.
     change.clear();
     change.resize(count, [T::zero(); 3]);
-    let root_turn = root_stiffness.map_or(Vec3::zero(), |stiffness| turn_of_root(&down, stiffness));
-    let (mut psi, mut rho) = (root_turn, Vec3::<T>::zero());
-    let (mut descent, mut rotation_squared) = (root_turn.dot(down.whole_moment), root_turn.norm_squared());
-    let mut rotation_sum = T::zero();
+    let (mut psi, mut rho) = (Vec3::<T>::zero(), Vec3::<T>::zero());
+    let (mut descent, mut rotation_squared, mut rotation_sum) = (T::zero(), T::zero(), T::zero());
     for (index, element) in kinematics.elements.iter().enumerate() {
         let done = &scratch[count - 1 - index];
         let mut delta = [T::zero(); D];
@@ -290,31 +275,7 @@ fn solve_for<T: Lane, const D: usize, const LOADED: bool>(
         psi = element.turn.apply_transposed(next_psi);
         rho = element.turn.apply_transposed(next_rho);
     }
-    (Direction { descent, rotation_squared, rotation_sum, repaired, condition: 0.0 }, root_turn)
-}
-
-/// Solves (A + k I) ψ = moment at the root.
-#[inline(always)]
-fn turn_of_root<T: Lane>(root: &Downstream<T>, stiffness: T) -> Vec3<T> {
-    let mut pivot = full(&root.a).0;
-    for (i, row) in pivot.iter_mut().enumerate() {
-        row[i] += stiffness;
-    }
-    let (factor, _) = factorise(&pivot, stiffness);
-    let mut y = root.moment.0;
-    for i in 0..3 {
-        for k in 0..i {
-            y[i] -= factor[i][k] * y[k];
-        }
-        y[i] = y[i] * factor[i][i];
-    }
-    for i in (0..3).rev() {
-        for k in i + 1..3 {
-            y[i] -= factor[k][i] * y[k];
-        }
-        y[i] = y[i] * factor[i][i];
-    }
-    Vec3(y)
+    Direction { descent, rotation_squared, rotation_sum, repaired, condition: 0.0 }
 }
 
 /// Eliminates one element's curvatures: what it and all downstream are to its left end, and what the second pass needs.

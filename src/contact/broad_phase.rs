@@ -5,31 +5,7 @@
 
 use nalgebra::Vector3;
 
-/// A box whose sides are along the axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
-    /// Least coordinates, m.
-    pub low: Vector3<f64>,
-    /// Largest coordinates, m.
-    pub high: Vector3<f64>,
-}
-
-impl Bounds {
-    /// Whether two boxes have a point in common.
-    #[inline(always)]
-    pub fn meets(&self, other: &Bounds) -> bool {
-        self.low.x <= other.high.x
-            && other.low.x <= self.high.x
-            && self.low.y <= other.high.y
-            && other.low.y <= self.high.y
-            && self.low.z <= other.high.z
-            && other.low.z <= self.high.z
-    }
-
-    fn is_finite(&self) -> bool {
-        self.low.iter().chain(self.high.iter()).all(|x| x.is_finite())
-    }
-}
+use super::shape::Bounds;
 
 /// Cells along an axis, at most (their numbers are packed into one word).
 const MOST_CELLS: f64 = 1_000_000.0;

@@ -10,9 +10,10 @@ use nalgebra::{Matrix3, Vector3};
 
 pub(crate) use memory::PairMemory;
 
-use super::broad_phase::{Bounds, Grid};
+use super::broad_phase::Grid;
 use super::pieces::{Pieces, Wisp};
 use super::segment_distance::closest_of_segments;
+use super::shape::Bounds;
 use super::touch::{StrandCurve, StrandPath, Touch};
 use super::touches::{MovingPiece, TouchScratch, TwoStrands, relative_motion};
 use crate::error::{Error, Result, check_not_negative};

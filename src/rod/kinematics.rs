@@ -78,6 +78,22 @@ pub fn element_state<T: Lane>(kappa: Vec3<T>, length: T, frame_left: Mat3<T>, or
     }
 }
 
+/// The elements of a strand, each from where the one before it ends; the first has its left end at the origin, with this frame.
+pub fn element_states<T: Lane>(
+    frame: Mat3<T>,
+    lengths: impl IntoIterator<Item = T>,
+    curvatures: &[[T; 3]],
+    elements: &mut Vec<ElementState<T>>,
+) {
+    elements.clear();
+    let (mut frame, mut origin) = (frame, Vec3::zero());
+    for (length, row) in lengths.into_iter().zip(curvatures) {
+        let element = element_state(Vec3(*row), length, frame, origin);
+        (frame, origin) = (element.frame_right(), element.origin_right());
+        elements.push(element);
+    }
+}
+
 impl<T: Lane> ElementState<T> {
     /// Right end, relative to the root's origin, world axes.
     #[inline(always)]

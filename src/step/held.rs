@@ -22,7 +22,7 @@ use crate::chain::system::LinearSolve;
 use crate::math::lane::MAX_LANES;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::freedoms::Freedoms;
-use crate::rod::kinematics::{ElementState, Kinematics, element_state};
+use crate::rod::kinematics::{ElementState, Kinematics, element_states};
 
 /// One strand in the course of its step.
 #[derive(Debug)]
@@ -88,13 +88,8 @@ impl Held {
         } else {
             stages::start_euler(one, setting, h, workspace)
         };
-        self.start.clear();
-        let (mut frame, mut origin) = (workspace.loaded.rotation, Vec3::zero());
-        for (length, row) in workspace.loaded.lengths.iter().zip(&workspace.loaded.curvatures) {
-            let element = element_state(Vec3(*row), *length, frame, origin);
-            (frame, origin) = (element.frame_right(), element.origin_right());
-            self.start.push(element);
-        }
+        let loaded = &workspace.loaded;
+        element_states(loaded.rotation, loaded.lengths.iter().copied(), &loaded.curvatures, &mut self.start);
         self.start_origin = one.state.root.origin;
         (self.rotation, self.offset) = stages::move_roots(h, one, workspace);
         self.origin = workspace.roots[0].origin;

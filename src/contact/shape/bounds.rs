@@ -69,6 +69,11 @@ impl Bounds {
             && other.low.z <= self.high.z
     }
 
+    /// Whether all its coordinates are finite.
+    pub fn is_finite(&self) -> bool {
+        self.low.iter().chain(self.high.iter()).all(|x| x.is_finite())
+    }
+
     /// Whether a point lies in it.
     #[inline]
     pub fn holds(&self, point: &Vector3<f64>) -> bool {

@@ -4,6 +4,7 @@
 //! [`crate::chain::elimination`], whose symbols are used; what is new is the node. Moving the node at b between elements of curvatures κ and
 //! κ′ by δb at fixed arclengths of everything else turns all that lies beyond it by R(b)(κ − κ′)δb about it: a hinge.
 
+use super::measure::{angle_to, frame_at};
 use super::samples::Sample;
 use super::shape::Shape;
 use crate::chain::pivot::cholesky;
@@ -85,10 +86,8 @@ impl State {
                 let off = sample.target - point.position;
                 distance += sample.weight * off.norm_squared();
                 let normal = sample.normal.map(|wanted| {
-                    let theta = element.kappa.scale(point.s);
-                    let here = segment::frame(theta, element.kappa_squared * point.s * point.s, &point.c);
-                    let wanted = element.frame_left.apply_transposed(wanted);
-                    let angle = wanted.dot(here.column(2)).atan2(wanted.dot(here.column(1)));
+                    let here = frame_at(&element, &point);
+                    let angle = angle_to(wanted, &element, &here);
                     angles += sample.weight * angle * angle;
                     (here.column(0), angle)
                 });

@@ -2,8 +2,8 @@
 
 use super::samples::Sample;
 use super::shape::Shape;
-use crate::math::vector::Vec3;
-use crate::rod::kinematics::{ElementState, element_state};
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::{ElementState, PointState, element_states};
 use crate::rod::segment;
 
 /// Distances in units of the length.
@@ -25,12 +25,7 @@ const STEPS: usize = 4;
 /// Measures.
 pub(super) fn errors(shape: &Shape, samples: &[Sample]) -> Errors {
     let mut elements: Vec<ElementState<f64>> = Vec::with_capacity(shape.rows.len());
-    let (mut frame, mut origin) = (shape.root.0, Vec3::zero());
-    for (index, row) in shape.rows.iter().enumerate() {
-        let element = element_state(Vec3(*row), shape.length(index), frame, origin);
-        (frame, origin) = (element.frame_right(), element.origin_right());
-        elements.push(element);
-    }
+    element_states(shape.root.0, (0..shape.rows.len()).map(|index| shape.length(index)), &shape.rows, &mut elements);
     let (mut sum, mut largest, mut farthest, mut angles) = (0.0, 0.0_f64, 0.0_f64, 0.0);
     let mut index = 0;
     for sample in samples {
@@ -44,9 +39,7 @@ pub(super) fn errors(shape: &Shape, samples: &[Sample]) -> Errors {
             farthest = farthest.max(nearest(shape, &elements, sample, index));
         }
         if let Some(wanted) = sample.normal {
-            let here = segment::frame(element.kappa.scale(point.s), element.kappa_squared * point.s * point.s, &point.c);
-            let wanted = element.frame_left.apply_transposed(wanted);
-            angles += wanted.dot(here.column(2)).atan2(wanted.dot(here.column(1))).powi(2);
+            angles += angle_to(wanted, element, &frame_at(element, &point)).powi(2);
         }
     }
     let count = samples.len() as f64;
@@ -56,6 +49,17 @@ pub(super) fn errors(shape: &Shape, samples: &[Sample]) -> Errors {
         farthest: farthest.sqrt(),
         frames: (angles / count).sqrt(),
     }
+}
+
+/// The material frame at a point of an element, in the axes of the element's left end.
+pub(super) fn frame_at(element: &ElementState<f64>, point: &PointState<f64>) -> Mat3<f64> {
+    segment::frame(element.kappa.scale(point.s), element.kappa_squared * point.s * point.s, &point.c)
+}
+
+/// The angle about the tangent from n1 of such a frame to a wanted normal, rad.
+pub(super) fn angle_to(wanted: Vec3<f64>, element: &ElementState<f64>, here: &Mat3<f64>) -> f64 {
+    let wanted = element.frame_left.apply_transposed(wanted);
+    wanted.dot(here.column(2)).atan2(wanted.dot(here.column(1)))
 }
 
 /// The element that holds an arclength, looked for from element `index`.
@@ -78,8 +82,7 @@ fn nearest(shape: &Shape, elements: &[ElementState<f64>], sample: &Sample, mut i
         let point = element.point(arclength - shape.nodes[index]);
         let off = sample.target - point.position;
         least = least.min(off.norm_squared());
-        let here = segment::frame(element.kappa.scale(point.s), element.kappa_squared * point.s * point.s, &point.c);
-        let tangent = element.frame_left.apply(here.column(0));
+        let tangent = element.frame_left.apply(frame_at(element, &point).column(0));
         arclength = (arclength + off.dot(tangent)).clamp(0.0, 1.0);
     }
     least
