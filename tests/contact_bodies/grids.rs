@@ -183,3 +183,43 @@ fn a_mesh_with_an_opening_is_baked_as_if_closed() {
     let error = DistanceGrid::bake(&one, 0.02, 0.05).unwrap_err().to_string();
     assert!(error.starts_with("mesh is without an inside"), "{error}");
 }
+
+/// Boxes whose faces are layers of the lattice's nodes, which are neither inside nor outside: all of them, some, a face, and a box with a
+/// quarter of a face missing.
+#[test]
+fn a_box_along_the_lattice_is_baked() {
+    let corners = |half: Vector3<f64>| -> Vec<Vector3<f64>> {
+        (0..8).map(|k| Vector3::from_fn(|axis, _| if k >> axis & 1 == 0 { -half[axis] } else { half[axis] })).collect()
+    };
+    let faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+    let triangles: Vec<[u32; 3]> = faces.iter().flat_map(|[a, b, c, d]| [[*a, *c, *b], [*a, *d, *c]]).collect();
+    let half = Vector3::new(0.03, 0.02, 0.01);
+    for (cell, band) in [(0.005, 0.02), (0.01, 0.02), (0.0025, 0.005), (0.003, 0.02), (1.0 / 300.0, 0.02)] {
+        let mesh = |sides| Mesh::new(corners(half), triangles.clone(), sides).unwrap();
+        let solid = DistanceGrid::bake(&mesh(Sides::Solid), cell, band).unwrap();
+        for sides in [Sides::Both, Sides::Front { depth: 0.01 }] {
+            let grid = DistanceGrid::bake(&mesh(sides), cell, band).unwrap_or_else(|error| panic!("cell {cell}: {error}"));
+            // Which side rounding puts a node of the surface on makes no difference.
+            let off = grid.values().iter().zip(solid.values()).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            assert!(off < 1e-7, "cell {cell}: {off}");
+        }
+    }
+    // A quarter of the face towards −x is missing; far from it all is as before.
+    let mut vertices = corners(half);
+    vertices.push(Vector3::new(-half.x, 0.0, 0.0));
+    let mut open: Vec<[u32; 3]> = triangles.iter().copied().filter(|t| !t.iter().all(|v| v & 1 == 0)).collect();
+    assert_eq!(open.len(), 10);
+    open.extend([[0, 8, 2], [0, 4, 8], [8, 4, 6]]);
+    let open = Mesh::new(vertices, open, Sides::Front { depth: 0.01 }).unwrap();
+    let grid = DistanceGrid::bake(&open, 0.0025, 0.005).unwrap();
+    for (point, distance) in [([0.005, 0.001, 0.011], 0.001), ([0.01, 0.0, 0.008], -0.002), ([0.031, 0.003, -0.002], 0.001)] {
+        let found = grid.closest(point.into()).unwrap().distance;
+        assert!((found - distance).abs() < 1e-6, "{point:?}: {found}");
+    }
+    // Without half of its faces it has no inside, however they lie.
+    let half_open: Vec<[u32; 3]> = triangles.iter().copied().filter(|t| t.iter().any(|v| v & 1 == 0)).collect();
+    for bowl in [&half_open[..6], &triangles[..4]] {
+        let error = DistanceGrid::bake(&Mesh::new(corners(half), bowl.to_vec(), Sides::Both).unwrap(), 0.005, 0.02).unwrap_err();
+        assert!(error.to_string().contains("mesh is"), "{error}");
+    }
+}

@@ -9,6 +9,9 @@ use crate::error::{Error, Result};
 const UNCLEAR: f32 = 0.2;
 /// Most unclear nodes among those near the surface.
 const MOST_UNCLEAR: f64 = 0.2;
+/// A node nearer to the surface than this share of a cell is on it: it has no side, and none is asked of it. (Of a flat face along the
+/// lattice a whole layer of nodes may be.)
+const ON_IT: f64 = 1e-3;
 
 /// Signed distances of a mesh at the nodes of a lattice, m.
 ///
@@ -32,10 +35,10 @@ pub(super) fn distances(lattice: &Lattice, mesh: &Mesh) -> Result<Vec<f32>> {
     Ok(distances)
 }
 
-/// The winding numbers of the nodes within two cells of the mesh.
+/// The winding numbers of the nodes within two cells of the mesh that are not on it.
 fn near<'a>(lattice: &Lattice, distances: &'a [f32], numbers: &'a [f32]) -> impl Iterator<Item = &'a f32> {
-    let most = 2.0 * lattice.cell;
-    distances.iter().zip(numbers).filter(move |(distance, _)| f64::from(**distance) < most).map(|(_, number)| number)
+    let asked = ON_IT * lattice.cell..2.0 * lattice.cell;
+    distances.iter().zip(numbers).filter(move |(distance, _)| asked.contains(&f64::from(**distance))).map(|(_, number)| number)
 }
 
 /// Refuses a mesh about which too many winding numbers tell no side, or none an inside.

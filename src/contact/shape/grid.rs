@@ -36,8 +36,8 @@ impl DistanceGrid {
     /// microseconds; four bytes a node, and eight more while it is baked.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] when the mesh is too open for an inside (of the nodes within two cells of it more than a fifth are
-    /// neither inside nor outside by their winding numbers, or none at all is inside), `cell` or `band` is not finite and above zero, or there would be more than
+    /// [`Error::InvalidArgument`] when the mesh is too open for an inside (of the nodes within two cells of it, but not on
+    /// it, more than a fifth are neither inside nor outside by their winding numbers, or none at all is inside), `cell` or `band` is not finite and above zero, or there would be more than
     /// [`NODE_LIMIT`] nodes; [`Error::OutOfMemory`].
     pub fn bake(mesh: &Mesh, cell: f64, band: f64) -> Result<Self> {
         let (bounds, counts) = Self::lattice(mesh, cell, band)?;
