@@ -4,17 +4,20 @@
 //! holds until a piece has moved by more than its margin, and that is asked at every iterate, so that no pair is ever missed. Motion that
 //! all strands share (a head that turns) does not count: it is measured against the motion that the roots share.
 
+mod knots;
 mod memory;
 
 use nalgebra::{Matrix3, Vector3};
 
+use knots::Knots;
+pub use knots::Tie;
 pub(crate) use memory::PairMemory;
 
 use super::broad_phase::Grid;
 use super::pieces::{Pieces, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::shape::Bounds;
-use super::touch::{StrandCurve, StrandPath, Touch};
+use super::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
 use super::touches::{MovingPiece, TouchScratch, TwoStrands, relative_motion};
 use crate::error::{Error, Result, check_not_negative};
 
@@ -61,6 +64,7 @@ pub struct HairPairs {
     activation: f64,
     margin: f64,
     pieces: Pieces,
+    knots: Knots,
     grid: Grid,
     boxes: Vec<Bounds>,
     candidates: Vec<(u32, u32)>,
@@ -98,7 +102,18 @@ impl HairPairs {
         self.wisps.clear();
         self.wisps.extend_from_slice(wisps);
         (self.activation, self.margin, self.valid) = (options.activation, options.margin, false);
-        Ok(())
+        // They were ties of other strands.
+        self.knots.set(&[], 0, |_| 0.0)
+    }
+
+    /// Says which strands are tied together where; what was said before is forgotten. Beside a knot their touches have a smaller radius, and next
+    /// to it there are none. Takes no new search.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a strand that is none of the wisps, or an arclength that is negative or not finite; nothing is changed then.
+    pub fn set_ties(&mut self, ties: &[Tie]) -> Result<()> {
+        let Self { knots, wisps, .. } = self;
+        knots.set(ties, wisps.len(), |strand| wisps[strand as usize].radius)
     }
 
     /// Says that a step begins: the next [`update`](Self::update) has another start. Within a step its paths' starts are the same.
@@ -268,7 +283,35 @@ impl HairPairs {
             turned: self.turned,
         };
         let candidates = self.candidates[group.from as usize..group.to as usize].iter();
+        let first = out.len();
         two.touches(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
+        if self.knots.holds(group.a) && self.knots.holds(group.b) {
+            self.gather(group, strands, first, out);
+        }
+    }
+
+    /// Of the touches from `first` on drops those in a knot, and takes back the radii of those beside one.
+    fn gather(&self, group: &Group, strands: &[StrandPath], first: usize, out: &mut Vec<Touch>) {
+        let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
+        let along = |strand: u32, place: &Place| {
+            let before = &strands[strand as usize].now.elements[..place.element as usize];
+            before.iter().map(|element| element.length).sum::<f64>() + place.s
+        };
+        let mut kept = first;
+        for index in first..out.len() {
+            let mut touch = out[index];
+            if let Partner::Strand(other) = &touch.partner {
+                let along = [along(group.a, &touch.place), along(group.b, other)];
+                let Some(share) = self.knots.share_left([group.a, group.b], along, radii) else { continue };
+                touch.gap += (1.0 - share) * radii;
+                if share < 1.0 && touch.gap > self.activation {
+                    continue;
+                }
+            }
+            out[kept] = touch;
+            kept += 1;
+        }
+        out.truncate(kept);
     }
 
     /// What it came to so far.
