@@ -214,6 +214,12 @@ fn contact_from_c() {
     run(&mut valgrind(&path));
 }
 
+/// Without valgrind: the functions are those of `contact.c`.
+#[test]
+fn contact_and_constraints_are_read_from_c() {
+    run(&mut Command::new(program("contact_reading")));
+}
+
 #[test]
 fn elements_change_under_way() {
     let path = program("level_of_detail");
