@@ -1,8 +1,17 @@
 #!/usr/bin/env bash
-# Measures what contact costs and errs by, and writes the tables of docs/contact.md. Nothing else should run on the machine meanwhile.
+# Measures what contact costs and errs by, and writes the tables of docs/contact.md and of docs/tradeoff.md. Nothing else should run on the machine
+# meanwhile.
+#   CONTACT_QUICK=yes    forty guides, four steps, one step size, into build/contact_quick, tables to the terminal; docs/ stays as it is
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-cargo bench --locked --profile "${BENCH_PROFILE:-demo}" --bench contact -- --csv "$PWD/docs/figures"
+into=docs/figures
+options=()
+if [ "${CONTACT_QUICK:-no}" = yes ]; then
+  into=build/contact_quick
+  options=(--quick --guides 40 --steps 4)
+fi
+mkdir -p "$into"
+cargo bench --locked --profile "${BENCH_PROFILE:-demo}" --bench contact -- --csv "$PWD/$into" ${options[@]+"${options[@]}"}
 scripts/python_env.sh
-build/venv/bin/python docs/figures/plot_contact.py
+build/venv/bin/python docs/figures/plot_contact.py "$into"

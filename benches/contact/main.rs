@@ -1,5 +1,7 @@
 //! What contact costs: a thousand guides on Sintel's bust, shaken, hair against hair and bust, by each model; and what each model errs by
-//! for what it costs, against the exact one in steps sixteen times as short. `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N]`.
+//! for what it costs (`price.rs`). `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick]`.
+
+mod price;
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -8,7 +10,7 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
+use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
 use superhelix::contact::shape::{DistanceGrid, Shape, Sides};
 use superhelix::files::{curves::Curves, obj_mesh};
 use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
@@ -16,7 +18,6 @@ use superhelix::math::frame::Frame;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
 
-const GUIDES: usize = 1000;
 const ELEMENTS: usize = 10;
 const SCALE: f64 = 0.01;
 const STEP: f64 = 1.0 / 60.0;
@@ -41,7 +42,7 @@ const MODELS: [(ContactModel, &str); 4] = [
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
 /// Sintel's hair as guides: 228 strands, and copies of them set a few millimetres aside, but for those that are drawn through the bust.
-fn guides(head: &Shape) -> Outcome<Vec<StrandDef>> {
+fn guides(head: &Shape, guides: usize) -> Outcome<Vec<StrandDef>> {
     let curves = Curves::read("tests/data/grooms/sintel_hair_001.tfx")?;
     let count = curves.strand_count();
     let mut defs = Vec::new();
@@ -64,7 +65,7 @@ fn guides(head: &Shape) -> Outcome<Vec<StrandDef>> {
         def.natural = natural_under_gravity(&def, &fit.curvatures, GRAVITY)?;
         def.initial = Some(fit.curvatures);
         defs.push(def);
-        if defs.len() == GUIDES {
+        if defs.len() == guides {
             break;
         }
     }
@@ -153,37 +154,6 @@ fn shake(
     Ok(out)
 }
 
-/// A strand that falls on a ball and slides off: the tip's way.
-fn fall(model: ContactModel, step: f64) -> Outcome<(Vec<Vector3<f64>>, f64)> {
-    let contact = ContactOptions { model, ..ContactOptions::default() };
-    let mut solver = Solver::new(SolverOptions { gravity: Vector3::new(0.0, 0.0, -9.81), contact, ..SolverOptions::default() })?;
-    let mut defs = Vec::new();
-    for k in 0..16 {
-        let mut def = StrandDef::straight(0.2, ELEMENTS);
-        def.natural = vec![[0.0, 2.0 + 0.5 * f64::from(k), 0.0]; ELEMENTS];
-        def.initial = Some(def.natural.clone());
-        def.material.internal_friction = 1e-9;
-        def.material.air_drag = 2e-5;
-        def.root.origin = Vector3::new(-0.08, 0.004 * f64::from(k) - 0.03, 0.09);
-        defs.push(def);
-    }
-    let ids = solver.add_strands(&defs)?;
-    solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(0.08)?))])?;
-    let rough = StrandContact { friction: Friction { along: 0.2, against: 0.3 }, ..StrandContact::default() };
-    solver.set_contact(&ids, Some(&rough))?;
-    let (mut tips, mut seconds) = (Vec::new(), 0.0);
-    let frames = 60;
-    for _ in 0..frames {
-        seconds += solver.step(1.0 / 60.0, (1.0 / 60.0 / step).round() as u32)?.seconds;
-        solver.sample_strands(&ids, 2, |_, point, sample| {
-            if point == 1 {
-                tips.push(sample.position);
-            }
-        })?;
-    }
-    Ok((tips, seconds / f64::from(frames) * 60.0 / 16.0))
-}
-
 fn main() -> Outcome<()> {
     let arguments: Vec<String> = std::env::args().collect();
     let option = |name: &str| arguments.iter().position(|argument| argument == name).and_then(|at| arguments.get(at + 1));
@@ -191,13 +161,15 @@ fn main() -> Outcome<()> {
     let steps: usize = option("--steps").map_or(Ok(90), |text| text.parse())?;
     let threads: usize = option("--threads").map_or(Ok(2), |text| text.parse())?;
     let only = option("--model");
+    let quick = arguments.iter().any(|argument| argument == "--quick");
+    let count: usize = option("--guides").map_or(Ok(1000), |text| text.parse())?;
 
     let bust = obj_mesh::read("tests/data/grooms/sintel_bust.obj")?;
     let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
     let mesh = Shape::new_mesh(vertices, bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
     let baked = mesh.mesh().map(|mesh| DistanceGrid::bake(mesh, CELL, BAND)).transpose()?;
     let head = Arc::new(baked.map_or(mesh, Shape::new_grid));
-    let defs = guides(&head)?;
+    let defs = guides(&head, count)?;
     let mut csv = String::from(
         "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,residual,unconverged,rolled_back\n",
     );
@@ -227,22 +199,14 @@ fn main() -> Outcome<()> {
         println!("{row}");
         writeln!(csv, "{row}")?;
     }
-    let mut price = String::from("model,step_s,rms_error_m,ms_a_strand_second\n");
-    if only.is_none() {
-        let (truth, _) = fall(ContactModel::Coulomb, 1.0 / 960.0)?;
-        for (model, name) in MODELS {
-            for parts in [60.0, 120.0, 240.0] {
-                let (tips, seconds) = fall(model, 1.0 / parts)?;
-                let squares: f64 = tips.iter().zip(&truth).map(|(a, b)| (a - b).norm_squared()).sum();
-                let row = format!("{name},{:.6},{:.3e},{:.3}", 1.0 / parts, (squares / tips.len() as f64).sqrt(), seconds * 1e3);
-                println!("{row}");
-                writeln!(price, "{row}")?;
-            }
-        }
-    }
+    // Of one model alone the table of the head is asked for.
+    let (prices, rest) = if only.is_none() { (price::prices(quick)?, price::at_rest()?) } else { Default::default() };
     if let Some(folder) = folder {
         std::fs::write(folder.join("contact_shake.csv"), csv)?;
-        std::fs::write(folder.join("contact_price.csv"), price)?;
+        if only.is_none() {
+            std::fs::write(folder.join("contact_price.csv"), prices)?;
+            std::fs::write(folder.join("contact_rest.csv"), rest)?;
+        }
     }
     Ok(())
 }

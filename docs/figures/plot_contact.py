@@ -1,25 +1,57 @@
-"""Writes the tables of docs/contact.md between their markers, from docs/figures/contact_*.csv. Run by `make contact`."""
+"""Writes the tables of docs/contact.md and docs/tradeoff.md between their markers, from contact_*.csv in docs/figures. Run by `make contact`.
+With another folder than docs/figures the tables of the numbers there are printed, and docs/ stays as it is.
+"""
 
-from plot import put, rows
+import csv
+import sys
+from pathlib import Path
+
+from plot import FIGURES, put
 from plot_performance import table
 
-PAGE = "contact.md"
+FOLDER = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else FIGURES
+
+
+def rows(name):
+    with open(FOLDER / name, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def show(lines, name, *pages):
+    if FOLDER == FIGURES.resolve():
+        for page in pages:
+            put(lines, page, name)
+    else:
+        print("\n".join([name, *lines]))
 
 
 def shake():
     lines = [(row["model"], row["median_ms"], row["ninth_decile_ms"], row["worst_ms"], row["touches"], row["iterations"],
               row["most_iterations"], row["penetration_m"], row["residual"], row["unconverged"], row["rolled_back"])
              for row in rows("contact_shake.csv")]
-    put(table(("model", "ms a step, median", "nine of ten", "worst", "touches", "iterations, mean", "most", "deepest, m", "residual",
-               "unconverged strand steps", "rolled back"), lines), PAGE, "shake")
+    show(table(("model", "ms a step, median", "nine of ten", "worst", "touches", "iterations, mean", "most", "deepest, m", "residual",
+                "unconverged strand steps", "rolled back"), lines), "shake", "contact.md")
 
 
 def price():
-    lines = [(row["model"], f"1/{1 / float(row['step_s']):.0f}", f"{1e3 * float(row['rms_error_m']):.2f}", row["ms_a_strand_second"])
-             for row in rows("contact_price.csv")]
-    put(table(("model", "step, s", "error, mm", "cost, ms"), lines), PAGE, "price")
+    """A line a model and step; rough and smooth side by side."""
+    found = {}
+    for row in rows("contact_price.csv"):
+        found.setdefault((row["model"], row["step_s"]), {})[row["case"]] = row
+    lines = [(model, f"1/{1 / float(step):.0f}", *(f"{1e3 * float(of[case]['rms_error_m']):.2f}" for case in ("rough", "smooth")),
+              *(of[case]["ms_a_strand_second"] for case in ("rough", "smooth")))
+             for (model, step), of in found.items()]
+    show(table(("model", "step, s", "rough: error, mm", "smooth: error, mm", "rough: cost, ms", "smooth: cost, ms"), lines),
+         "price", "contact.md", "tradeoff.md")
+
+
+def rest():
+    lines = [(row["model"], f"{1e3 * float(row['tip_error_m']):.4f}", f"{1e2 * float(row['force_error']):.3f}", f"{1e6 * float(row['deepest_m']):.1f}")
+             for row in rows("contact_rest.csv")]
+    show(table(("model", "tip off, mm", "force off, %", "deepest, µm"), lines), "rest", "contact.md", "tradeoff.md")
 
 
 if __name__ == "__main__":
     shake()
     price()
+    rest()
