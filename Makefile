@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test demo soak bench contact fit instructions figures tradeoff peers clean
+.PHONY: help lib test demo soak bench contact pictures fit instructions figures tradeoff peers clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -40,9 +40,13 @@ bench: ## what the engine costs: every table of docs/performance.md, the costs t
 	@scripts/setup.sh build figures
 	scripts/bench.sh
 
-contact: ## what contact costs and errs by, a thousand guides on a shaken head: the tables of docs/contact.md (a few minutes)
+contact: ## what contact costs and errs by, a thousand guides on a shaken head: the tables of docs/contact.md (a few minutes; CONTACT_QUICK=yes: a try)
 	@scripts/setup.sh build figures
 	scripts/bench_contact.sh
+
+pictures: ## hair on shoulders and a combed sphere, from the scenes of examples/scenes: docs/figures/contact_*.png (a minute)
+	@scripts/setup.sh build
+	scripts/contact_figures.sh
 
 fit: ## how close strands come to real grooms: the tables of docs/groom_fit.md (GROOMS=directory of .hair and .tfx, also .gz; a few minutes)
 	@scripts/setup.sh build figures

@@ -107,34 +107,34 @@ def braid_tie():
 
 
 def shoulder():
-    strands, head, radius = [], [0.0, 0.0, 0.22], 0.085
-    count = 130
+    strands, head, radius = [], [0.0, 0.0, 0.21], 0.085
+    count = 220
     for index in range(count):
-        # Even over the upper half of the head, by the golden angle; the face (against y) stays free.
-        height = 1 - 0.95 * (index + 0.5) / count
+        # Even over the upper half of the head, by the golden angle; the face (against y) stays free, and so does the back of the head.
+        height = 1 - 1.05 * (index + 0.5) / count
         around = index * math.pi * (3 - math.sqrt(5))
         flat = math.sqrt(1 - height * height)
         normal = [flat * math.cos(around), flat * math.sin(around), height]
-        if normal[1] < -0.45 and normal[2] < 0.75:
+        if abs(normal[1]) > 0.55:
             continue
         strands.append({
-            **HAIR, "elements": 12, "length": 0.30 + 0.04 * math.sin(5.1 * index) ** 2,
-            "natural_curvatures": [[0, 4 * math.sin(78.233 * index), 4 * math.cos(37.719 * index)]],
+            **HAIR, "elements": 12, "length": 0.28 + 0.04 * math.sin(5.1 * index) ** 2,
+            "natural_curvatures": [[0, 4 * math.sin(78.233 * index), 4 * math.cos(37.719 * index)]], "viscosity": 0.01,
             "root": {"origin": [middle + radius * value for middle, value in zip(head, normal)], "rotation": turn(normal)},
         })
-    body = {"friction": 0.3}
+    body = {"friction": 2.0}
     write(
         "shoulder.json",
-        ["Long hair that stands away from a head is let go: it falls over head, neck and shoulders."],
+        ["Long hair that stands away from a head is let go: it falls over head and neck and lies on the shoulders."],
         {
             "version": 1, "time_step": 1 / 120, "duration": 1.5, "output_interval": 0.25,
             "contact": {"model": "hard", "strands": {"exempt_length": 0.004}},
             "strands": strands,
             "colliders": [
                 {"shape": "sphere", "radius": radius, **body, "pose": {"origin": head}},
-                {"shape": "capsule", "a": [0, 0.01, 0.02], "b": [0, 0, 0.16], "radius": 0.05, **body},
-                {"shape": "capsule", "a": [-0.16, 0.01, 0], "b": [0, 0.01, 0.04], "radius": 0.05, **body},
-                {"shape": "capsule", "a": [0, 0.01, 0.04], "b": [0.16, 0.01, 0], "radius": 0.05, **body},
+                {"shape": "capsule", "a": [0, 0, 0.02], "b": [0, 0, 0.16], "radius": 0.045, **body},
+                {"shape": "capsule", "a": [-0.15, 0, 0], "b": [0, 0, 0.02], "radius": 0.07, **body},
+                {"shape": "capsule", "a": [0, 0, 0.02], "b": [0.15, 0, 0], "radius": 0.07, **body},
             ],
             "output": ["points"],
         },
@@ -153,32 +153,32 @@ def combed_sphere():
         # Tousled: every strand leaves towards a side of its own, and bends by chance.
         toward = 2.4 * index * index
         tangent = [0.7 * n + s for n, s in zip(normal, [math.cos(toward), math.sin(toward), 0.0])]
-        bend, sweep = 10 * math.sin(78.233 * index), 10 * math.cos(37.719 * index)
+        bend, sweep = 5 * math.sin(78.233 * index), 5 * math.cos(37.719 * index)
         strands.append({
-            **HAIR, "elements": 8, "length": 0.06 + 0.015 * math.sin(5.1 * index) ** 2,
+            **HAIR, "elements": 8, "length": 0.05 + 0.015 * math.sin(5.1 * index) ** 2, "youngs_modulus": 5e7, "viscosity": 0.01,
             "natural_curvatures": [[0, bend, sweep]],
             "root": {"origin": [radius * value for value in normal], "rotation": turn(tangent)},
         })
     teeth = []
     # The comb comes down on the left side from 0.3 to 0.5 s, and goes from there over the crown to the right: each pose turns it about
-    # y. Its teeth end 1.5 mm above the sphere.
+    # y. Its teeth end 0.3 mm above the sphere.
     times = [0.3, 0.5] + [0.5 + 0.05 * step for step in range(1, 25)]
-    for tooth in range(13):
-        y = -0.072 + 0.012 * tooth
+    for tooth in range(25):
+        y = -0.072 + 0.006 * tooth
         frames = []
         for step, _ in enumerate(times):
             angle = math.radians(-75 + 6 * max(0, step - 1))
             away = 0.1 if step == 0 else 0.0
             frames.append([away * math.sin(angle), y, away * math.cos(angle), 0.0, math.sin(angle / 2), 0.0, math.cos(angle / 2)])
-        inner = math.sqrt(0.093 ** 2 - y * y)
+        inner = math.sqrt(0.0913 ** 2 - y * y)
         teeth.append({
-            "shape": "capsule", "a": [0, 0, inner], "b": [0, 0, 0.15], "radius": 0.0015, "friction": 0.0,
+            "shape": "capsule", "a": [0, 0, inner], "b": [0, 0, 0.15], "radius": 0.001, "friction": 0.0,
             "motion": {"times": times, "frames": frames},
         })
     write(
         "combed_sphere.json",
-        ["Tousled hair lies down on a sphere, whose friction holds it; a comb of 13 smooth teeth, 3 mm thick, then goes over the sphere from left to",
-         "right in 1.2 s."],
+        ["Tousled limp hair lies down on a sphere, whose friction holds it; a comb of 25 smooth teeth, 2 mm thick and 4 mm apart, then goes over the",
+         "sphere from left to right in 1.2 s, and the hair stays as it has been combed."],
         {
             "version": 1, "time_step": 1 / 240, "duration": 2.0, "output_interval": 0.25,
             "contact": {"model": "hard", "strands": {"exempt_length": 0.01}},
