@@ -17,11 +17,13 @@ pub struct Settings {
     pub tolerance: f64,
     /// Most sweeps over all touches.
     pub max_sweeps: u32,
+    /// The least scales of force (N) and length (m): those of a larger problem that this one is part of, else zero.
+    pub least: [f64; 2],
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-6, max_sweeps: 2000 }
+        Self { tolerance: 1e-6, max_sweeps: 2000, least: [0.0; 2] }
     }
 }
 
@@ -88,7 +90,7 @@ impl GaussSeidel {
         let (mut best, mut since) = (f64::INFINITY, 0);
         self.conjugate.restart(system, &self.forces);
         loop {
-            scales(system, &self.forces, &mut report);
+            scales(system, &self.forces, settings.least, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
             if report.residual <= settings.tolerance || report.sweeps >= settings.max_sweeps {
                 break;
@@ -158,10 +160,10 @@ pub fn sweep(space: &ContactSpace, system: &mut System, forces: &mut [Vector3<f6
     }
 }
 
-/// The scales of force and length.
-pub fn scales(system: &System, forces: &[Vector3<f64>], report: &mut Report) {
-    report.force = forces.iter().fold(0.0, |a: f64, f| a.max(f.norm()));
-    report.length = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.free.norm()));
+/// The scales of force and length, `least` at least.
+pub fn scales(system: &System, forces: &[Vector3<f64>], least: [f64; 2], report: &mut Report) {
+    report.force = forces.iter().fold(least[0], |a: f64, f| a.max(f.norm()));
+    report.length = system.rows.iter().fold(least[1], |a: f64, row| a.max(row.free.norm()));
     if report.length == 0.0 {
         report.length = 1.0;
     }

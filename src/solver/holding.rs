@@ -188,7 +188,7 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, held);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             if held.begins_again {
-                (held.begins_again, held.first_order, held.moved) = (false, true, true);
+                (held.begins_again, held.first_order, held.resting) = (false, true, false);
                 strand.with_one(|one| held.held.begin(one, scene.setting, h, true));
             }
         });
@@ -201,7 +201,7 @@ impl Holding {
             held.mass = strand.model.length() * strand.model.linear_density;
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            (held.first_order, held.settled, held.moved) = (strand.touched, false, true);
+            (held.first_order, held.settled, held.resting) = (strand.touched, false, false);
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
