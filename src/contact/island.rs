@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::body::BodyAt;
 use super::contact_space::{ContactSpace, End, SpaceTouch};
 use super::gauss_seidel::{GaussSeidel, Report, Settings};
-use super::held_strand::HeldStrand;
+use super::held_strand::{Attachment, HeldStrand};
 use super::joint::{Joint, JointKind, Standing};
 use super::law::Law;
 use super::law::coefficient::Coefficient;
@@ -22,7 +22,7 @@ const BOND_TOLERANCE: f64 = 1e-10;
 const ROUGH: f64 = 1e-4;
 /// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
 const FIRST: f64 = 1e-2;
-const FORCING: f64 = 0.1;
+const FORCING: f64 = 0.3;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 1e-4;
 /// And where constraints have a part, which are to hold to [`BOND_TOLERANCE`].
@@ -126,6 +126,11 @@ impl Island {
     /// Whether its iteration ended elsewhere than it should.
     pub fn failed(&self) -> bool {
         self.done && !self.converged
+    }
+
+    /// Whether the joints at these ends hold.
+    pub fn holds(&self, ends: &[Attachment]) -> bool {
+        !self.relaxed && ends.iter().all(|end| self.joints[end.joint as usize].standing.holds)
     }
 
     /// If its joints were not to be held, a second attempt from the start in which they give way, and touches do not rub: what contradicts
@@ -296,7 +301,7 @@ impl Island {
             if strand.resting {
                 let way = strand.given_way(end.point, &self.has_part, |joint| self.joints[joint].force).norm();
                 let element = strand.length() / strand.held.now().1.len() as f64;
-                *wakes = !(way <= limit * element);
+                *wakes = way.is_nan() || way > limit * element;
             }
         }
         wakes

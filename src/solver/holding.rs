@@ -25,8 +25,8 @@ use crate::step::options::Integrator;
 const MOST_SEARCHES: u32 = 8;
 /// The first so many of these searches wait for so many Newton iterations only: most of what a step brings together is seen by then, and need
 /// not wait for the rest to be exact.
-const EARLY: u32 = 2;
-const EARLY_ITERATIONS: u32 = 2;
+const EARLY: u32 = 3;
+const EARLY_ITERATIONS: u32 = 1;
 
 /// What the solver keeps for held strands between substeps.
 #[derive(Debug, Default)]
@@ -336,7 +336,8 @@ impl Holding {
         let setting = scene.setting;
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
             let island = &islands[held.island as usize];
-            held.held.outcome.converged = island.converged;
+            // In an island that has not come to its end most strands may have.
+            held.held.outcome.converged = island.converged || (held.resting && island.holds(&held.attachments));
             held.held.outcome.quarantined |= island.lost;
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;
