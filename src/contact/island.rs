@@ -292,7 +292,8 @@ impl Island {
         rest.fold([0.0; 2], |[force, free], (joint, _)| [force.max(joint.force.norm()), free.max(joint.standing.free)])
     }
 
-    /// Whether the strands at a joint's ends rest and are moved by more than `limit` (a length over an element's) by the forces now.
+    /// Whether the strands at a joint's ends rest and are moved by more than `limit` (a length over an element's) by the forces now. (A joint
+    /// that does not hold may wait for what its resting strand gives way by, however little: then zero.)
     fn wakes(&self, index: usize, strands: &[HeldStrand], limit: f64) -> [bool; 2] {
         let ends = if self.joints[index].second.is_some() { 2 } else { 1 };
         let mut wakes = [false; 2];
@@ -365,7 +366,7 @@ impl Island {
                     (gap >= -0.5 * options.tolerance && exact, gap >= -GOOD_ENOUGH.1 * options.tolerance)
                 }
             };
-            let wakes = self.wakes(index, strands, REST * tolerance);
+            let wakes = self.wakes(index, strands, if holds { REST * tolerance } else { 0.0 });
             let free = self.joints[index].standing.free;
             self.joints[index].standing = Standing { miss, holds, nearly, free, wakes };
             (good, enough) = (good && holds && wakes == [false; 2], enough && nearly);
