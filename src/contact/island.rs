@@ -22,7 +22,7 @@ const BOND_TOLERANCE: f64 = 1e-10;
 const ROUGH: f64 = 1e-4;
 /// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
 const FIRST: f64 = 1e-2;
-const FORCING: f64 = 0.3;
+const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 1e-4;
 /// And where constraints have a part, which are to hold to [`BOND_TOLERANCE`].

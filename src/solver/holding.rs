@@ -24,9 +24,9 @@ use crate::step::options::Integrator;
 /// How often strands are searched for touches that the last search did not know of.
 const MOST_SEARCHES: u32 = 8;
 /// The first so many of these searches wait for so many Newton iterations only: most of what a step brings together is seen by then, and need
-/// not wait for the rest to be exact.
-const EARLY: u32 = 3;
-const EARLY_ITERATIONS: u32 = 1;
+/// not wait for the rest to be exact. (Sooner, touches would be kept that only a first guess has: a soak's energy rose.)
+const EARLY: u32 = 2;
+const EARLY_ITERATIONS: u32 = 2;
 
 /// What the solver keeps for held strands between substeps.
 #[derive(Debug, Default)]
