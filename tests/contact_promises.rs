@@ -1,4 +1,5 @@
-//! What contact promises whatever it saves: nothing that touches is missed, though strands that have not moved are not searched again.
+//! What contact promises whatever it saves: nothing that touches is missed, though strands that have not moved are not searched again; and what
+//! is not solved is said not to be, and seen in the contact list.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -9,6 +10,7 @@ use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
 use superhelix::contact::shape::Shape;
 use superhelix::math::frame::Frame;
 use superhelix::solver::Solver;
+use superhelix::solver::bodies::ContactPartner;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::solver::id::StrandId;
 
@@ -107,5 +109,45 @@ fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
         assert!(searches > 10 && solved > 60 && touches > 300, "{searches} {solved} {touches}");
         // A micrometre for the lines.
         assert!(worst.0 < tolerance + 1e-6 && worst.1 < tolerance + 1e-6, "{worst:?}");
+    }
+}
+
+/// An island that may not be solved to its end is told as unconverged, with its strands, and the report says how deep it was left; the contact list
+/// what pressed.
+#[test]
+fn islands_that_end_early_are_told_and_how_deep_they_are() {
+    for model in [ContactModel::Hard, ContactModel::Coulomb] {
+        let few = ContactOptions { max_iterations: 2, ..ContactOptions::default() };
+        let (mut solver, ids, defs) = falling(model, 8, few);
+        let (mut told, mut deep, mut strands) = (0, 0.0_f64, 0);
+        for step in 0..60 {
+            let ball = swung(&mut solver, &ids, &defs, step);
+            let report = solver.step(1.0 / 60.0, 1).unwrap();
+            let lines = lines(&solver, &ids);
+            let sampled = deepest(&lines, ball, 1e-4);
+            let of_list = |hair: bool| {
+                let those =
+                    solver.contacts().iter().filter(|touch| matches!(touch.partner, ContactPartner::Strand { .. }) == hair);
+                those.map(|touch| -touch.gap).fold(0.0, f64::max)
+            };
+            // What the report says is what the list has, and more where something presses nothing.
+            assert!(of_list(true).max(of_list(false)) <= report.contact.penetration, "{report:?}");
+            if report.contact.unconverged == 0 {
+                assert_eq!(report.unconverged, 0, "{report:?}");
+                continue;
+            }
+            // An island has a strand at least.
+            assert!(report.unconverged >= report.contact.unconverged && report.unconverged <= 8, "{report:?}");
+            told += report.contact.unconverged;
+            strands += report.unconverged;
+            // As deep as it is, also where it was seen too late to be held off (and is not in the list, since no force acts there).
+            let most = sampled.0.max(sampled.1);
+            if most > 1e-4 {
+                assert!(report.contact.penetration > 0.9 * most, "step {step}: {most:e} {report:?}");
+                deep = deep.max(most);
+            }
+        }
+        println!("{model:?}: {told} islands of {strands} strands told, {deep:e} m deep");
+        assert!(told > 5 && deep > 1e-4, "{told} {deep:e}");
     }
 }

@@ -160,7 +160,22 @@ impl Holding {
                 }
             }
         }
+        self.look_at_failures(scene, contact);
         self.end(scene, h, tally, contact, wrenches);
+    }
+
+    /// How deep islands are left that have not come to their end: what touches there was no longer added to their joints, and would not be told.
+    fn look_at_failures(&mut self, scene: &Scene, contact: &mut ContactTally) {
+        let islands = &self.islands[..self.island_count];
+        if scene.options.model.is_soft() || !self.touching.is_possible(scene) || !islands.iter().any(Island::failed) {
+            return;
+        }
+        let strands = &mut self.strands[..self.count];
+        for held in strands.iter_mut() {
+            held.held.gone = if islands[held.island as usize].failed() { f64::INFINITY } else { 0.0 };
+        }
+        self.touching.find(scene, strands);
+        contact.penetration = contact.penetration.max(self.touching.deepest(strands));
     }
 
     /// The marked strands, each with its place in `strands`.

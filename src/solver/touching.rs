@@ -6,9 +6,10 @@ use nalgebra::Vector3;
 
 pub(super) use memory::{NearStrands, TouchMemory};
 
+use super::constraints::{ConstraintStatus, Hold};
 use super::holding::Scene;
 use crate::chain::load::Station;
-use crate::contact::hair_pairs::{HairPairs, PairOptions};
+use crate::contact::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
 use crate::contact::joint::{Joint, JointEnd, JointKind, Standing};
@@ -70,6 +71,8 @@ pub(super) struct Touching {
     ready: bool,
     hair: Vec<Touch>,
     parts: Vec<PairPart>,
+    /// Which of the wisps are tied together.
+    ties: Vec<Tie>,
     remembered: Vec<Remembered>,
 }
 
@@ -130,7 +133,8 @@ impl Touching {
             let options = PairOptions { activation: NEAR.min(near * largest), margin: MARGIN * largest };
             self.ready = self.pairs.set(&self.wisps, &options).is_ok();
         }
-        if self.pairs.update(&paths).is_err() {
+        self.find_ties(scene);
+        if self.pairs.set_ties(&self.ties).is_err() || self.pairs.update(&paths).is_err() {
             self.ready = false;
             return;
         }
@@ -154,6 +158,22 @@ impl Touching {
         for part in &self.parts[..parts] {
             self.hair.extend_from_slice(&part.touches);
         }
+    }
+
+    /// Finds which of the wisps constraints tie together: the wisps give way to each other there.
+    fn find_ties(&mut self, scene: &Scene) {
+        let wisp = |id| {
+            let index = scene.slots.index(id)?;
+            Some(self.of.binary_search(&(index as u32)).ok()? as u32)
+        };
+        self.ties.clear();
+        self.ties.extend(scene.constraints.iter().filter_map(|constraint| match constraint.def.hold {
+            Hold::Tie { other, arclength } if constraint.state.status != ConstraintStatus::Released => Some(Tie {
+                strands: [wisp(constraint.def.strand)?, wisp(other)?],
+                along: [constraint.state.arclength, arclength],
+            }),
+            _ => None,
+        }));
     }
 
     /// The joints of all touches found.
@@ -190,12 +210,19 @@ impl Touching {
             }
             Partner::Strand(place) => {
                 let other = &strands[place.strand as usize];
-                let margin = strand.contact.wisp_radius + other.contact.wisp_radius;
+                let second = end(place.strand, &place);
+                let margin = if self.ties.is_empty() {
+                    strand.contact.wisp_radius + other.contact.wisp_radius
+                } else {
+                    // What a knot near by has left of the radii.
+                    let apart = strand.end_state(&first.station).now - other.end_state(&second.station).now;
+                    touch.normal.dot(&apart) - touch.gap
+                };
                 let kind = JointKind::Hair { normal: touch.normal, margin };
-                (Some(end(place.strand, &place)), kind, With::Strand(other.index))
+                (Some(second), kind, With::Strand(other.index))
             }
         };
-        let deep = !scene.options.model.is_soft() && touch.gap < 0.0 && self.was_deep(scene, strands, &first, second, touch);
+        let deep = !scene.options.model.is_soft() && touch.gap < 0.0 && self.was_deep(scene, strands, &first, second, kind);
         let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
         // A force that draws is none of a touch.
         let force = if force.dot(&touch.normal) > 0.0 { force } else { Vector3::zeros() };
@@ -213,20 +240,26 @@ impl Touching {
     }
 
     /// Whether the surfaces of a touch were in each other when the substep began.
-    fn was_deep(&self, scene: &Scene, strands: &[HeldStrand], first: &JointEnd, second: Option<JointEnd>, touch: &Touch) -> bool {
+    fn was_deep(
+        &self,
+        scene: &Scene,
+        strands: &[HeldStrand],
+        first: &JointEnd,
+        second: Option<JointEnd>,
+        kind: JointKind,
+    ) -> bool {
         let strand = &strands[first.held as usize];
         let (allowed, at) = (DEEP * scene.options.tolerance, strand.end_state(&first.station).start);
-        match (touch.partner, second) {
-            (Partner::Body { body, .. }, _) => {
+        match (kind, second) {
+            (JointKind::Body { body, .. }, _) => {
                 let radius = strand.contact.radius;
                 radius + scene.bodies[body as usize].depth_at_start(at, DEEPEST) > allowed
             }
-            (Partner::Strand(_), Some(end)) => {
-                let other = &strands[end.held as usize];
-                let apart = (at - other.end_state(&end.station).start).norm();
-                apart < strand.contact.wisp_radius + other.contact.wisp_radius - allowed
+            (JointKind::Hair { margin, .. }, Some(end)) => {
+                let apart = (at - strands[end.held as usize].end_state(&end.station).start).norm();
+                apart < margin - allowed
             }
-            (Partner::Strand(_), None) => false,
+            _ => false,
         }
     }
 
@@ -301,6 +334,12 @@ impl Touching {
             }
         }
         true
+    }
+
+    /// How deep anything is that the last search found, m.
+    pub fn deepest(&self, strands: &[HeldStrand]) -> f64 {
+        let found = strands.iter().flat_map(|held| &held.found).chain(&self.hair);
+        found.map(|touch| -touch.gap).fold(0.0, f64::max)
     }
 
     /// Keeps the touches' forces for the next substep.
