@@ -48,7 +48,7 @@ pub fn read(node: &Node) -> Result<SceneStrand, Complaint> {
     let element_lengths = read_lengths(&strand)?;
     let count = element_lengths.len();
     // Of the lengths only those that are above zero make it here.
-    let hair = strand.get("hair").map(|node| hair::read(node)?.strand(&element_lengths)).transpose()?;
+    let hair = strand.get_unless_null("hair").map(|node| hair::read(node)?.strand(&element_lengths)).transpose()?;
     let defaults = hair.as_ref().map_or_else(Material::default, |hair| hair.material);
     let material = Material {
         radius: strand.or("radius", defaults.radius, Node::numbers)?,
