@@ -20,7 +20,12 @@ const POINTS: usize = 120;
 
 /// Strands of a kind with their roots on a small disc, leaving along `direction`: the points of each before and after they came to rest, and
 /// how many found no rest.
-fn lock(hair: &HairParameters, strands: u32, length: f64, direction: Vector3<f64>) -> (Vec<Vec<Vector3<f64>>>, Vec<Vec<Vector3<f64>>>, usize) {
+fn lock(
+    hair: &HairParameters,
+    strands: u32,
+    length: f64,
+    direction: Vector3<f64>,
+) -> (Vec<Vec<Vector3<f64>>>, Vec<Vec<Vector3<f64>>>, usize) {
     // Four elements a turn, and not fewer than 24.
     let curvature = hair.natural.iter().map(|value| value * value).sum::<f64>().sqrt();
     let elements = ((4.0 * length * curvature / std::f64::consts::TAU).ceil() as usize).max(24);
@@ -35,7 +40,10 @@ fn lock(hair: &HairParameters, strands: u32, length: f64, direction: Vector3<f64
                 element_lengths: lengths,
                 material: varied.material,
                 natural: varied.natural,
-                root: Frame { origin: frame * Vector3::new(0.0, radius * angle.cos(), radius * angle.sin()), rotation: frame * turn },
+                root: Frame {
+                    origin: frame * Vector3::new(0.0, radius * angle.cos(), radius * angle.sin()),
+                    rotation: frame * turn,
+                },
                 ..StrandDef::straight(1.0, 1)
             }
         })
@@ -67,7 +75,9 @@ fn spread(strands: &[Vec<Vector3<f64>>]) -> f64 {
 fn main() {
     let mut arguments = std::env::args().skip(1);
     let (figures, points) = (arguments.next().expect("a directory"), arguments.next().expect("a file for the points"));
-    let mut table = String::from("type,a1_um,a2_um,modulus_gpa,ei0,ei1,ei2,twist,curvature,paper_twist,paper_curvature,span_natural,span_rest,droop,unsettled\n");
+    let mut table = String::from(
+        "type,a1_um,a2_um,modulus_gpa,ei0,ei1,ei2,twist,curvature,paper_twist,paper_curvature,span_natural,span_rest,droop,unsettled\n",
+    );
     let mut drawn = String::from("type,when,strand,x,y,z\n");
     for kind in HairType::ALL {
         let measured = kind.measured();
@@ -108,7 +118,8 @@ fn main() {
 
     let mut table = String::from("slider,type,measure,minus_1,minus_half,zero,half,one\n");
     let mut sweep = |slider: &str, kind: HairType, measure: &str, of: &dyn Fn(&HairParameters) -> f64| {
-        let hair = HairParameters { variation: Variation::natural(), ..kind.measured().parameters(CurlFormula::Exact).expect("a type") };
+        let hair =
+            HairParameters { variation: Variation::natural(), ..kind.measured().parameters(CurlFormula::Exact).expect("a type") };
         let _ = write!(table, "{slider},{},{measure}", kind.name());
         for x in [-1.0, -0.5, 0.0, 0.5, 1.0] {
             let mut sliders = Sliders::default();

@@ -79,7 +79,10 @@ fn what_is_saved_is_read_with_all_that_goes_along() {
         assert_eq!(shx_curves_points(curves, 0, 2, 1.0, &raw const output), SHX_OK);
         assert_eq!(points, POINTS);
         assert_eq!(numbers(curves, SHX_CURVES_THICKNESS), THICKNESS);
-        assert_eq!(numbers(curves, SHX_CURVES_VELOCITY), VELOCITIES.as_flattened().iter().map(|value| *value as f32).collect::<Vec<_>>());
+        assert_eq!(
+            numbers(curves, SHX_CURVES_VELOCITY),
+            VELOCITIES.as_flattened().iter().map(|value| *value as f32).collect::<Vec<_>>()
+        );
         assert_eq!(numbers(curves, SHX_CURVES_HELD), [1.0, 0.0, 1.0, 0.0, 0.0]);
         for what in [SHX_CURVES_TRANSPARENCY, SHX_CURVES_COLOR, SHX_CURVES_STRAND_THICKNESS, SHX_CURVES_STRAND_UV] {
             assert!(numbers(curves, what).is_empty());
@@ -100,7 +103,9 @@ fn what_is_saved_is_read_with_all_that_goes_along() {
     };
     assert_eq!(read.extras(), &expected);
     // Other formats by their names; a version of .tfx that was asked for.
-    for (name, version, format) in [("groom.tfx", 2, "tfx 2 (text)"), ("groom.hair", 0, "hair"), ("groom.obj", 0, "obj"), ("b.tfx", 0, "tfx 2 (text)")] {
+    for (name, version, format) in
+        [("groom.tfx", 2, "tfx 2 (text)"), ("groom.hair", 0, "hair"), ("groom.obj", 0, "obj"), ("b.tfx", 0, "tfx 2 (text)")]
+    {
         let (rust, text) = path(name);
         let data = shx_curve_data { tfx_version: version, ..data };
         // SAFETY: the same.
@@ -155,7 +160,10 @@ fn strands_of_a_kind_are_those_of_the_library() {
         let mut sliders: shx_sliders = made(|sliders| shx_sliders_init(sliders, size_of::<shx_sliders>()));
         (sliders.stiffness, sliders.discipline) = (0.5, -0.25);
         let (counts, lengths) = ([3_u32, 2], [0.01, 0.02, 0.03, 0.05, 0.04]);
-        let mut strands: [shx_hair_strand; 2] = [made(|strand| { std::ptr::write_bytes(strand, 0, 1); SHX_OK }); 2];
+        let mut strands: [shx_hair_strand; 2] = [made(|strand| {
+            std::ptr::write_bytes(strand, 0, 1);
+            SHX_OK
+        }); 2];
         let mut natural = [[0.0_f64; 3]; 5];
         let make = |sliders: *const shx_sliders, strands: &mut [shx_hair_strand; 2], natural: &mut [[f64; 3]; 5]| {
             let out = (strands.as_mut_ptr(), natural.as_mut_ptr().cast());
@@ -170,8 +178,14 @@ fn strands_of_a_kind_are_those_of_the_library() {
                 let strand = expected.strand(7 + index as u64, &lengths[range.clone()]).unwrap();
                 assert_eq!(natural[range], strand.natural[..]);
                 let made = strands[index];
-                assert_eq!((made.radius, made.youngs_modulus, made.root_turn), (strand.material.radius, strand.material.youngs_modulus, strand.root_turn));
-                assert_eq!((made.air_drag, made.friction_along), (strand.material.air_drag, expected.contact().hair_friction.along));
+                assert_eq!(
+                    (made.radius, made.youngs_modulus, made.root_turn),
+                    (strand.material.radius, strand.material.youngs_modulus, strand.root_turn)
+                );
+                assert_eq!(
+                    (made.air_drag, made.friction_along),
+                    (strand.material.air_drag, expected.contact().hair_friction.along)
+                );
             }
         }
     }

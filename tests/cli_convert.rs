@@ -24,7 +24,10 @@ fn a_groom_goes_through_every_format() {
     let (_, said) = succeed(&["convert", &groom, &path("a.usda"), "--unit", "0.0031", "--strict"]);
     assert_eq!(said, "");
     let usda = Curves::read(path("a.usda")).unwrap();
-    assert_eq!((usda.points(), usda.extras().metres_per_unit, usda.extras().up), (original.points(), Some(0.0031), Some(UpAxis::Y)));
+    assert_eq!(
+        (usda.points(), usda.extras().metres_per_unit, usda.extras().up),
+        (original.points(), Some(0.0031), Some(UpAxis::Y))
+    );
     let (_, said) = succeed(&["convert", &path("a.usda"), &path("b.tfx"), "--tfx-version", "3"]);
     assert!(said.contains("tfx 3 has no place for the unit, the up axis"), "{said}");
     // Through text and back: the bytes of the groom.
@@ -63,8 +66,27 @@ fn a_simulation_leaves_a_cache_with_velocities_and_reads_the_unit() {
     let path = |name: &str| directory.join(name).to_str().unwrap().to_owned();
     succeed(&["convert", &data("sintel_hair_001.tfx"), &path("groom.usda"), "--unit", "0.01", "--every", "40"]);
     let (answer, _) = succeed(&[
-        "simulate", &path("groom.usda"), "--duration", "0.2", "--fps", "30", "--elements", "4", "--natural", "as-drawn", "--out",
-        &path("cache"), "--format", "usda", "--samples", "9", "--json", "--picture", &path("sheet.png"), "--moments", "2",
+        "simulate",
+        &path("groom.usda"),
+        "--duration",
+        "0.2",
+        "--fps",
+        "30",
+        "--elements",
+        "4",
+        "--natural",
+        "as-drawn",
+        "--out",
+        &path("cache"),
+        "--format",
+        "usda",
+        "--samples",
+        "9",
+        "--json",
+        "--picture",
+        &path("sheet.png"),
+        "--moments",
+        "2",
     ]);
     let answer: Value = serde_json::from_str(&answer).unwrap();
     assert_eq!((answer["metres_per_unit"].as_f64(), answer["cache_frames"].as_u64()), (Some(0.01), Some(7)));
@@ -121,7 +143,10 @@ fn a_lock_is_a_scene_and_hair_in_a_scene_is_the_same() {
     let row = strands[2]["natural_curvatures"][5].as_array().unwrap();
     let p = 0.01 / (2.0 * std::f64::consts::PI);
     let square = 1e-6 + p * p;
-    assert!((row[1].as_f64().unwrap() * square / 1e-3 - 1.0).abs() < 1e-12 && (row[0].as_f64().unwrap() * square / p - 1.0).abs() < 1e-12);
+    assert!(
+        (row[1].as_f64().unwrap() * square / 1e-3 - 1.0).abs() < 1e-12
+            && (row[0].as_f64().unwrap() * square / p - 1.0).abs() < 1e-12
+    );
     let paper = make(&["--type", "african", "--alike", "--curl", "paper"], "paper.json");
     assert!((paper["strands"][0]["natural_curvatures"][0][1].as_f64().unwrap() - 1000.0).abs() < 1e-9);
     assert_ne!(make(&["--seed", "1"], "a.json"), make(&["--seed", "2"], "b.json"));
@@ -130,11 +155,15 @@ fn a_lock_is_a_scene_and_hair_in_a_scene_is_the_same() {
     succeed(&["run", &path("african.json"), "--out", &path("result.json"), "--settle"]);
 
     // A strand's `hair` in a scene makes the same strand as the library, and what the strand says itself wins.
-    let scene = with(small_scene(), "/strands/0", json!({
-        "elements": 4, "length": 0.1,
-        "hair": { "type": "caucasian2", "sliders": { "curliness": 0.5 }, "variation": { "between": 0.1, "along": 0.1, "seed": 3 }, "strand": 2 },
-        "density": 1000
-    }));
+    let scene = with(
+        small_scene(),
+        "/strands/0",
+        json!({
+            "elements": 4, "length": 0.1,
+            "hair": { "type": "caucasian2", "sliders": { "curliness": 0.5 }, "variation": { "between": 0.1, "along": 0.1, "seed": 3 }, "strand": 2 },
+            "density": 1000
+        }),
+    );
     let scene = with(scene, "/output", json!(["curvatures"]));
     let scene = with(scene, "/duration", json!(0.0));
     let (output, result) = run_text(&directory, &scene.to_string());

@@ -105,7 +105,8 @@ fn even() -> Curves {
 
 /// The cubic curves of a real file, cut down to three, with its widths and primvars.
 fn groom() -> Vec<u8> {
-    let text = std::fs::read_to_string(format!("{}/tests/data/usd/arnold_groom_sphere.usda", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let text =
+        std::fs::read_to_string(format!("{}/tests/data/usd/arnold_groom_sphere.usda", env!("CARGO_MANIFEST_DIR"))).unwrap();
     let first = |line: &str, count: usize| -> String {
         let (head, list) = line.split_once("= [").unwrap();
         let items: Vec<&str> = if list.starts_with('(') { list.split("), ").collect() } else { list.split(", ").collect() };
@@ -115,8 +116,8 @@ fn groom() -> Vec<u8> {
     let line = |name: &str, count: usize| {
         first(text.lines().find(|line| line.trim_start().starts_with(name)).unwrap(), count).replace("        ", "    ")
     };
-    let [counts, points, widths] = [("int[] curveVertexCounts", 3), ("point3f[] points", 39), ("float[] widths", 39)]
-        .map(|(name, count)| line(name, count));
+    let [counts, points, widths] =
+        [("int[] curveVertexCounts", 3), ("point3f[] points", 39), ("float[] widths", 39)].map(|(name, count)| line(name, count));
     let head = "#usda 1.0\n(\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\ndef BasisCurves \"groom_sphere\" (\n    apiSchemas = []\n)\n{\n";
     let basis = "    uniform token basis = \"bspline\"\n";
     let color = "    color3f[] primvars:displayColor = [(0.1, 0.2, 0.3)]\n    int[] primvars:displayColor:indices = [0]\n";
@@ -376,7 +377,8 @@ fn noise_is_survived() {
     runner
         .run(&(0..names.len(), prop::collection::vec(any::<u8>(), 0..600)), |(which, bytes)| {
             // Noise alone would hardly ever begin as a layer does.
-            let bytes = if names[which] == "a.usda" { [&b"#usda 1.0\ndef BasisCurves \"c\" {"[..], &bytes].concat() } else { bytes };
+            let bytes =
+                if names[which] == "a.usda" { [&b"#usda 1.0\ndef BasisCurves \"c\" {"[..], &bytes].concat() } else { bytes };
             let (_, memory) = read(names[which], &bytes);
             prop_assert!(memory <= allowance(names[which], bytes.len()));
             Ok(())

@@ -331,7 +331,9 @@ fn every_version_keeps_what_it_has_a_place_for() {
         ..Extras::default()
     };
     let curves = Curves::from_counts(vec![6, 6], points).unwrap().with_extras(extras).unwrap();
-    let through = |curves: &Curves, version| tfx::read_from_bytes("v.tfx", &tfx::write_to_bytes("v.tfx", curves, version).unwrap()).unwrap();
+    let through = |curves: &Curves, version| {
+        tfx::read_from_bytes("v.tfx", &tfx::write_to_bytes("v.tfx", curves, version).unwrap()).unwrap()
+    };
     let newest = through(&curves, TfxVersion::V4);
     assert_eq!((newest.points(), newest.extras()), (curves.points(), curves.extras()));
     assert!(curves.lost_in(CurvesFormat::TfxV4).is_empty());

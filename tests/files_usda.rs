@@ -109,7 +109,12 @@ fn every_basis_gives_the_curve_that_its_definition_says() {
         assert_near(&[curves.points()[0], curves.points()[24]], &[[0.0; 3], [6.0, 3.0, 3.0]]);
     }
     let list = |name: &str| reference[name].to_string();
-    let nurbs = format!("{}int[] order = [4]\ndouble[] knots = {}\ndouble[] pointWeights = {}", controls(), list("knots"), list("weights"));
+    let nurbs = format!(
+        "{}int[] order = [4]\ndouble[] knots = {}\ndouble[] pointWeights = {}",
+        controls(),
+        list("knots"),
+        list("weights")
+    );
     let curves = usda::read_from_bytes("c.usda", layer("NurbsCurves", &nurbs).as_bytes()).unwrap();
     assert_near(curves.points(), &rows(&reference["nurbs"]));
 }
@@ -180,7 +185,11 @@ fn what_is_written_is_read_back_bit_for_bit() {
         let real = Curves::read(data(&format!("grooms/{name}"))).unwrap();
         let again = usda::read_from_bytes(name, &usda::write_to_bytes(&real)).unwrap();
         assert_eq!((again.counts(), again.points()), (real.counts(), real.points()), "{name}");
-        assert_eq!((&again.extras().held, &again.extras().strand_uvs), (&real.extras().held, &real.extras().strand_uvs), "{name}");
+        assert_eq!(
+            (&again.extras().held, &again.extras().strand_uvs),
+            (&real.extras().held, &real.extras().strand_uvs),
+            "{name}"
+        );
     }
     // The defaults of a .hair file become numbers for all.
     let header = HairHeader { thickness: 0.5, transparency: 0.25, color: [0.1, 0.2, 0.3], ..HairHeader::default() };
@@ -201,7 +210,9 @@ fn a_cache_has_its_frames_velocities_and_nothing_left_beside_it() {
     let curves = everything();
     let mut writer = CurveCacheWriter::create(&path, &curves, 24.0).unwrap();
     let velocities = curves.extras().velocities.as_deref();
-    let frame = |index: i32| curves.points().iter().map(|point| point.map(|value| value * (1.0 + 0.1 * index as f32))).collect::<Vec<_>>();
+    let frame = |index: i32| {
+        curves.points().iter().map(|point| point.map(|value| value * (1.0 + 0.1 * index as f32))).collect::<Vec<_>>()
+    };
     for index in 0..4 {
         writer.write(f64::from(index) / 24.0, &frame(index), velocities).unwrap();
     }
@@ -282,7 +293,10 @@ def Xform "head" (
     assert_eq!((curves.counts(), curves.points()), (&[2][..], &[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]][..]));
     assert_eq!(curves.extras().metres_per_unit, Some(0.1));
     // What the format means where a layer says nothing.
-    let plain = layer("BasisCurves", "uniform token type = \"linear\" int[] curveVertexCounts = [2] point3f[] points = [(0,0,0),(0,0,1)]");
+    let plain = layer(
+        "BasisCurves",
+        "uniform token type = \"linear\" int[] curveVertexCounts = [2] point3f[] points = [(0,0,0),(0,0,1)]",
+    );
     let plain = plain.replace("(\n    metersPerUnit = 1\n)\n", "");
     let curves = Curves::read_from_bytes("a file without an end", plain.as_bytes()).unwrap();
     assert_eq!((curves.extras().metres_per_unit, curves.extras().up), (Some(0.01), Some(UpAxis::Y)));
@@ -342,7 +356,11 @@ fn nonsense_is_refused_with_place_and_value() {
         ("int[]", "point3f[] points.timeSamples = { 1: [(0,0,0)], 1: [(0,0,0)] } int[]", "time 1 is sampled twice"),
         ("int[]", "point3f[] points.timeSamples = { x: [] } int[]", "a time is \"x\""),
         ("int[]", "token[] xformOpOrder = [\"xformOp:scale\"] int[]", "/c: xformOp:scale is in xformOpOrder and has no value"),
-        ("int[]", "token[] xformOpOrder = [\"xformOp:skew\"] double3 xformOp:skew = (1, 2, 3) int[]", "no operation that is known"),
+        (
+            "int[]",
+            "token[] xformOpOrder = [\"xformOp:skew\"] double3 xformOp:skew = (1, 2, 3) int[]",
+            "no operation that is known",
+        ),
         ("int[]", "token[] xformOpOrder = [\"xformOp:scale\"] double3 xformOp:scale = (1, 2) int[]", "wrong number of values"),
     ] {
         let text = layer("BasisCurves", &linear.replacen(replaced, with, 1));
@@ -365,9 +383,13 @@ fn nonsense_is_refused_with_place_and_value() {
 #[test]
 fn deep_nesting_and_many_prims_are_no_danger() {
     let deep = format!("#usda 1.0\n{}{}", "def Xform \"a\" {".repeat(100_000), "}".repeat(100_000));
-    assert!(matches!(usda::read_from_bytes("deep", deep.as_bytes()), Err(Error::File { reason, .. }) if reason.contains("no curves")));
+    assert!(
+        matches!(usda::read_from_bytes("deep", deep.as_bytes()), Err(Error::File { reason, .. }) if reason.contains("no curves"))
+    );
     let value = format!("#usda 1.0\ndef \"a\" {{ int x = {}{} }}", "[".repeat(100_000), "]".repeat(100_000));
-    assert!(matches!(usda::read_from_bytes("deep", value.as_bytes()), Err(Error::File { reason, .. }) if reason.contains("no curves")));
+    assert!(
+        matches!(usda::read_from_bytes("deep", value.as_bytes()), Err(Error::File { reason, .. }) if reason.contains("no curves"))
+    );
     let many = format!("#usda 1.0\n{}", "def \"\"{}".repeat(200_000));
     assert!(usda::read_from_bytes("many", many.as_bytes()).is_err());
 }

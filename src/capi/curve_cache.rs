@@ -124,7 +124,7 @@ pub unsafe extern "C" fn shx_curve_cache_create(
 
 /// Writes a frame: its time, s, after that of the frame before, the points of all strands (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4) and, if
 /// first had velocities, theirs (the same formats); else velocities is null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the cache is then of no further use).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the cache is then of no further use). Alone with the writer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_write(
     writer: *mut shx_cache_writer,
@@ -149,7 +149,7 @@ pub unsafe extern "C" fn shx_curve_cache_write(
 }
 
 /// Ends a cache, puts the file in its place, and frees the writer, whether that goes well or not.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE. Alone with the writer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_finish(writer: *mut shx_cache_writer) -> shx_result {
     call("shx_curve_cache_finish", || {
@@ -161,7 +161,7 @@ pub unsafe extern "C" fn shx_curve_cache_finish(writer: *mut shx_cache_writer) -
     })
 }
 
-/// Gives up a cache: nothing is left of it. Null is nothing to give up.
+/// Gives up a cache: nothing is left of it. Null is nothing to give up. Alone with the writer.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_abandon(writer: *mut shx_cache_writer) {
     call("shx_curve_cache_abandon", || {

@@ -195,8 +195,9 @@ impl Sections {
                 ),
             ));
         }
-        let strands = u32::try_from(curves.strand_count())
-            .map_err(|_| Error::file(name, format_args!("{} strands are more than a .tfx file can have", curves.strand_count())))?;
+        let strands = u32::try_from(curves.strand_count()).map_err(|_| {
+            Error::file(name, format_args!("{} strands are more than a .tfx file can have", curves.strand_count()))
+        })?;
         // Points, colours, and two sections a strand.
         let most = curves.point_count().saturating_mul(point_width + 16).saturating_add(12 * curves.strand_count());
         let mut bytes = bytes::list(head.saturating_add(most))?;

@@ -78,8 +78,12 @@ impl Controls<'_> {
         let mut knot = 0;
         for (curve, range) in self.ranges().enumerate() {
             let end = knot + range.len() + orders[curve] as usize;
-            let nurbs =
-                Nurbs::new(orders[curve] as usize, &knots[knot..end], weights.map(|weights| &weights[range.clone()]), range.len());
+            let nurbs = Nurbs::new(
+                orders[curve] as usize,
+                &knots[knot..end],
+                weights.map(|weights| &weights[range.clone()]),
+                range.len(),
+            );
             each(&nurbs.map_err(|error| bad(format_args!("curve {curve}: {error}")))?, range);
             knot = end;
         }
@@ -96,7 +100,8 @@ impl Controls<'_> {
                 for (curve, range) in self.ranges().enumerate() {
                     let spline = self.spline(*kind, *ends, curve, bad)?;
                     let controls: Vec<Vector3<f64>> = vectors[range].iter().map(|vector| wide(*vector)).collect();
-                    let (points, _) = spline.points(&controls, PER_SPAN).map_err(|error| bad(format_args!("curve {curve}: {error}")))?;
+                    let (points, _) =
+                        spline.points(&controls, PER_SPAN).map_err(|error| bad(format_args!("curve {curve}: {error}")))?;
                     for point in points {
                         made.push(narrow(point)?);
                     }
@@ -121,8 +126,16 @@ impl Controls<'_> {
     }
 
     /// Three numbers each, interpolated as said: three a point.
-    pub fn triples(&self, way: &Way<'_>, items: &[[f32; 3]], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
-        let at_controls = self.spread(way, items, how, what, bad, |a, b, share| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * share))?;
+    pub fn triples(
+        &self,
+        way: &Way<'_>,
+        items: &[[f32; 3]],
+        how: Interpolation,
+        what: &str,
+        bad: Bad<'_>,
+    ) -> Result<Vec<[f32; 3]>> {
+        let at_controls =
+            self.spread(way, items, how, what, bad, |a, b, share| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * share))?;
         match at_controls {
             Spread::Controls(list) => self.vectors(way, &list, bad),
             Spread::Points(list) => Ok(list),

@@ -126,7 +126,9 @@ impl One<'_> {
         let moved = Moved::of(self)?;
         all.points.extend(match &moved {
             None => made.clone(),
-            Some(moved) => moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?,
+            Some(moved) => {
+                moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
+            }
         });
         let velocities = match self.vectors_at(&self.prim.velocities) {
             Some(list) => {
@@ -160,8 +162,9 @@ impl One<'_> {
             None => None,
         };
         all.thickness.add(thickness, before.0, point_count, 0.0);
-        let opacities = indexed(self.prim.opacities.at(self.time), self.prim.opacity_indices.at(self.time))
-            .map_err(|index| self.error(format_args!("primvars:displayOpacity:indices says {index}, and there is no such entry")))?;
+        let opacities = indexed(self.prim.opacities.at(self.time), self.prim.opacity_indices.at(self.time)).map_err(|index| {
+            self.error(format_args!("primvars:displayOpacity:indices says {index}, and there is no such entry"))
+        })?;
         let transparency = match opacities {
             Some(list) => {
                 let how = self.prim.opacities.interpolation.unwrap_or(Interpolation::Constant);
@@ -172,8 +175,9 @@ impl One<'_> {
             None => None,
         };
         all.transparency.add(transparency, before.0, point_count, 0.0);
-        let colors = indexed(self.prim.colors.at(self.time), self.prim.color_indices.at(self.time))
-            .map_err(|index| self.error(format_args!("primvars:displayColor:indices says {index}, and there is no such entry")))?;
+        let colors = indexed(self.prim.colors.at(self.time), self.prim.color_indices.at(self.time)).map_err(|index| {
+            self.error(format_args!("primvars:displayColor:indices says {index}, and there is no such entry"))
+        })?;
         let colors = match colors {
             Some(list) => {
                 let how = self.prim.colors.interpolation.unwrap_or(Interpolation::Constant);
@@ -274,9 +278,11 @@ fn indexed<T: Copy>(values: Option<&Vec<T>>, indices: Option<&Vec<u32>>) -> std:
     match (values, indices) {
         (None, _) => Ok(None),
         (Some(values), None) => Ok(Some(values.clone())),
-        (Some(values), Some(indices)) => {
-            indices.iter().map(|index| values.get(*index as usize).copied().ok_or(*index)).collect::<std::result::Result<_, _>>().map(Some)
-        }
+        (Some(values), Some(indices)) => indices
+            .iter()
+            .map(|index| values.get(*index as usize).copied().ok_or(*index))
+            .collect::<std::result::Result<_, _>>()
+            .map(Some),
     }
 }
 
@@ -328,7 +334,12 @@ impl Moved {
     }
 
     /// What points do by themselves, and what the placement does to them.
-    fn velocities(&self, points: &[[f32; 3]], own: Option<&[[f32; 3]]>, codes: f64) -> std::result::Result<Option<Vec<[f32; 3]>>, ()> {
+    fn velocities(
+        &self,
+        points: &[[f32; 3]],
+        own: Option<&[[f32; 3]]>,
+        codes: f64,
+    ) -> std::result::Result<Option<Vec<[f32; 3]>>, ()> {
         if own.is_none() && self.rate.is_none() {
             return Ok(None);
         }

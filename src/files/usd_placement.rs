@@ -58,12 +58,9 @@ impl Placement {
                 Some((before, after, share)) => between(name, before, after, share),
                 None => operation.at(time).and_then(|values| one(name, values)),
             };
-            let step = step.ok_or_else(|| bad("is no operation that is known here, or has the wrong number of values".to_owned()))?;
-            let step = if inverse {
-                step.try_inverse().ok_or_else(|| bad("cannot be inverted".to_owned()))?
-            } else {
-                step
-            };
+            let step =
+                step.ok_or_else(|| bad("is no operation that is known here, or has the wrong number of values".to_owned()))?;
+            let step = if inverse { step.try_inverse().ok_or_else(|| bad("cannot be inverted".to_owned()))? } else { step };
             matrix *= step;
         }
         if matrix.iter().all(|value: &f64| value.is_finite()) {
@@ -120,7 +117,8 @@ fn one(name: &str, values: &[f64]) -> Option<Matrix4<f64>> {
                 return None;
             }
             axes.chars().try_fold(Matrix4::identity(), |matrix, name| {
-                let angle = if single { values[0] } else { values[(name as usize).checked_sub('X' as usize).filter(|at| *at < 3)?] };
+                let angle =
+                    if single { values[0] } else { values[(name as usize).checked_sub('X' as usize).filter(|at| *at < 3)?] };
                 Some(Rotation3::from_axis_angle(&axis(name)?, angle.to_radians()).to_homogeneous() * matrix)
             })
         }

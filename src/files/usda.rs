@@ -66,7 +66,8 @@ pub fn write(path: impl AsRef<Path>, curves: &Curves) -> Result<()> {
 pub fn write_to_bytes(curves: &Curves) -> Vec<u8> {
     let mut out = Vec::with_capacity(32 * curves.point_count());
     let extras = curves.extras();
-    let layer = LayerHead { metres_per_unit: extras.metres_per_unit.unwrap_or(1.0), up: extras.up.unwrap_or(UpAxis::Y), times: None };
+    let layer =
+        LayerHead { metres_per_unit: extras.metres_per_unit.unwrap_or(1.0), up: extras.up.unwrap_or(UpAxis::Y), times: None };
     // Writing to a Vec cannot fail, so its results say nothing.
     let _ = layer.write(&mut out);
     let _ = write_counts(&mut out, curves.counts());

@@ -297,12 +297,7 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
 
 /// Takes an attribute of curves; whether it is one that is wanted.
 fn take(scan: &mut Scan<'_>, curves: &mut CurvesPrim, name: &str, over_time: bool) -> Result<bool> {
-    fn counts(
-        scan: &mut Scan<'_>,
-        attribute: &mut Attribute<Vec<u32>>,
-        what: &'static str,
-        over_time: bool,
-    ) -> Result<()> {
+    fn counts(scan: &mut Scan<'_>, attribute: &mut Attribute<Vec<u32>>, what: &'static str, over_time: bool) -> Result<()> {
         attribute.read(scan, over_time, |scan| list(scan, what, |scan| scan.count(what)))
     }
     fn vectors<const N: usize>(
@@ -313,12 +308,7 @@ fn take(scan: &mut Scan<'_>, curves: &mut CurvesPrim, name: &str, over_time: boo
     ) -> Result<()> {
         attribute.read(scan, over_time, |scan| list(scan, what, |scan| tuple(scan, what)))
     }
-    fn singles(
-        scan: &mut Scan<'_>,
-        attribute: &mut Attribute<Vec<f32>>,
-        what: &'static str,
-        over_time: bool,
-    ) -> Result<()> {
+    fn singles(scan: &mut Scan<'_>, attribute: &mut Attribute<Vec<f32>>, what: &'static str, over_time: bool) -> Result<()> {
         attribute.read(scan, over_time, |scan| list(scan, what, |scan| scan.single(what)))
     }
     fn doubles(scan: &mut Scan<'_>, attribute: &mut Attribute<Vec<f64>>, what: &'static str, over_time: bool) -> Result<()> {

@@ -117,7 +117,8 @@ impl<'a> Scan<'a> {
     }
 
     fn text(&self, bytes: &'a [u8]) -> Result<&'a str> {
-        std::str::from_utf8(bytes).map_err(|error| self.error(format_args!("not text (byte {} is not UTF-8)", error.valid_up_to())))
+        std::str::from_utf8(bytes)
+            .map_err(|error| self.error(format_args!("not text (byte {} is not UTF-8)", error.valid_up_to())))
     }
 
     /// A string in single, double or three quotes, as it stands in the file.

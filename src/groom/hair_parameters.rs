@@ -135,7 +135,8 @@ impl HairParameters {
     /// What such a strand is to contact: the engine's own values with this hair's radius and friction.
     pub fn contact(&self) -> StrandContact {
         let own = StrandContact::default();
-        let scaled = |friction: Friction| Friction { along: friction.along * self.friction, against: friction.against * self.friction };
+        let scaled =
+            |friction: Friction| Friction { along: friction.along * self.friction, against: friction.against * self.friction };
         let [a1, a2] = self.material.radius;
         StrandContact {
             radius: a1.max(a2),

@@ -187,7 +187,11 @@ impl MeasuredHair {
         if self.natural(CurlFormula::Paper).iter().all(|value| value.is_finite()) {
             return Ok(());
         }
-        Err(Error::invalid(format!("{argument}.helix_radius"), self.helix_radius, "a helix whose curvature is an ordinary number"))
+        Err(Error::invalid(
+            format!("{argument}.helix_radius"),
+            self.helix_radius,
+            "a helix whose curvature is an ordinary number",
+        ))
     }
 
     /// Section and material.

@@ -11,7 +11,7 @@ pub(crate) mod prefetch;
 pub mod quadrature;
 mod quadrature_limits;
 pub mod rotation;
-pub mod trigonometry;
 pub mod spline;
+pub mod trigonometry;
 pub mod vector;
 pub mod way;

@@ -31,7 +31,8 @@ impl<'a> Nurbs<'a> {
             let expected = format!("{}, one a control point and as many more as the order", controls + order);
             return Err(Error::invalid("knots", format!("{} knots", knots.len()), expected));
         }
-        if let Some(index) = knots.windows(2).position(|pair| !(pair[0] <= pair[1] && pair[1].is_finite() && pair[0].is_finite())) {
+        if let Some(index) = knots.windows(2).position(|pair| !(pair[0] <= pair[1] && pair[1].is_finite() && pair[0].is_finite()))
+        {
             return Err(Error::invalid(format!("knots[{}]", index + 1), knots[index + 1], "finite numbers that do not descend"));
         }
         if knots[order - 1] >= knots[controls] {

@@ -25,7 +25,9 @@ fn make(s: &mut Scene, change: impl FnOnce(&mut shx_hair, &mut shx_sliders, &mut
     let (mut hair, mut sliders, mut counts, mut lengths) = (hair(), sliders(), [1, 2], [0.1; 3]);
     change(&mut hair, &mut sliders, &mut counts, &mut lengths);
     // SAFETY: all that is pointed to is there.
-    unsafe { shx_hair_strands(&raw const hair, &raw const sliders, 0, 2, counts.as_ptr(), lengths.as_ptr(), s.out(), 0, s.out2(), 3) }
+    unsafe {
+        shx_hair_strands(&raw const hair, &raw const sliders, 0, 2, counts.as_ptr(), lengths.as_ptr(), s.out(), 0, s.out2(), 3)
+    }
 }
 
 #[rustfmt::skip] // a table: one line a case

@@ -81,7 +81,9 @@ fn one(arguments: &ConvertArguments) -> Result<(), Failure> {
         _ => TfxVersion::V4,
     });
     let format = match (CurvesFormat::of_name(path), version.unwrap_or_else(|| TfxVersion::of(&curves))) {
-        (None, _) => return Err(Failure::file(path, "is of no known format: expected a name that ends in .hair, .tfx, .obj or .usda")),
+        (None, _) => {
+            return Err(Failure::file(path, "is of no known format: expected a name that ends in .hair, .tfx, .obj or .usda"));
+        }
         (Some(CurvesFormat::TfxV4), TfxVersion::V2) => CurvesFormat::TfxV2Text,
         (Some(CurvesFormat::TfxV4), TfxVersion::V3) => CurvesFormat::TfxV3,
         (Some(format), _) => format,

@@ -96,7 +96,12 @@ pub fn run(arguments: &LockArguments) -> Result<(), Failure> {
     ))
 }
 
-fn strand(arguments: &LockArguments, hair: &HairParameters, frame: &UnitQuaternion<f64>, index: u32) -> Result<StrandDef, Failure> {
+fn strand(
+    arguments: &LockArguments,
+    hair: &HairParameters,
+    frame: &UnitQuaternion<f64>,
+    index: u32,
+) -> Result<StrandDef, Failure> {
     let count = arguments.elements as usize;
     let lengths = vec![arguments.length / count as f64; count];
     let varied = hair.strand(u64::from(index), &lengths).map_err(in_words_of_flags)?;

@@ -94,8 +94,6 @@ fn read_variation(node: &Node) -> Result<Variation, Complaint> {
 impl SceneHair {
     /// The strand with elements of these lengths.
     pub fn strand(&self, element_lengths: &[f64]) -> Result<VariedStrand, Complaint> {
-        self.parameters
-            .strand(self.strand, element_lengths)
-            .map_err(|error| Complaint::new(&self.key, error.to_string()))
+        self.parameters.strand(self.strand, element_lengths).map_err(|error| Complaint::new(&self.key, error.to_string()))
     }
 }
