@@ -2041,15 +2041,15 @@ SHX_API shx_result shx_curve_cache_create(const char *path, const shx_curve_data
 
 // Writes a frame: its time, s, after that of the frame before, the points of all strands (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4) and, if
 // first had velocities, theirs (the same formats); else velocities is null.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the cache is then of no further use).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the cache is then of no further use). Alone with the writer.
 SHX_API shx_result shx_curve_cache_write(shx_cache_writer *writer, double time, const shx_input *points,
     const shx_input *velocities);
 
 // Ends a cache, puts the file in its place, and frees the writer, whether that goes well or not.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE. Alone with the writer.
 SHX_API shx_result shx_curve_cache_finish(shx_cache_writer *writer);
 
-// Gives up a cache: nothing is left of it. Null is nothing to give up.
+// Gives up a cache: nothing is left of it. Null is nothing to give up. Alone with the writer.
 SHX_API void shx_curve_cache_abandon(shx_cache_writer *writer);
 
 // ---- Kinds of hair -------------------------------------------------------------------------------------------------

@@ -193,7 +193,7 @@ fn a_lock_is_a_scene_and_hair_in_a_scene_is_the_same() {
     for (arguments, said) in [
         (vec!["lock", "--type", "blond", "--out", "x"], "expected one of asian"),
         (vec!["lock", "--curliness", "1.5", "--out", "x"], "--curliness is 1.5; expected a number from -1 to 1"),
-        (vec!["lock", "--radius", "-1", "--out", "x"], "--radius"),
+        (vec!["lock", "--radius", "0", "--out", "x"], "--radius is 0"),
         (vec!["lock", "--direction", "0,0,0", "--out", "x"], "--direction"),
     ] {
         let output = superhelix(&arguments);
