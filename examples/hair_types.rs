@@ -140,14 +140,14 @@ fn main() {
     };
     let apart = |hair: &HairParameters| 1e3 * spread(&lock(hair, 16, LENGTH, -Vector3::z()).1);
     for kind in [HairType::Asian, HairType::Caucasian1, HairType::Caucasian2] {
-        sweep("curliness", kind, "span of 15 cm at rest, lengths", &hanging);
+        sweep("curliness", kind, "span of 15 cm at rest (lengths)", &hanging);
     }
     for kind in [HairType::Asian, HairType::Ga1] {
-        sweep("stiffness", kind, "droop of 5 cm, lengths", &drooping);
-        sweep("weight", kind, "droop of 5 cm, lengths", &drooping);
+        sweep("stiffness", kind, "droop of 5 cm (lengths)", &drooping);
+        sweep("weight", kind, "droop of 5 cm (lengths)", &drooping);
     }
     for kind in [HairType::Asian, HairType::Caucasian2] {
-        sweep("discipline", kind, "spread of tips of 15 cm, mm", &apart);
+        sweep("discipline", kind, "spread of tips of 15 cm (mm)", &apart);
     }
     std::fs::write(format!("{figures}/hair_sliders.csv"), table).expect("the table is written");
 }

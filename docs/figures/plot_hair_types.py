@@ -33,7 +33,7 @@ def picture(path):
         for row in csv.DictReader(file):
             strands[row["type"], row["when"], row["strand"]].append((1e2 * float(row["x"]), 1e2 * float(row["z"])))
     names = [row["type"] for row in rows("hair_types.csv")]
-    figure, axes = plt.subplots(2, len(names), figsize=(11, 6.2), sharex=True, sharey=True)
+    figure, axes = plt.subplots(2, len(names), figsize=(11, 4.4), sharex=True, sharey=True)
     for row, (when, title) in enumerate([("natural", "natural shape"), ("rest", "at rest under gravity")]):
         for column, name in enumerate(names):
             panel = axes[row][column]
