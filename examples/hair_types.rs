@@ -18,14 +18,12 @@ use superhelix::step::equilibrium::EquilibriumOptions;
 const LENGTH: f64 = 0.15;
 const POINTS: usize = 120;
 
+/// The points of the strands of a lock.
+type Lock = Vec<Vec<Vector3<f64>>>;
+
 /// Strands of a kind with their roots on a small disc, leaving along `direction`: the points of each before and after they came to rest, and
 /// how many found no rest.
-fn lock(
-    hair: &HairParameters,
-    strands: u32,
-    length: f64,
-    direction: Vector3<f64>,
-) -> (Vec<Vec<Vector3<f64>>>, Vec<Vec<Vector3<f64>>>, usize) {
+fn lock(hair: &HairParameters, strands: u32, length: f64, direction: Vector3<f64>) -> (Lock, Lock, usize) {
     // Four elements a turn, and not fewer than 24.
     let curvature = hair.natural.iter().map(|value| value * value).sum::<f64>().sqrt();
     let elements = ((4.0 * length * curvature / std::f64::consts::TAU).ceil() as usize).max(24);

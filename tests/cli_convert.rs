@@ -28,6 +28,8 @@ fn a_groom_goes_through_every_format() {
         (usda.points(), usda.extras().metres_per_unit, usda.extras().up),
         (original.points(), Some(0.0031), Some(UpAxis::Y))
     );
+    let (info, _) = succeed(&["info", &path("a.usda")]);
+    assert!(info.contains("0.0031 m, y up: the file says so") && !info.contains("guess"), "{info}");
     let (_, said) = succeed(&["convert", &path("a.usda"), &path("b.tfx"), "--tfx-version", "3"]);
     assert!(said.contains("tfx 3 has no place for the unit, the up axis"), "{said}");
     // Through text and back: the bytes of the groom.

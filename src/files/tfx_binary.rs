@@ -245,7 +245,7 @@ pub(super) fn write_v4(name: &str, curves: &Curves) -> Result<Vec<u8>> {
     let extras = curves.extras();
     let mut out = Sections::new(name, curves, 4.0, HEAD_V4, 16)?;
     let each = curves.counts()[0] as usize;
-    let is_held = |index: usize| extras.held.as_ref().map_or(index % each == 0, |held| held[index]);
+    let is_held = |index: usize| extras.held.as_ref().map_or(index.is_multiple_of(each), |held| held[index]);
     let points = curves.points().iter().enumerate();
     out.add(name, 12, points.flat_map(|(index, [x, y, z])| [*x, *y, *z, if is_held(index) { 0.0 } else { 1.0 }]))?;
     if let Some(uvs) = &extras.strand_uvs {

@@ -146,7 +146,7 @@ impl One<'_> {
         };
         all.velocities.add(velocities, before.0, point_count, [0.0; 3]);
 
-        let thickness = match self.prim.widths.at(self.time).map(|_| self.singles_at(&self.prim.widths)).flatten() {
+        let thickness = match self.singles_at(&self.prim.widths) {
             Some(widths) => {
                 let how = self.prim.widths.interpolation.unwrap_or(if widths.len() == 1 && points.len() != 1 {
                     Interpolation::Constant
