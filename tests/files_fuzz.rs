@@ -22,6 +22,7 @@ static MEMORY: PeakAlloc = PeakAlloc;
 fn readers_survive_anything_and_ask_for_little() {
     whole_files_are_read_within_the_allowance();
     no_number_in_a_head_makes_a_reader_ask_for_much();
+    small_prims_take_little();
     mutilated_files_are_survived();
     noise_is_survived();
 }
@@ -280,6 +281,19 @@ fn no_number_in_a_head_makes_a_reader_ask_for_much() {
                     assert!(memory <= allowance(name, bytes.len() + 20), "{name}, {number} for {word}: {memory}");
                 }
             }
+        }
+    }
+}
+
+/// The least that a prim of USD text can say, thousands of times, side by side and in each other.
+fn small_prims_take_little() {
+    for prim in ["def\"\"{", "def BasisCurves\"\"{", "def BasisCurves\"\"{t points=[]", "def\"\"{t xformOp=1 "] {
+        for text in [
+            format!("#usda 1.0\n{}", format!("{prim}}}").repeat(3000)),
+            format!("#usda 1.0\n{}{}", prim.repeat(3000), "}".repeat(3000)),
+        ] {
+            let (_, memory) = read("prims.usda", text.as_bytes());
+            assert!(memory <= allowance("prims.usda", text.len()), "{prim}: {memory} for {}", text.len());
         }
     }
 }

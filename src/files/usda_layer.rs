@@ -41,13 +41,45 @@ pub(super) struct CurvesPrim {
     pub weights: Attribute<Vec<f64>>,
 }
 
-/// A prim: its name, the prim that it is in, its curves and its placement if it has any.
+/// The attributes of curves that are taken.
+const WANTED: [&str; 18] = [
+    "type",
+    "basis",
+    "wrap",
+    "curveVertexCounts",
+    "points",
+    "velocities",
+    "widths",
+    "primvars:displayColor",
+    "primvars:displayColor:indices",
+    "primvars:displayOpacity",
+    "primvars:displayOpacity:indices",
+    "primvars:st",
+    "primvars:st:indices",
+    "primvars:superhelix:strandThickness",
+    "primvars:superhelix:held",
+    "order",
+    "knots",
+    "pointWeights",
+];
+
+/// What kind of curves a prim is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum CurvesKind {
+    None,
+    Basis,
+    Nurbs,
+}
+
+/// A prim: its name, the prim that it is in, its curves and its placement if it has any. Small prims are many, so what most have not is
+/// made when the first of it is read.
 #[derive(Debug)]
 pub(super) struct Prim {
     name: Box<str>,
     parent: Option<u32>,
     /// Whether it and all above it are defined, active and not abstract.
     alive: bool,
+    kind: CurvesKind,
     pub curves: Option<Box<CurvesPrim>>,
     pub placement: Option<Box<Placement>>,
 }
@@ -173,8 +205,11 @@ impl Layer {
         }
         scan.expect(b'{', format_args!("to begin {name:?}"))?;
         let above = parent.is_none_or(|parent| self.prims[parent as usize].alive);
-        let nurbs = kind == "NurbsCurves";
-        let curves = nurbs || kind == "BasisCurves";
+        let kind = match kind {
+            "BasisCurves" => CurvesKind::Basis,
+            "NurbsCurves" => CurvesKind::Nurbs,
+            _ => CurvesKind::None,
+        };
         let index = u32::try_from(self.prims.len()).map_err(|_| scan.error("more than 4294967295 prims"))?;
         if self.prims.len() == self.prims.capacity() {
             let bytes = 2 * self.prims.len() * size_of::<Prim>();
@@ -184,7 +219,8 @@ impl Layer {
             name: name.into(),
             parent,
             alive: above && defined && active,
-            curves: curves.then(|| Box::new(CurvesPrim { nurbs, ..CurvesPrim::default() })),
+            kind,
+            curves: None,
             placement: None,
         });
         Ok(index)
@@ -247,14 +283,15 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
         None => (full, false),
     };
     if scan.accept(b'=') {
-        let is_placement = name.starts_with("xformOp");
-        let taken = match (&mut prim.curves, is_placement) {
-            (_, true) => {
-                prim.placement.get_or_insert_default().take(scan, name, over_time)?;
-                true
-            }
-            (Some(curves), false) => take(scan, curves, name, over_time)?,
-            (None, false) => false,
+        let taken = if name.starts_with("xformOp") {
+            prim.placement.get_or_insert_default().take(scan, name, over_time)?;
+            true
+        } else if prim.kind != CurvesKind::None && WANTED.contains(&name) {
+            let nurbs = prim.kind == CurvesKind::Nurbs;
+            let curves = prim.curves.get_or_insert_with(|| Box::new(CurvesPrim { nurbs, ..CurvesPrim::default() }));
+            take(scan, curves, name, over_time)?
+        } else {
+            false
         };
         if !taken {
             scan.skip_value()?;
