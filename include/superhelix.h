@@ -14,7 +14,7 @@
 // a stale id or of a wrong size are all found.
 //
 // Memory: what you pass in is read during the call and not kept, what you get out is written into your memory; only handles
-// (shx_solver*, shx_curves*) are made here, and each has its destroy function.
+// (shx_solver*, shx_curves*, shx_curve_cache*, shx_cache_writer*) are made here, and each has its destroy function.
 //
 // Threads: "any thread" functions need no care. Functions of a const handle may run at the same time; a function of a handle that
 // is not const must be alone with it.
@@ -395,6 +395,54 @@
 
 // The best value is the upper end of the range, and the curve would still improve above.
 #define SHX_VERDICT_AT_UPPER_END 4
+
+// ---- What curves have beside points --------------------------------------------------------------------------------
+
+// Thickness (diameter), a float a point, file units.
+#define SHX_CURVES_THICKNESS 1
+
+// Transparency, a float a point, 0 to 1.
+#define SHX_CURVES_TRANSPARENCY 2
+
+// Colour, three floats a point, 0 to 1.
+#define SHX_CURVES_COLOR 3
+
+// Velocity, three floats a point, file units a second.
+#define SHX_CURVES_VELOCITY 4
+
+// Whether a point is held, a float a point, 0 or 1.
+#define SHX_CURVES_HELD 5
+
+// Thickness factor, a float a strand.
+#define SHX_CURVES_STRAND_THICKNESS 6
+
+// Texture coordinates of the root, two floats a strand.
+#define SHX_CURVES_STRAND_UV 7
+
+// The file does not say which axis points up.
+#define SHX_UP_UNKNOWN 0
+
+// y points up.
+#define SHX_UP_Y 1
+
+// z points up.
+#define SHX_UP_Z 2
+
+// ---- Kinds of hair -------------------------------------------------------------------------------------------------
+
+// Natural curvatures are those of the measured helix itself.
+#define SHX_CURL_EXACT 0
+
+// Natural curvatures as Bertails et al. 2006 have them, for steps much shorter than the helix radius.
+#define SHX_CURL_PAPER 1
+
+// A cache that is being written. Made by shx_curve_cache_create, owned by the caller, ended and freed by shx_curve_cache_finish, or given
+// up and freed by shx_curve_cache_abandon.
+typedef struct shx_cache_writer shx_cache_writer;
+
+// Curves over time. Made by shx_curve_cache_read, owned by the caller, freed by shx_curve_cache_destroy. It never changes, so any threads may
+// read it at the same time.
+typedef struct shx_curve_cache shx_curve_cache;
 
 // ---- Handles -------------------------------------------------------------------------------------------------------
 
@@ -1141,6 +1189,134 @@ typedef struct shx_suggestion {
   double turn;
 } shx_suggestion;
 
+// Curves to write to a file. Prepare with shx_curve_data_init, then set at least points, point_counts and strand_count. Null arrays are what
+// the file will not say. What is pointed to is read during the call and not kept.
+typedef struct shx_curve_data {
+  // Set by shx_curve_data_init.
+  uint32_t struct_size;
+  // SHX_UP_, for formats that say it (.usda). Default SHX_UP_UNKNOWN.
+  uint32_t up;
+  // How many strands.
+  size_t strand_count;
+  // strand_count numbers, each 2 or more, whose sum is points.count.
+  const uint32_t *point_counts;
+  // The points of all strands, one strand after the other, root first, file units: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (narrowed to
+  // floats; a fourth number is not looked at).
+  shx_input points;
+  // count 0 (default), or a velocity a point, file units a second; formats as points.
+  shx_input velocities;
+  // Null, or a diameter a point, file units.
+  const float *thickness;
+  // Null, or a number a point, 0 to 1.
+  const float *transparency;
+  // Null, or three numbers a point, 0 to 1.
+  const float *colors;
+  // Null, or a byte a point: other than 0 where it is held.
+  const uint8_t *held;
+  // Null, or a factor a strand.
+  const float *strand_thickness;
+  // Null, or two numbers a strand.
+  const float *strand_uvs;
+  // Metres a file unit, for formats that say it (.usda). 0 (default): not known.
+  double metres_per_unit;
+  // 2, 3 or 4: the version of a .tfx file. 0 (default): 4, or 2 where strands differ in their number of points.
+  uint32_t tfx_version;
+  // 0.
+  uint32_t reserved0;
+  // 0.
+  uint64_t reserved[4];
+} shx_curve_data;
+
+// What was measured of a kind of hair, and how its strands vary. Prepare with shx_hair_init or shx_hair_of_type.
+typedef struct shx_hair {
+  // Set by shx_hair_init.
+  uint32_t struct_size;
+  // SHX_CURL_.
+  uint32_t curl;
+  // Mean radius of the section, sqrt(a1 a2), m; above 0.
+  double mean_radius;
+  // Longer semi-axis over the shorter one; 1 or above.
+  double ellipticity;
+  // Radius of the helix that a lock's tip makes, m; 0: straight, then helix_step is 0 too.
+  double helix_radius;
+  // How far that helix goes on in a turn, m; 0 or above.
+  double helix_step;
+  // Pa, above 0.
+  double youngs_modulus;
+  // Above -1, at most 0.5.
+  double poisson_ratio;
+  // kg/m^3, above 0.
+  double density;
+  // gamma, kg m^3/s; 0 or above.
+  double internal_friction;
+  // nu, kg/(m s); 0 or above.
+  double air_drag;
+  // Friction against other hair and bodies in units of shx_strand_contact's own coefficients; 0 or above.
+  double friction;
+  // Of natural twist and curvature from strand to strand: standard deviation over the mean, 0 (default) to 0.25.
+  double variation_between;
+  // Of natural twist and curvature along a strand: the same.
+  double variation_along;
+  // Of the section's radius from strand to strand: the same.
+  double variation_thickness;
+  // Natural curvature in random directions that is added along a strand: standard deviation, rad/m; 0 (default) or above.
+  double frizz;
+  // The arclength over which what varies along a strand changes, m; 1e-4 or above (default 0.02).
+  double variation_period;
+  // Roots are turned about their tangents by up to so much either way, rad; 0 (default) to pi.
+  double root_turn;
+  // Another seed, other strands of the same kind.
+  uint64_t seed;
+  // 0.
+  uint64_t reserved[4];
+} shx_hair;
+
+// High-level sliders, each from -1 to 1, 0 (default) changes nothing; docs/hair_types.md says what each does. Prepare with
+// shx_sliders_init.
+typedef struct shx_sliders {
+  // Set by shx_sliders_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // Natural curvature and twist.
+  double curliness;
+  // Young's modulus.
+  double stiffness;
+  // Less variation, frizz and air drag.
+  double discipline;
+  // Density.
+  double weight;
+  // Less friction.
+  double combing_ease;
+  // 0.
+  uint64_t reserved[2];
+} shx_sliders;
+
+// What a strand of a kind is made of. Put the first eight into a shx_strand_def, turn its root frame about the tangent (the frame's x axis)
+// by root_turn, and put friction_along and friction_against into a shx_strand_contact.
+typedef struct shx_hair_strand {
+  // Semi-axes along n1 and n2, m.
+  double radius[2];
+  // kg/m^3.
+  double density;
+  // Pa.
+  double youngs_modulus;
+  // Poisson's ratio.
+  double poisson_ratio;
+  // gamma, kg m^3/s.
+  double internal_friction;
+  // mu, s.
+  double viscosity;
+  // nu, kg/(m s).
+  double air_drag;
+  // rad.
+  double root_turn;
+  // Coulomb's coefficient along the strand, against bodies and hair.
+  double friction_along;
+  // The same against the scales, from tip to root.
+  double friction_against;
+} shx_hair_strand;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -1781,7 +1957,8 @@ SHX_API shx_result shx_suggest_elements(const shx_strand_def *strand, const shx_
 
 // ---- Groom files and caches ----------------------------------------------------------------------------------------
 
-// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4) or Wavefront .obj with lines. path is UTF-8 (on Unix any
+// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines or USD as text (.usda, at its first time
+// sample). path is UTF-8 (on Unix any
 // bytes). *out_curves is yours; free it with shx_curves_destroy.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (cannot be read, unknown, truncated, oversized,
 // nonsense), SHX_ERROR_OUT_OF_MEMORY. Any thread.
@@ -1805,12 +1982,100 @@ SHX_API shx_result shx_curves_point_counts(const shx_curves *curves, uint32_t *o
 SHX_API shx_result shx_curves_points(const shx_curves *curves, size_t first_strand, size_t strand_count, double scale,
     const shx_output *points);
 
-// Writes polylines to a file, whose name ends in .obj (Wavefront lines) or .hair (Cem Yuksel's): a frame of a cache. points holds
+// Writes polylines to a file, whose name ends in .obj (Wavefront lines), .hair (Cem Yuksel's), .tfx (TressFX) or .usda (USD as text): a
+// frame of a cache. points holds
 // the points of all strands, one strand after the other (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; narrowed to floats, a fourth
 // number is not looked at); point_counts holds strand_count numbers, each at least 2, whose sum is points.count.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
 SHX_API shx_result shx_curves_write(const char *path, const shx_input *points, const uint32_t *point_counts,
     size_t strand_count);
+
+// ---- All that groom files say --------------------------------------------------------------------------------------
+
+// Prepares a shx_curve_data. size is sizeof(shx_curve_data).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_curve_data_init(shx_curve_data *data, size_t size);
+
+// Writes curves to a file whose name ends in .hair (Cem Yuksel's), .tfx (TressFX), .obj (Wavefront lines) or .usda (USD as text). What the
+// format has no place for is left out: docs/files.md has the table.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+SHX_API shx_result shx_curves_save(const char *path, const shx_curve_data *data);
+
+// What a file says beside the points: SHX_CURVES_ in what. *out_count is how many floats that is, 0 if the file does not say; they go into
+// out_numbers, which holds capacity floats (null with capacity 0: only the count is wanted).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (what), SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_curves_numbers(const shx_curves *curves, uint32_t what, float *out_numbers, size_t capacity,
+    size_t *out_count);
+
+// Metres a file unit (0 where the file does not say) and the axis that points up (SHX_UP_).
+// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+SHX_API shx_result shx_curves_unit(const shx_curves *curves, double *out_metres, uint32_t *out_up);
+
+// ---- Caches of curves over time ------------------------------------------------------------------------------------
+
+// Reads the curves of a .usda file at its time samples; curves that stand still are one frame at time 0. *out_cache is yours; free it with
+// shx_curve_cache_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+SHX_API shx_result shx_curve_cache_read(const char *path, shx_curve_cache **out_cache);
+
+// Frees a cache. Null is nothing to free. Any thread; nobody may use it any more.
+SHX_API void shx_curve_cache_destroy(shx_curve_cache *cache);
+
+// The times of the frames, s, ascending. *out_count is how many there are, at least one; they go into out_times, which holds capacity numbers
+// (null with capacity 0: only the count is wanted).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_curve_cache_times(const shx_curve_cache *cache, double *out_times, size_t capacity,
+    size_t *out_count);
+
+// The curves at a time, s, with their velocities where the file has them (shx_curves_numbers): a frame's own at its time, between frames
+// straight from one to the next, outside held. *out_curves is yours; free it with shx_curves_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (time), SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+SHX_API shx_result shx_curve_cache_at(const shx_curve_cache *cache, double time, shx_curves **out_curves);
+
+// Begins a cache, a .usda file. first has the numbers of points and what does not change over time (diameters, colours, unit, axis); its
+// points are not written, and whether it has velocities says whether frames have. frames_per_second is above 0: what times are counted in.
+// The file appears when the cache is finished. *out_writer is yours.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+SHX_API shx_result shx_curve_cache_create(const char *path, const shx_curve_data *first, double frames_per_second,
+    shx_cache_writer **out_writer);
+
+// Writes a frame: its time, s, after that of the frame before, the points of all strands (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4) and, if
+// first had velocities, theirs (the same formats); else velocities is null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the cache is then of no further use). Alone with the writer.
+SHX_API shx_result shx_curve_cache_write(shx_cache_writer *writer, double time, const shx_input *points,
+    const shx_input *velocities);
+
+// Ends a cache, puts the file in its place, and frees the writer, whether that goes well or not.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE. Alone with the writer.
+SHX_API shx_result shx_curve_cache_finish(shx_cache_writer *writer);
+
+// Gives up a cache: nothing is left of it. Null is nothing to give up. Alone with the writer.
+SHX_API void shx_curve_cache_abandon(shx_cache_writer *writer);
+
+// ---- Kinds of hair -------------------------------------------------------------------------------------------------
+
+// Prepares a shx_hair: Caucasian 1 hair without variation. size is sizeof(shx_hair).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_hair_init(shx_hair *hair, size_t size);
+
+// Prepares a shx_sliders. size is sizeof(shx_sliders).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_sliders_init(shx_sliders *sliders, size_t size);
+
+// Fills a prepared shx_hair with what was measured of a kind, without variation: "asian", "caucasian1", "caucasian2", "african"
+// (Bertails et al. 2006, appendix B), "h1", "h2", "ga1", "gc3" (Bonanni and Kmoch 2008, table 1).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name). Any thread.
+SHX_API shx_result shx_hair_of_type(const char *name, shx_hair *out_hair);
+
+// Makes strand_count strands of a kind, with the sliders moved (null: as they are): those numbered first_strand and on. The same number
+// always gives the same strand, whatever else is asked for. element_counts has the number of elements of each strand (1 or more), and
+// element_lengths their lengths, m, strand after strand. Item i of strands (stride bytes apart, 0: packed) says what strand i is made of; its
+// natural twist and curvatures, rad/m, go into out_natural (rows of three doubles, an element each, strand after strand), which holds
+// capacity rows.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_hair_strands(const shx_hair *hair, const shx_sliders *sliders, uint64_t first_strand,
+    size_t strand_count, const uint32_t *element_counts, const double *element_lengths, shx_hair_strand *strands,
+    size_t stride, double *out_natural, size_t capacity);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -17,6 +17,8 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo run --quiet --locked --release --example quadrature -- motions docs/figures/quadrature_motions.csv
   scripts/quadrature_cost.sh
   cargo run --quiet --locked --release --example single_precision -- docs/figures/single_precision.csv
+  mkdir -p out
+  cargo run --quiet --locked --release --example hair_types -- docs/figures out/hair_types_points.csv
   VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test validation_statics --test validation_vibration \
     --test validation_dynamics --test validation_whirl
   cargo run --quiet --locked --release --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
@@ -31,3 +33,5 @@ build/venv/bin/python docs/figures/plot.py
 build/venv/bin/python docs/figures/plot_performance.py
 build/venv/bin/python docs/figures/plot_validation.py
 build/venv/bin/python docs/figures/plot_single_precision.py
+# The picture needs the points of the locks, which are not committed.
+build/venv/bin/python docs/figures/plot_hair_types.py $([ -f out/hair_types_points.csv ] && echo out/hair_types_points.csv)

@@ -120,6 +120,7 @@ impl Error {
             Error::InvalidArgument { argument, value, expected } => {
                 Error::InvalidArgument { argument: change(argument), value, expected }
             }
+            Error::NullArgument { argument } => Error::NullArgument { argument: change(argument) },
             Error::InvalidId { argument, bits } => Error::InvalidId { argument: change(argument), bits },
             Error::Unsupported { argument, value, hint } => Error::Unsupported { argument: change(argument), value, hint },
             other => other,

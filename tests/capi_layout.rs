@@ -9,9 +9,11 @@ use superhelix::capi::{
     constraints::{shx_constraint_def, shx_constraint_state},
     contact::{shx_contact_options, shx_strand_contact},
     contacts::shx_contact,
+    curve_data::shx_curve_data,
     fit::shx_fit,
     fit_curves::{shx_fit_curves, shx_fit_options, shx_fitted_strand},
     friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
+    hair::{shx_hair, shx_hair_strand, shx_sliders},
     sampling::shx_sample_def,
     settings::shx_settings,
     settle::{shx_settle_def, shx_settle_report},
@@ -69,6 +71,10 @@ fn every_size_and_offset_is_as_published() {
         shx_contact: 152 { strand: 0, arclength: 8, partner: 16, feature: 20, body: 24, other: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }
         shx_constraint_def: 120 { struct_size: 0, hold: 4, strand: 8, arclength: 16, other: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112 }
         shx_constraint_state: 72 { status: 0, reserved: 4, arclength: 8, error: 16, force: 24, torque: 48 }
+        shx_hair: 176 { struct_size: 0, curl: 4, mean_radius: 8, ellipticity: 16, helix_radius: 24, helix_step: 32, youngs_modulus: 40, poisson_ratio: 48, density: 56, internal_friction: 64, air_drag: 72, friction: 80, variation_between: 88, variation_along: 96, variation_thickness: 104, frizz: 112, variation_period: 120, root_turn: 128, seed: 136, reserved: 144 }
+        shx_sliders: 64 { struct_size: 0, reserved0: 4, curliness: 8, stiffness: 16, discipline: 24, weight: 32, combing_ease: 40, reserved: 48 }
+        shx_hair_strand: 88 { radius: 0, density: 16, youngs_modulus: 24, poisson_ratio: 32, internal_friction: 40, viscosity: 48, air_drag: 56, root_turn: 64, friction_along: 72, friction_against: 80 }
+        shx_curve_data: 184 { struct_size: 0, up: 4, strand_count: 8, point_counts: 16, points: 24, velocities: 56, thickness: 88, transparency: 96, colors: 104, held: 112, strand_thickness: 120, strand_uvs: 128, metres_per_unit: 136, tfx_version: 144, reserved0: 148, reserved: 152 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

@@ -7,10 +7,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use peak_alloc::PeakAlloc;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use superhelix::files::curves::Curves;
+use superhelix::files::curve_cache::CurveCache;
+use superhelix::files::curves::{Curves, Extras};
 use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::files::recorded_curve::RecordedCurve;
-use superhelix::files::{distance_grid, hair, obj, obj_mesh};
+use superhelix::files::tfx::TfxVersion;
+use superhelix::files::{distance_grid, hair, obj, obj_mesh, tfx, usda};
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
@@ -20,6 +22,7 @@ static MEMORY: PeakAlloc = PeakAlloc;
 fn readers_survive_anything_and_ask_for_little() {
     whole_files_are_read_within_the_allowance();
     no_number_in_a_head_makes_a_reader_ask_for_much();
+    small_prims_take_little();
     mutilated_files_are_survived();
     noise_is_survived();
 }
@@ -76,8 +79,50 @@ fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("walk.bvh", capture.into_bytes()),
         ("pendulum.curve", recorded.join("\n").into_bytes()),
         ("bust.mesh", bust()),
+        ("written.tfx", tfx::write_to_bytes("written.tfx", &even(), TfxVersion::V3).unwrap()),
+        ("placed.usda", std::fs::read(format!("{}/tests/data/usd/placed.usda", env!("CARGO_MANIFEST_DIR"))).unwrap()),
+        ("groom.usda", groom()),
+        ("written.usda", usda::write_to_bytes(&even())),
         ("ball.shxgrid", ball()),
     ]
+}
+
+/// Strands of as many points, with all that can go along.
+fn even() -> Curves {
+    let numbers = |count: usize| (0..count).map(|index| 0.1 * index as f32).collect::<Vec<f32>>();
+    let points: Vec<[f32; 3]> = numbers(12).iter().map(|x| [*x, 1.0, -x]).collect();
+    let extras = Extras {
+        thickness: Some(numbers(12)),
+        transparency: Some(numbers(12)),
+        colors: Some(points.clone()),
+        velocities: Some(points.clone()),
+        held: Some(vec![true; 12]),
+        strand_thickness: Some(numbers(3)),
+        strand_uvs: Some(vec![[0.1, 0.2]; 3]),
+        ..Extras::default()
+    };
+    Curves::from_counts(vec![4; 3], points).unwrap().with_extras(extras).unwrap()
+}
+
+/// The cubic curves of a real file, cut down to three, with its widths and primvars.
+fn groom() -> Vec<u8> {
+    let text =
+        std::fs::read_to_string(format!("{}/tests/data/usd/arnold_groom_sphere.usda", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let first = |line: &str, count: usize| -> String {
+        let (head, list) = line.split_once("= [").unwrap();
+        let items: Vec<&str> = if list.starts_with('(') { list.split("), ").collect() } else { list.split(", ").collect() };
+        let join = if list.starts_with('(') { "), " } else { ", " };
+        format!("{head}= [{}{}]", items[..count].join(join), if list.starts_with('(') { ")" } else { "" })
+    };
+    let line = |name: &str, count: usize| {
+        first(text.lines().find(|line| line.trim_start().starts_with(name)).unwrap(), count).replace("        ", "    ")
+    };
+    let [counts, points, widths] =
+        [("int[] curveVertexCounts", 3), ("point3f[] points", 39), ("float[] widths", 39)].map(|(name, count)| line(name, count));
+    let head = "#usda 1.0\n(\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\n\ndef BasisCurves \"groom_sphere\" (\n    apiSchemas = []\n)\n{\n";
+    let basis = "    uniform token basis = \"bspline\"\n";
+    let color = "    color3f[] primvars:displayColor = [(0.1, 0.2, 0.3)]\n    int[] primvars:displayColor:indices = [0]\n";
+    format!("{head}{basis}{counts}\n{points}\n{widths} (\n        interpolation = \"vertex\"\n    )\n{color}}}\n").into_bytes()
 }
 
 /// Some vertices of a head, with triangles of all notations and a polygon that is not convex.
@@ -154,6 +199,18 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
         return (grid.map(|grid| grid.values().len() / 3), memory);
     }
     let (result, memory) = peak(|| Curves::read_from_bytes(name, bytes));
+    if name.ends_with(".usda") && result.is_ok() {
+        // All frames that a reader may ask for, each within the same bounds.
+        let cache = CurveCache::read_from_bytes(name, bytes).unwrap();
+        assert!(cache.times().windows(2).all(|pair| pair[0] < pair[1]));
+        for index in 0..cache.times().len().min(4) {
+            let (frame, memory) = peak(|| cache.frame(index));
+            assert!(memory <= allowance(name, bytes.len()), "{name}, frame {index}: {memory}");
+            if let Ok(frame) = frame {
+                assert!(frame.points().iter().flatten().all(|value| value.is_finite()));
+            }
+        }
+    }
     let curves = result.ok();
     if let Some(curves) = &curves {
         assert!(curves.strands().all(|strand| strand.len() >= 2));
@@ -164,9 +221,14 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
 }
 
 /// What a file of this many bytes may take, beside some for the text of an error. A point takes 12 bytes, as little as two of an OBJ
-/// file name one, and Vec grows by doubling; a sample of a motion with its velocities takes 168.
+/// file name one, and Vec grows by doubling; a sample of a motion with its velocities takes 168. A control point of a USD file takes eight
+/// bytes at least, is kept and becomes four points, which carry all else that curves have.
 fn allowance(name: &str, bytes: usize) -> usize {
-    let times = if is_motion(name) || is_recorded_curve(name) { 24 } else { 8 };
+    let times = match name {
+        _ if is_motion(name) || is_recorded_curve(name) => 24,
+        _ if name.ends_with(".usda") => 48,
+        _ => 8,
+    };
     times * bytes + 8192
 }
 
@@ -219,6 +281,19 @@ fn no_number_in_a_head_makes_a_reader_ask_for_much() {
                     assert!(memory <= allowance(name, bytes.len() + 20), "{name}, {number} for {word}: {memory}");
                 }
             }
+        }
+    }
+}
+
+/// The least that a prim of USD text can say, thousands of times, side by side and in each other.
+fn small_prims_take_little() {
+    for prim in ["def\"\"{", "def BasisCurves\"\"{", "def BasisCurves\"\"{t points=[]", "def\"\"{t xformOp=1 "] {
+        for text in [
+            format!("#usda 1.0\n{}", format!("{prim}}}").repeat(3000)),
+            format!("#usda 1.0\n{}{}", prim.repeat(3000), "}".repeat(3000)),
+        ] {
+            let (_, memory) = read("prims.usda", text.as_bytes());
+            assert!(memory <= allowance("prims.usda", text.len()), "{prim}: {memory} for {}", text.len());
         }
     }
 }
@@ -307,7 +382,7 @@ fn mutilated_files_are_survived() {
 static WHOLE: AtomicUsize = AtomicUsize::new(0);
 
 fn noise_is_survived() {
-    let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a.curve", "a.mesh", "a.shxgrid", "a", "HAIR"];
+    let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a.curve", "a.mesh", "a.shxgrid", "a", "HAIR", "a.usda"];
     let mut runner = TestRunner::new(ProptestConfig {
         cases: ProptestConfig::default().cases.max(10_000),
         failure_persistence: None,
@@ -315,6 +390,9 @@ fn noise_is_survived() {
     });
     runner
         .run(&(0..names.len(), prop::collection::vec(any::<u8>(), 0..600)), |(which, bytes)| {
+            // Noise alone would hardly ever begin as a layer does.
+            let bytes =
+                if names[which] == "a.usda" { [&b"#usda 1.0\ndef BasisCurves \"c\" {"[..], &bytes].concat() } else { bytes };
             let (_, memory) = read(names[which], &bytes);
             prop_assert!(memory <= allowance(names[which], bytes.len()));
             Ok(())

@@ -1,8 +1,8 @@
 //! TressFX `.tfx`, versions 2, 3 and 4: real files and every way in which one can be wrong.
 
 use superhelix::error::Error;
-use superhelix::files::curves::{Curves, CurvesFormat};
-use superhelix::files::tfx;
+use superhelix::files::curves::{Curves, CurvesFormat, Extras};
+use superhelix::files::tfx::{self, TfxVersion};
 
 fn data(name: &str) -> String {
     format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"))
@@ -271,5 +271,94 @@ fn a_text_file_cut_at_any_line_is_refused() {
     let last = TEXT.len() - "0,0,4\n".len();
     for length in last..TEXT.len() - 2 {
         reason(&TEXT.as_bytes()[..length]);
+    }
+}
+
+/// Version 3 files with every choice of sections, in the head's order and without gaps.
+fn version_3_variants() -> Vec<Vec<u8>> {
+    (0..16_u32)
+        .map(|mask| {
+            let mut bytes = 3.0_f32.to_le_bytes().to_vec();
+            for number in [2_u32, 5] {
+                bytes.extend(number.to_le_bytes());
+            }
+            bytes.resize(296, 0);
+            bytes[16] = (mask & 1) as u8;
+            let sections = [(144, 3 * 10, true), (148, 2, mask & 2 != 0), (152, 4, mask & 4 != 0), (156, 4 * 10, mask & 8 != 0)];
+            for (at, floats, there) in sections {
+                if there {
+                    let offset = bytes.len() as u32;
+                    bytes[at..at + 4].copy_from_slice(&offset.to_le_bytes());
+                    // The fourth number of a colour is not kept: 1.
+                    let number = |index: u32| if at == 156 && index % 4 == 3 { 1.0 } else { at as f32 + index as f32 / 7.0 };
+                    (0..floats).for_each(|index| bytes.extend(number(index).to_le_bytes()));
+                }
+            }
+            bytes
+        })
+        .collect()
+}
+
+#[test]
+fn what_was_read_is_written_again_byte_for_byte() {
+    for name in ["amd_ponytail_tail.tfx", "amd_ponytail_back.tfx", "sintel_hair_001.tfx"] {
+        let curves = tfx::read(data(name)).unwrap();
+        let bytes = tfx::write_to_bytes(name, &curves, TfxVersion::of(&curves)).unwrap();
+        assert!(bytes == std::fs::read(data(name)).unwrap(), "{name}");
+        assert!(curves.lost_in(curves.format()).is_empty(), "{name}");
+    }
+    for bytes in version_3_variants() {
+        let curves = tfx::read_from_bytes("v.tfx", &bytes).unwrap();
+        assert_eq!(tfx::write_to_bytes("v.tfx", &curves, TfxVersion::V3).unwrap(), bytes);
+    }
+    // Text has many ways to write a number: the numbers are the same, and written once more so are the bytes.
+    let curves = tfx::read(data("fibermesh_1k.tfx")).unwrap();
+    let text = tfx::write_to_bytes("t.tfx", &curves, TfxVersion::of(&curves)).unwrap();
+    let again = tfx::read_from_bytes("t.tfx", &text).unwrap();
+    assert_eq!(again, curves);
+    assert_eq!(tfx::write_to_bytes("t.tfx", &again, TfxVersion::V2).unwrap(), text);
+}
+
+#[test]
+fn every_version_keeps_what_it_has_a_place_for() {
+    let numbers = |count: usize| (0..count).map(|index| 0.1 + index as f32 / 3.0).collect::<Vec<f32>>();
+    let points: Vec<[f32; 3]> = numbers(12).iter().map(|x| [*x, -x, x * 1e-20]).collect();
+    let extras = Extras {
+        colors: Some(points.clone()),
+        held: Some((0..12).map(|index| index % 6 < 3).collect()),
+        strand_thickness: Some(numbers(2)),
+        strand_uvs: Some(vec![[0.1, 0.2], [0.3, 0.4]]),
+        ..Extras::default()
+    };
+    let curves = Curves::from_counts(vec![6, 6], points).unwrap().with_extras(extras).unwrap();
+    let through = |curves: &Curves, version| {
+        tfx::read_from_bytes("v.tfx", &tfx::write_to_bytes("v.tfx", curves, version).unwrap()).unwrap()
+    };
+    let newest = through(&curves, TfxVersion::V4);
+    assert_eq!((newest.points(), newest.extras()), (curves.points(), curves.extras()));
+    assert!(curves.lost_in(CurvesFormat::TfxV4).is_empty());
+    let third = through(&curves, TfxVersion::V3);
+    assert_eq!(third.extras(), &Extras { held: None, ..curves.extras().clone() });
+    assert_eq!(curves.lost_in(CurvesFormat::TfxV3), ["which points are held"]);
+    let text = through(&curves, TfxVersion::V2);
+    assert_eq!(text.extras(), &Extras { strand_uvs: curves.extras().strand_uvs.clone(), ..Extras::default() });
+    assert_eq!(curves.lost_in(CurvesFormat::TfxV2Text).len(), 3);
+    // Both ends held, both versions can say.
+    let both = Extras { held: Some((0..12).map(|index| !(2..4).contains(&(index % 6))).collect()), ..Extras::default() };
+    let held = Curves::from_counts(vec![6, 6], curves.points().to_vec()).unwrap().with_extras(both).unwrap();
+    for version in [TfxVersion::V2, TfxVersion::V3, TfxVersion::V4] {
+        assert_eq!(through(&held, version).extras().held, held.extras().held, "{version:?}");
+    }
+    // Where curves do not say, a version 4 file holds the roots.
+    let plain = Curves::from_counts(vec![6, 6], curves.points().to_vec()).unwrap();
+    let roots: Vec<bool> = (0..12).map(|index| index % 6 == 0).collect();
+    assert_eq!(through(&plain, TfxVersion::V4).extras().held, Some(roots));
+
+    let uneven = Curves::from_counts(vec![2, 3], vec![[0.0; 3]; 5]).unwrap();
+    assert_eq!((TfxVersion::of(&uneven), TfxVersion::of(&plain)), (TfxVersion::V2, TfxVersion::V4));
+    assert_eq!(through(&uneven, TfxVersion::V2).counts(), [2, 3]);
+    for version in [TfxVersion::V3, TfxVersion::V4] {
+        let result = tfx::write_to_bytes("u.tfx", &uneven, version);
+        assert!(matches!(result, Err(Error::File { reason, .. }) if reason.contains("strand 1 has 3 points and strand 0 has 2")));
     }
 }

@@ -9,15 +9,20 @@ use super::guard::call;
 use super::types::{MAX_COUNT, shx_input, shx_output};
 use crate::error::{Error, Result, check_finite};
 use crate::files::curves::Curves;
-use crate::files::{hair, obj};
 
 /// The strands of a groom file: polylines, root first, in the file's units. Made by shx_curves_read, owned by the caller, freed by
 /// shx_curves_destroy. It never changes, so any threads may read it at the same time.
 pub struct shx_curves(Curves);
 
+impl shx_curves {
+    pub(super) fn new(curves: Curves) -> Self {
+        Self(curves)
+    }
+}
+
 /// # Safety
 /// `path` is null or a closed text.
-unsafe fn path_from<'a>(path: *const c_char) -> Result<&'a Path> {
+pub(super) unsafe fn path_from<'a>(path: *const c_char) -> Result<&'a Path> {
     if path.is_null() {
         return Err(Error::NullArgument { argument: "path".into() });
     }
@@ -37,7 +42,7 @@ unsafe fn path_from<'a>(path: *const c_char) -> Result<&'a Path> {
 
 /// # Safety
 /// `curves` is null or alive.
-unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Curves> {
+pub(super) unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Curves> {
     // SAFETY: the same.
     match unsafe { curves.as_ref() } {
         Some(curves) => Ok(&curves.0),
@@ -45,7 +50,8 @@ unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Curves> {
     }
 }
 
-/// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4) or Wavefront .obj with lines. path is UTF-8 (on Unix any
+/// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines or USD as text (.usda, at its first time
+/// sample). path is UTF-8 (on Unix any
 /// bytes). *out_curves is yours; free it with shx_curves_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (cannot be read, unknown, truncated, oversized,
 /// nonsense), SHX_ERROR_OUT_OF_MEMORY. Any thread.
@@ -143,7 +149,8 @@ pub unsafe extern "C" fn shx_curves_points(
     })
 }
 
-/// Writes polylines to a file, whose name ends in .obj (Wavefront lines) or .hair (Cem Yuksel's): a frame of a cache. points holds
+/// Writes polylines to a file, whose name ends in .obj (Wavefront lines), .hair (Cem Yuksel's), .tfx (TressFX) or .usda (USD as text): a
+/// frame of a cache. points holds
 /// the points of all strands, one strand after the other (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; narrowed to floats, a fourth
 /// number is not looked at); point_counts holds strand_count numbers, each at least 2, whose sum is points.count.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
@@ -175,10 +182,6 @@ pub unsafe extern "C" fn shx_curves_write(
             narrowed.push(point);
         }
         let curves = Curves::from_counts(counts.to_vec(), narrowed)?;
-        match path.extension().and_then(OsStr::to_str) {
-            Some("obj") => obj::write(path, &curves),
-            Some("hair") => hair::write(path, &curves),
-            _ => Err(Error::invalid("path", path.display(), "a name that ends in .obj or .hair")),
-        }
+        curves.write(path)
     })
 }

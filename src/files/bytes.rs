@@ -82,7 +82,7 @@ pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
 }
 
 /// A name beside `path` that no other process or thread writes to.
-fn neighbour(path: &Path) -> Option<PathBuf> {
+pub(super) fn neighbour(path: &Path) -> Option<PathBuf> {
     static NEXT: AtomicU64 = AtomicU64::new(0);
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name()?);

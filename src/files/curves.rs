@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::error::{Error, Result, check_positive};
 use crate::files::hair::HairHeader;
-use crate::files::{bytes, hair, obj, tfx};
+use crate::files::{bytes, hair, obj, tfx, usda};
 
 /// Where a set of curves came from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,10 +22,12 @@ pub enum CurvesFormat {
     TfxV4,
     /// Wavefront `.obj` with `v` and `l` lines.
     Obj,
+    /// USD as text, `.usda`: its `BasisCurves` and `NurbsCurves`.
+    Usda,
 }
 
 impl CurvesFormat {
-    /// A short name for people: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "memory".
+    /// A short name for people: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "usda", "memory".
     pub fn name(self) -> &'static str {
         match self {
             CurvesFormat::Memory => "memory",
@@ -34,6 +36,18 @@ impl CurvesFormat {
             CurvesFormat::TfxV3 => "tfx 3",
             CurvesFormat::TfxV4 => "tfx 4",
             CurvesFormat::Obj => "obj",
+            CurvesFormat::Usda => "usda",
+        }
+    }
+
+    /// The format that a file's name asks for by its extension: `.hair`, `.tfx` (version 4), `.obj` or `.usda`.
+    pub fn of_name(path: impl AsRef<Path>) -> Option<Self> {
+        match path.as_ref().extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "hair" => Some(CurvesFormat::Hair),
+            "tfx" => Some(CurvesFormat::TfxV4),
+            "obj" => Some(CurvesFormat::Obj),
+            "usda" => Some(CurvesFormat::Usda),
+            _ => None,
         }
     }
 }
@@ -41,8 +55,8 @@ impl CurvesFormat {
 /// Polylines in a file's own units, root first. There is at least one strand, every strand has at least two points, and every
 /// number is finite. Points of a strand may coincide, and strands may be shorter than a hair is wide: real grooms have both.
 ///
-/// Grooms state no unit and no up axis: [`Curves::scaled`] and [`Curves::to_z_up`] bring them into the engine's metres and,
-/// where wanted, its default axes.
+/// Only USD states a unit and an up axis ([`Extras::metres_per_unit`], [`Extras::up`]): [`Curves::scaled`] and [`Curves::to_z_up`]
+/// bring grooms into the engine's metres and, where wanted, its default axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
     pub(super) format: CurvesFormat,
@@ -53,29 +67,45 @@ pub struct Curves {
     pub(super) extras: Extras,
 }
 
+/// The axis that points up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UpAxis {
+    /// +y.
+    Y,
+    /// +z.
+    Z,
+}
+
 /// What a file may say beyond the points. Lists "a point" are in the order of the points, lists "a strand" of the strands.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Extras {
-    /// Thickness a point, in file units (`.hair`).
+    /// Thickness (diameter) a point, in file units (`.hair`, `.usda`).
     pub thickness: Option<Vec<f32>>,
-    /// Transparency a point, 0 to 1 (`.hair`).
+    /// Transparency a point, 0 to 1 (`.hair`, `.usda`).
     pub transparency: Option<Vec<f32>>,
-    /// Red, green, blue a point, 0 to 1 (`.hair`, `.tfx`).
+    /// Red, green, blue a point, 0 to 1 (`.hair`, `.tfx`, `.usda`).
     pub colors: Option<Vec<[f32; 3]>>,
     /// Whether each point is held, that is, moves with the head alone: in `.tfx` 4 the points whose fourth number is 0; in `.tfx`
     /// 2 and 3, when the file asks for both ends to be held, the first two and the last two points of each strand.
     pub held: Option<Vec<bool>>,
-    /// Thickness factor a strand (`.tfx` 3 and 4).
+    /// Velocity a point, file units a second (`.usda`).
+    pub velocities: Option<Vec<[f32; 3]>>,
+    /// Thickness factor a strand (`.tfx` 3 and 4, `.usda` of this library).
     pub strand_thickness: Option<Vec<f32>>,
-    /// Texture coordinates of the root, a strand (`.tfx`).
+    /// Texture coordinates of the root, a strand (`.tfx`, `.usda`).
     pub strand_uvs: Option<Vec<[f32; 2]>>,
     /// The rest of a `.hair` file's head, so that it can be written back as it was.
     pub hair_header: Option<HairHeader>,
+    /// Metres a file unit, where the file states them (`.usda`).
+    pub metres_per_unit: Option<f64>,
+    /// The axis that points up, where the file states it (`.usda`).
+    pub up: Option<UpAxis>,
 }
 
 impl Curves {
-    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4) or `.obj` with polylines, told apart by content first and by the
-    /// name's extension where content does not say.
+    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4), `.obj` with polylines or `.usda`, told apart by content first and by the
+    /// name's extension where content does not say. Of a `.usda` file with time samples the first is taken
+    /// ([`CurveCache`](crate::files::curve_cache::CurveCache) has all), and cubic curves are made into points, four a span.
     ///
     /// # Errors
     /// [`Error::File`] when the file cannot be read, is of no known format, or is truncated, oversized or nonsense: the text
@@ -97,14 +127,65 @@ impl Curves {
         if bytes.starts_with(&[0x1f, 0x8b]) {
             return Err(Error::file(name, "is compressed (gzip): uncompress it first"));
         }
+        if let Some(what) = usda::other_scene_format(bytes) {
+            return Err(Error::file(name, what));
+        }
+        if bytes.starts_with(b"#usda") {
+            return usda::read_from_bytes(name, bytes);
+        }
         let extension = Path::new(name).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         match extension.to_ascii_lowercase().as_str() {
             "hair" => hair::read_from_bytes(name, bytes),
             "tfx" => tfx::read_from_bytes(name, bytes),
             "obj" => obj::read_from_bytes(name, bytes),
+            "usda" | "usd" => usda::read_from_bytes(name, bytes),
             _ if tfx::is_text(bytes) || tfx::is_binary(bytes) => tfx::read_from_bytes(name, bytes),
-            _ => Err(Error::file(name, "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4) or .obj")),
+            _ => Err(Error::file(name, "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4), .obj or .usda")),
         }
+    }
+
+    /// Writes curves to a file whose name ends in .hair, .tfx, .obj or .usda. A .tfx file gets the version that
+    /// [`TfxVersion::of`](tfx::TfxVersion::of) says.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] (`path`) for another name; else as the writers of the formats: [`hair::write`], [`tfx::write`],
+    /// [`obj::write`], [`usda::write`].
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<()> {
+        let path = path.as_ref();
+        match CurvesFormat::of_name(path) {
+            Some(CurvesFormat::Hair) => hair::write(path, self),
+            Some(CurvesFormat::Obj) => obj::write(path, self),
+            Some(CurvesFormat::Usda) => usda::write(path, self),
+            Some(_) => tfx::write(path, self, tfx::TfxVersion::of(self)),
+            None => Err(Error::invalid("path", path.display(), "a name that ends in .hair, .tfx, .obj or .usda")),
+        }
+    }
+
+    /// What of these curves a file of that format has no place for, in words: "colours", "velocities". Empty when nothing is lost
+    /// (numbers never are: all formats hold the same floats, opacities of `.usda` to an ulp of 1).
+    pub fn lost_in(&self, format: CurvesFormat) -> Vec<&'static str> {
+        use CurvesFormat::{Hair, Memory, TfxV2Text, TfxV3, TfxV4, Usda};
+        let extras = &self.extras;
+        let among = |formats: &[CurvesFormat]| formats.contains(&format);
+        let held_kept = match format {
+            TfxV2Text | TfxV3 => tfx::holds_both_ends(self) || extras.held.as_ref().is_none_or(|held| !held.contains(&true)),
+            _ => among(&[TfxV4, Usda]),
+        };
+        let rows = [
+            ("thickness", extras.thickness.is_some(), among(&[Hair, Usda])),
+            ("transparency", extras.transparency.is_some(), among(&[Hair, Usda])),
+            ("colours", extras.colors.is_some(), among(&[Hair, TfxV3, TfxV4, Usda])),
+            ("velocities", extras.velocities.is_some(), among(&[Usda])),
+            ("which points are held", extras.held.is_some(), held_kept),
+            ("thickness factors of strands", extras.strand_thickness.is_some(), among(&[TfxV3, TfxV4, Usda])),
+            ("texture coordinates of roots", extras.strand_uvs.is_some(), among(&[TfxV2Text, TfxV3, TfxV4, Usda])),
+            ("the defaults of a .hair file", extras.hair_header.is_some(), among(&[Hair, Usda])),
+            ("the text of a .hair file", extras.hair_header.is_some(), among(&[Hair])),
+            ("the unit", extras.metres_per_unit.is_some(), among(&[Usda])),
+            ("the up axis", extras.up.is_some(), among(&[Usda])),
+        ];
+        let lost = rows.iter().filter(|(_, there, kept)| *there && !kept && format != Memory);
+        lost.map(|(what, _, _)| *what).collect()
     }
 
     /// Curves from strands of points, root first.
@@ -169,6 +250,7 @@ impl Curves {
         check("thickness", singles(&extras.thickness), points)?;
         check("transparency", singles(&extras.transparency), points)?;
         check("colors", extras.colors.as_deref(), points)?;
+        check("velocities", extras.velocities.as_deref(), points)?;
         check("strand_thickness", singles(&extras.strand_thickness), strands)?;
         check("strand_uvs", extras.strand_uvs.as_deref(), strands)?;
         if let Some(held) = &extras.held
@@ -180,6 +262,9 @@ impl Curves {
             let [red, green, blue] = header.color;
             let numbers = [[header.thickness, header.transparency, red, green, blue]];
             check("hair_header", Some(&numbers), 1)?;
+        }
+        if let Some(unit) = extras.metres_per_unit {
+            check_positive(|| "extras.metres_per_unit".to_owned(), unit)?;
         }
         Ok(Curves { extras, ..self })
     }
@@ -266,8 +351,8 @@ impl Curves {
         })
     }
 
-    /// The same curves with every point and every thickness of a `.hair` file multiplied by `factor`: given the metres of a file
-    /// unit, it makes metres. Thickness factors ([`Extras::strand_thickness`]) stay.
+    /// The same curves with every point, velocity and thickness multiplied by `factor`: given the metres of a file unit, it makes
+    /// metres. Thickness factors ([`Extras::strand_thickness`]) stay.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] when `factor` is not a finite number above zero, or takes a number beyond the range of f32.
@@ -276,6 +361,7 @@ impl Curves {
         let mut scaled = self.clone();
         let lengths = scaled.points.iter_mut().flatten();
         let lengths = lengths.chain(scaled.extras.thickness.iter_mut().flatten());
+        let lengths = lengths.chain(scaled.extras.velocities.iter_mut().flatten().flatten());
         for length in lengths.chain(scaled.extras.hair_header.iter_mut().map(|header| &mut header.thickness)) {
             let value = (f64::from(*length) * factor) as f32;
             if !value.is_finite() {
@@ -283,6 +369,7 @@ impl Curves {
             }
             *length = value;
         }
+        scaled.extras.metres_per_unit = scaled.extras.metres_per_unit.map(|unit| unit / factor);
         Ok(scaled)
     }
 
@@ -290,9 +377,10 @@ impl Curves {
     /// a motion the same way.
     pub fn to_z_up(&self) -> Curves {
         let mut turned = self.clone();
-        for point in &mut turned.points {
-            *point = [point[0], -point[2], point[1]];
+        for vector in turned.points.iter_mut().chain(turned.extras.velocities.iter_mut().flatten()) {
+            *vector = [vector[0], -vector[2], vector[1]];
         }
+        turned.extras.up = turned.extras.up.map(|_| UpAxis::Z);
         turned
     }
 }

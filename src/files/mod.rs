@@ -1,12 +1,13 @@
-//! Files: grooms in, motions in, caches out.
+//! Files: grooms in and out, motions in, caches in and out.
 //!
 //! A groom is read into [`curves::Curves`], head motion into [`motion::Motion`], a measured curve into
 //! [`recorded_curve::RecordedCurve`], a head or another body into [`obj_mesh::ObjMesh`] or [`distance_grid`]; simulated frames leave through
-//! [`sequence::SequenceWriter`]. Every reader checks the lengths that a file states against the bytes that are there before it
+//! [`sequence::SequenceWriter`], a file a frame, or [`curve_cache::CurveCacheWriter`], one file with velocities. Every reader checks the lengths that a file states against the bytes that are there before it
 //! asks for memory, and says what it found, where, and what it expected. Nothing here keeps a file open or shares state between
 //! calls: all functions may be called from any thread.
 mod bvh;
 mod bytes;
+pub mod curve_cache;
 pub mod curves;
 pub mod distance_grid;
 pub mod hair;
@@ -22,3 +23,10 @@ mod text;
 pub mod tfx;
 mod tfx_binary;
 mod tfx_text;
+mod usd_controls;
+mod usd_curves;
+mod usd_placement;
+pub mod usda;
+mod usda_layer;
+mod usda_scan;
+mod usda_values;

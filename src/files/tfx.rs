@@ -1,4 +1,4 @@
-//! TressFX `.tfx` files: which of the three versions one is.
+//! TressFX `.tfx` files, read and written: which of the three versions one is.
 //!
 //! Version 2 is text, versions 3 and 4 are binary. Points, held points, thickness, colours and the texture coordinates of roots are
 //! kept where the version has them. Texture coordinates a point and lists of guides are checked to lie in the file and left there;
@@ -8,7 +8,7 @@ use std::path::Path;
 
 use crate::error::{Error, Result};
 use crate::files::bytes::{self, f32_at};
-use crate::files::curves::Curves;
+use crate::files::curves::{Curves, CurvesFormat};
 use crate::files::{tfx_binary, tfx_text};
 
 /// Reads a `.tfx` file of version 2 (text), 3 or 4 (binary).
@@ -45,6 +45,66 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
             ),
         ))
     }
+}
+
+/// The version of a `.tfx` file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TfxVersion {
+    /// TressFX 2: text; strands may differ in their number of points.
+    V2,
+    /// TressFX 3: binary, all strands have as many points.
+    V3,
+    /// TressFX 4: binary, all strands have as many points; says of each whether it is held.
+    V4,
+}
+
+impl TfxVersion {
+    /// The version that curves were read from; of others the newest in which their strands can be written.
+    pub fn of(curves: &Curves) -> Self {
+        match curves.format() {
+            CurvesFormat::TfxV2Text => TfxVersion::V2,
+            CurvesFormat::TfxV3 => TfxVersion::V3,
+            CurvesFormat::TfxV4 => TfxVersion::V4,
+            _ if curves.counts().iter().all(|count| *count == curves.counts()[0]) => TfxVersion::V4,
+            _ => TfxVersion::V2,
+        }
+    }
+}
+
+/// Writes curves as a `.tfx` file of that version, with what of the extras it has a place for ([`Curves::lost_in`] says what it has not).
+/// Version 3 and 4 files whose sections are in the order of their heads, without gaps and without what is left when reading, give the
+/// same bytes when read and written; version 2 files the same numbers.
+///
+/// Version 2 and 3 know held points only as "both ends of every strand or not"; held points that are neither are lost there. A version 4
+/// file must say which points are held: where the curves do not, the roots are.
+///
+/// # Errors
+/// [`Error::File`] naming the path when it cannot be written, or when the curves have more than the format can say: strands that differ in
+/// their number of points (versions 3 and 4), more than 4 GiB.
+pub fn write(path: impl AsRef<Path>, curves: &Curves, version: TfxVersion) -> Result<()> {
+    let path = path.as_ref();
+    bytes::write_file(path, &write_to_bytes(&path.display().to_string(), curves, version)?)
+}
+
+/// [`write()`] into memory. `name` stands for the path in errors.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_to_bytes(name: &str, curves: &Curves, version: TfxVersion) -> Result<Vec<u8>> {
+    match version {
+        TfxVersion::V2 => Ok(tfx_text::write(curves)),
+        TfxVersion::V3 => tfx_binary::write_v3(name, curves),
+        TfxVersion::V4 => tfx_binary::write_v4(name, curves),
+    }
+}
+
+/// Whether curves hold the first two and the last two points of every strand, and no others.
+pub(super) fn holds_both_ends(curves: &Curves) -> bool {
+    let Some(held) = &curves.extras().held else { return false };
+    (0..curves.strand_count()).all(|strand| {
+        let held = &held[curves.strand_range(strand)];
+        held.iter().enumerate().all(|(index, held_here)| *held_here == (index < 2 || index + 2 >= held.len()))
+    })
 }
 
 /// Whether these bytes begin a version 2 file.

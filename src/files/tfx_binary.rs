@@ -13,7 +13,7 @@
 use crate::error::{Error, Result};
 use crate::files::bytes::{self, Section, u32_at};
 use crate::files::curves::{Curves, CurvesFormat, Extras};
-use crate::files::tfx::held_ends;
+use crate::files::tfx::{held_ends, holds_both_ends};
 
 /// Bytes of a version 3 head.
 const HEAD_V3: usize = 296;
@@ -175,4 +175,87 @@ pub(super) fn read_v4(name: &str, bytes: &[u8]) -> Result<Curves> {
         ..Extras::default()
     };
     Curves::from_parts(CurvesFormat::TfxV4, head.counts()?, points, extras)
+}
+
+/// A file being written: a head, and sections one after the other.
+struct Sections {
+    bytes: Vec<u8>,
+}
+
+impl Sections {
+    /// The head's first three words, and zeros to its end.
+    fn new(name: &str, curves: &Curves, version: f32, head: usize, point_width: usize) -> Result<Self> {
+        let each = curves.counts()[0];
+        if let Some(strand) = curves.counts().iter().position(|count| *count != each) {
+            return Err(Error::file(
+                name,
+                format_args!(
+                    "strand {strand} has {} points and strand 0 has {each}: in a .tfx file of version {version} all have as many",
+                    curves.counts()[strand]
+                ),
+            ));
+        }
+        let strands = u32::try_from(curves.strand_count()).map_err(|_| {
+            Error::file(name, format_args!("{} strands are more than a .tfx file can have", curves.strand_count()))
+        })?;
+        // Points, colours, and two sections a strand.
+        let most = curves.point_count().saturating_mul(point_width + 16).saturating_add(12 * curves.strand_count());
+        let mut bytes = bytes::list(head.saturating_add(most))?;
+        bytes.extend_from_slice(&version.to_le_bytes());
+        bytes.extend_from_slice(&strands.to_le_bytes());
+        bytes.extend_from_slice(&each.to_le_bytes());
+        bytes.resize(head, 0);
+        Ok(Self { bytes })
+    }
+
+    /// Adds a section, and its offset at byte `at` of the head.
+    fn add(&mut self, name: &str, at: usize, numbers: impl Iterator<Item = f32>) -> Result<()> {
+        let offset = u32::try_from(self.bytes.len())
+            .map_err(|_| Error::file(name, "has more than the 4 GiB that a .tfx file can have"))?;
+        self.bytes[at..at + 4].copy_from_slice(&offset.to_le_bytes());
+        numbers.for_each(|number| self.bytes.extend_from_slice(&number.to_le_bytes()));
+        Ok(())
+    }
+}
+
+fn flat_colors(colors: &[[f32; 3]]) -> impl Iterator<Item = f32> + '_ {
+    colors.iter().flat_map(|[red, green, blue]| [*red, *green, *blue, 1.0])
+}
+
+/// Writes version 3.
+pub(super) fn write_v3(name: &str, curves: &Curves) -> Result<Vec<u8>> {
+    let extras = curves.extras();
+    let mut out = Sections::new(name, curves, 3.0, HEAD_V3, 12)?;
+    out.bytes[16] = u8::from(holds_both_ends(curves));
+    out.add(name, 144, curves.points().iter().flatten().copied())?;
+    if let Some(thickness) = &extras.strand_thickness {
+        out.add(name, 148, thickness.iter().copied())?;
+    }
+    if let Some(uvs) = &extras.strand_uvs {
+        out.add(name, 152, uvs.iter().flatten().copied())?;
+    }
+    if let Some(colors) = &extras.colors {
+        out.add(name, 156, flat_colors(colors))?;
+    }
+    Ok(out.bytes)
+}
+
+/// Writes version 4.
+pub(super) fn write_v4(name: &str, curves: &Curves) -> Result<Vec<u8>> {
+    let extras = curves.extras();
+    let mut out = Sections::new(name, curves, 4.0, HEAD_V4, 16)?;
+    let each = curves.counts()[0] as usize;
+    let is_held = |index: usize| extras.held.as_ref().map_or(index.is_multiple_of(each), |held| held[index]);
+    let points = curves.points().iter().enumerate();
+    out.add(name, 12, points.flat_map(|(index, [x, y, z])| [*x, *y, *z, if is_held(index) { 0.0 } else { 1.0 }]))?;
+    if let Some(uvs) = &extras.strand_uvs {
+        out.add(name, 16, uvs.iter().flatten().copied())?;
+    }
+    if let Some(thickness) = &extras.strand_thickness {
+        out.add(name, 24, thickness.iter().copied())?;
+    }
+    if let Some(colors) = &extras.colors {
+        out.add(name, 28, flat_colors(colors))?;
+    }
+    Ok(out.bytes)
 }

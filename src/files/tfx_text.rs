@@ -3,10 +3,12 @@
 //! Lines `name value`, of which `version 2.0` is the first and `numStrands` must be there; then for each strand a line
 //! `strand I numVerts N texcoord U V` and N lines `x, y, z` (or without commas).
 
+use std::io::Write;
+
 use crate::error::{Error, Result};
 use crate::files::curves::{Curves, CurvesFormat, Extras};
 use crate::files::text::{Quote, Text, count, single};
-use crate::files::tfx::held_ends;
+use crate::files::tfx::{held_ends, holds_both_ends};
 
 /// A point's line has no fewer bytes: `0 0 0` and its end.
 const LEAST_POINT_LINE: usize = 6;
@@ -160,4 +162,23 @@ fn point_line(text: &Text<'_>, line: usize, content: &str) -> Result<[f32; 3]> {
     }
     let [x, y, z] = row;
     Ok([single(text, line, "x", x)?, single(text, line, "y", y)?, single(text, line, "z", z)?])
+}
+
+/// Writes version 2.
+pub(super) fn write(curves: &Curves) -> Vec<u8> {
+    let mut out = Vec::with_capacity(40 * curves.point_count());
+    let most = curves.counts().iter().max().copied().unwrap_or_default();
+    // Writing to a Vec cannot fail, so its results say nothing.
+    let _ = write!(out, "version 2.0\nscale 1.0\nrotation 0 0 0\ntranslation 0 0 0\n");
+    let _ = writeln!(out, "bothEndsImmovable {}", u8::from(holds_both_ends(curves)));
+    let _ = writeln!(out, "maxNumVerticesInStrand {most}\nnumFollowHairsPerGuideHair 0\nmaxRadiusAroundGuideHair 0");
+    let _ = writeln!(out, "numStrands {}\nis sorted 0", curves.strand_count());
+    for (index, strand) in curves.strands().enumerate() {
+        let [u, v] = curves.extras().strand_uvs.as_ref().map_or([0.0; 2], |uvs| uvs[index]);
+        let _ = writeln!(out, "strand {index} numVerts {} texcoord {u} {v}", strand.len());
+        for [x, y, z] in strand {
+            let _ = writeln!(out, "{x}, {y}, {z}");
+        }
+    }
+    out
 }

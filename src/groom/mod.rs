@@ -1,7 +1,10 @@
 //! From measured and modelled hair to strands.
 
 pub mod fit;
+pub mod hair_parameters;
+pub mod hair_type;
 pub mod polyline;
 pub mod rest_shape;
-pub mod spline;
+pub use crate::math::spline;
 pub mod stability;
+pub mod variation;

@@ -338,4 +338,66 @@ AT(shx_constraint_state, error, 16);
 AT(shx_constraint_state, force, 24);
 AT(shx_constraint_state, torque, 48);
 
+SIZE(shx_hair, 176);
+AT(shx_hair, struct_size, 0);
+AT(shx_hair, curl, 4);
+AT(shx_hair, mean_radius, 8);
+AT(shx_hair, ellipticity, 16);
+AT(shx_hair, helix_radius, 24);
+AT(shx_hair, helix_step, 32);
+AT(shx_hair, youngs_modulus, 40);
+AT(shx_hair, poisson_ratio, 48);
+AT(shx_hair, density, 56);
+AT(shx_hair, internal_friction, 64);
+AT(shx_hair, air_drag, 72);
+AT(shx_hair, friction, 80);
+AT(shx_hair, variation_between, 88);
+AT(shx_hair, variation_along, 96);
+AT(shx_hair, variation_thickness, 104);
+AT(shx_hair, frizz, 112);
+AT(shx_hair, variation_period, 120);
+AT(shx_hair, root_turn, 128);
+AT(shx_hair, seed, 136);
+AT(shx_hair, reserved, 144);
+
+SIZE(shx_sliders, 64);
+AT(shx_sliders, struct_size, 0);
+AT(shx_sliders, reserved0, 4);
+AT(shx_sliders, curliness, 8);
+AT(shx_sliders, stiffness, 16);
+AT(shx_sliders, discipline, 24);
+AT(shx_sliders, weight, 32);
+AT(shx_sliders, combing_ease, 40);
+AT(shx_sliders, reserved, 48);
+
+SIZE(shx_hair_strand, 88);
+AT(shx_hair_strand, radius, 0);
+AT(shx_hair_strand, density, 16);
+AT(shx_hair_strand, youngs_modulus, 24);
+AT(shx_hair_strand, poisson_ratio, 32);
+AT(shx_hair_strand, internal_friction, 40);
+AT(shx_hair_strand, viscosity, 48);
+AT(shx_hair_strand, air_drag, 56);
+AT(shx_hair_strand, root_turn, 64);
+AT(shx_hair_strand, friction_along, 72);
+AT(shx_hair_strand, friction_against, 80);
+
+SIZE(shx_curve_data, 184);
+AT(shx_curve_data, struct_size, 0);
+AT(shx_curve_data, up, 4);
+AT(shx_curve_data, strand_count, 8);
+AT(shx_curve_data, point_counts, 16);
+AT(shx_curve_data, points, 24);
+AT(shx_curve_data, velocities, 56);
+AT(shx_curve_data, thickness, 88);
+AT(shx_curve_data, transparency, 96);
+AT(shx_curve_data, colors, 104);
+AT(shx_curve_data, held, 112);
+AT(shx_curve_data, strand_thickness, 120);
+AT(shx_curve_data, strand_uvs, 128);
+AT(shx_curve_data, metres_per_unit, 136);
+AT(shx_curve_data, tfx_version, 144);
+AT(shx_curve_data, reserved0, 148);
+AT(shx_curve_data, reserved, 152);
+
 int main(void) { return 0; }

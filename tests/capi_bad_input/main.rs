@@ -5,11 +5,14 @@
 mod bodies;
 mod constraints;
 mod contact;
+mod curve_cache;
+mod curve_data;
 mod curves;
 mod definitions;
 mod fit;
 mod fit_curves;
 mod friction_fit;
+mod hair;
 mod level_of_detail;
 mod restyling;
 mod roots;
@@ -31,11 +34,14 @@ use superhelix::capi::body_def::*;
 use superhelix::capi::constraints::*;
 use superhelix::capi::contact::*;
 use superhelix::capi::contacts::*;
+use superhelix::capi::curve_cache::*;
+use superhelix::capi::curve_data::*;
 use superhelix::capi::curves::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
 use superhelix::capi::fit_curves::*;
 use superhelix::capi::friction_fit::*;
+use superhelix::capi::hair::*;
 use superhelix::capi::level_of_detail::*;
 use superhelix::capi::restyling::*;
 use superhelix::capi::roots::*;
@@ -162,6 +168,9 @@ fn table() -> Vec<Case> {
         settings::cases,
         friction_fit::cases,
         curves::cases,
+        curve_data::cases,
+        curve_cache::cases,
+        hair::cases,
     ] {
         add(&mut cases);
     }

@@ -22,7 +22,7 @@ use crate::simulate::{not_negative, positive};
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
 #[derive(Debug, Args)]
 pub struct FitArguments {
-    /// The groom: .hair, .tfx or .obj with lines, root first.
+    /// The groom: .hair, .tfx, .obj with lines or .usda, root first.
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
     /// Helical elements a strand; several numbers make a table. With --tolerance: the most. Default: 3,5,10,20, or with --tolerance 100.
@@ -138,6 +138,9 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
     let material = arguments.material.material()?;
     let curves = Curves::read(&arguments.groom)?;
     let scale = arguments.scale.unwrap_or(1.0);
+    if arguments.out.is_some() {
+        arguments.up.check_groom(&arguments.groom, &curves)?;
+    }
     let (indices, polylines): (Vec<usize>, Vec<Vec<Vector3<f64>>>) = curves
         .strands()
         .enumerate()

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use serde::Serialize;
-use superhelix::files::curves::Curves;
+use superhelix::files::curves::{Curves, UpAxis};
 
 use crate::failure::Failure;
 use crate::groom_statistics::{GroomStatistics, Spread};
@@ -14,7 +14,7 @@ use crate::suggested::Suggested;
 /// Says what a groom file holds: strands, lengths, turning, degenerate strands, and a guess of its unit.
 #[derive(Debug, Args)]
 pub struct InfoArguments {
-    /// The groom: .hair, .tfx or .obj with lines.
+    /// The groom: .hair, .tfx, .obj with lines or .usda.
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
     /// How many elements strands need so that no point of the groom is farther from its strand than this, m, and none turns by more than
@@ -36,6 +36,9 @@ struct Answer {
     #[serde(flatten)]
     statistics: GroomStatistics,
     held_points: Option<usize>,
+    /// What the file says, if it does.
+    metres_per_unit: Option<f64>,
+    up: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     suggested: Option<Suggested>,
 }
@@ -47,6 +50,8 @@ pub fn run(arguments: &InfoArguments) -> Result<(), Failure> {
         file: arguments.groom.display().to_string(),
         format: curves.format().name(),
         statistics: GroomStatistics::of(&curves),
+        metres_per_unit: curves.extras().metres_per_unit,
+        up: curves.extras().up.map(|up| if up == UpAxis::Y { "y" } else { "z" }),
         suggested: arguments.suggest.zip(arguments.scale).map(|(tolerance, scale)| Suggested::of(&curves, tolerance, scale)),
         held_points: curves.extras().held.as_ref().map(|held| held.iter().filter(|held| **held).count()),
     };
@@ -83,7 +88,11 @@ fn in_words(answer: &Answer) -> String {
     if let Some(held) = answer.held_points {
         text += &format!("held points           {held}\n");
     }
+    if let (Some(unit), Some(up)) = (answer.metres_per_unit, answer.up) {
+        text += &format!("unit                  {unit} m, {up} up: the file says so\n");
+    }
     text += &match &statistics.scale_guess {
+        _ if answer.metres_per_unit.is_some() => String::new(),
         Some(guess) => {
             format!(
                 "scale                 a guess: {} m a unit ({}); the file does not say\n",

@@ -3,6 +3,8 @@
 mod atomic_file;
 mod bake;
 mod bench;
+mod cache;
+mod convert;
 mod failure;
 mod fit;
 mod fit_friction;
@@ -12,9 +14,9 @@ mod groom_strands;
 mod head;
 mod info;
 mod json;
+mod lock;
 mod material_arguments;
 mod picture;
-mod presets;
 mod progress;
 mod report;
 mod resolution;
@@ -48,6 +50,8 @@ enum Command {
     Run(run::RunArguments),
     Simulate(Box<simulate::SimulateArguments>),
     Info(info::InfoArguments),
+    Convert(convert::ConvertArguments),
+    Lock(Box<lock::LockArguments>),
     Bake(bake::BakeArguments),
     Picture(picture::PictureArguments),
     Settings(settings::SettingsArguments),
@@ -80,6 +84,8 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Info(arguments) => info::run(arguments),
+        Command::Convert(arguments) => convert::run(arguments),
+        Command::Lock(arguments) => lock::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
         Command::Settings(arguments) => settings::run(arguments),

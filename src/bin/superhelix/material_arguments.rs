@@ -1,18 +1,22 @@
-//! The material on the command line: a kind of hair, and flags that change single values of it.
+//! The material on the command line: a kind of hair, flags that change single values of it, and sliders.
 
 use clap::Args;
+use superhelix::contact::options::StrandContact;
 use superhelix::error::Error;
+use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
+use superhelix::groom::hair_type::HairType;
+use superhelix::groom::variation::Variation;
 use superhelix::rod::material::Material;
 
 use crate::failure::Failure;
-use crate::presets::{HairType, semi_axes};
 
 /// Section and material of all strands.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Material (SI units)")]
 pub struct MaterialArguments {
-    /// Kind of hair (Bertails et al. 2006, appendix B); the flags below change single values of it.
-    #[arg(long = "type", value_enum, value_name = "TYPE", default_value_t = HairType::Caucasian1)]
+    /// Kind of hair: asian, caucasian1, caucasian2, african (Bertails et al. 2006, appendix B), h1, h2, ga1, gc3 (Bonanni and Kmoch 2008,
+    /// table 1). The flags below change single values of it.
+    #[arg(long = "type", value_name = "TYPE", default_value = "caucasian1", value_parser = hair_type)]
     kind: HairType,
     /// Mean radius of the section, the square root of a1 a2, m.
     #[arg(long, value_name = "M")]
@@ -38,37 +42,79 @@ pub struct MaterialArguments {
     /// Air drag nu, kg/(m s).
     #[arg(long, value_name = "NU")]
     air_drag: Option<f64>,
+    /// Slider -1 to 1: stiffer than the values above (docs/hair_types.md has what all sliders do).
+    #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
+    stiffness: f64,
+    /// Slider -1 to 1: more disciplined, less frizzy.
+    #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
+    discipline: f64,
+    /// Slider -1 to 1: heavier.
+    #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
+    weight: f64,
+    /// Slider -1 to 1: easier to comb, less friction.
+    #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
+    combing_ease: f64,
+}
+
+/// A kind of hair by its name, for clap.
+fn hair_type(text: &str) -> Result<HairType, String> {
+    HairType::from_name(text).map_err(|error| match error {
+        Error::InvalidArgument { expected, .. } => format!("expected {expected}"),
+        other => other.to_string(),
+    })
+}
+
+/// A complaint about an argument of the library in the words of the flags.
+pub fn in_words_of_flags(error: Error) -> Failure {
+    match error {
+        Error::InvalidArgument { argument, value, expected } => {
+            let field = ["hair.", "material.", "sliders."].iter().find_map(|head| argument.strip_prefix(head));
+            let flag = field.map(|field| match field {
+                "mean_radius" => "--radius".to_owned(),
+                other => format!("--{}", other.replace('_', "-")),
+            });
+            Failure::Other(format!("{} is {value}; expected {expected}", flag.unwrap_or(argument)))
+        }
+        other => Failure::from(other),
+    }
 }
 
 impl MaterialArguments {
     /// The material, checked.
     pub fn material(&self) -> Result<Material, Failure> {
-        let preset = self.kind.material();
-        let (radius, ellipticity) = self.kind.section();
-        let (radius, ellipticity) = (self.radius.unwrap_or(radius), self.ellipticity.unwrap_or(ellipticity));
-        let refuse = |flag: &str, value: f64, expected: &str| Failure::Other(format!("--{flag} is {value}; expected {expected}"));
-        if !(radius.is_finite() && radius > 0.0) {
-            return Err(refuse("radius", radius, "a finite number of metres above zero"));
+        Ok(self.parameters(CurlFormula::Exact, 0.0, Variation::none())?.material)
+    }
+
+    /// Friction and radius for contact, and all else as the engine has it.
+    pub fn contact(&self) -> Result<StrandContact, Failure> {
+        Ok(self.parameters(CurlFormula::Exact, 0.0, Variation::none())?.contact())
+    }
+
+    /// Material, natural curl, friction and variation, with the sliders of these arguments and the one that is given.
+    pub fn parameters(&self, formula: CurlFormula, curliness: f64, variation: Variation) -> Result<HairParameters, Failure> {
+        let mut hair = self.kind.measured();
+        for (value, place) in [
+            (self.radius, &mut hair.mean_radius),
+            (self.ellipticity, &mut hair.ellipticity),
+            (self.density, &mut hair.density),
+            (self.youngs_modulus, &mut hair.youngs_modulus),
+            (self.poisson_ratio, &mut hair.poisson_ratio),
+            (self.internal_friction, &mut hair.internal_friction),
+            (self.air_drag, &mut hair.air_drag),
+        ] {
+            *place = value.unwrap_or(*place);
         }
-        if !(ellipticity.is_finite() && ellipticity >= 1.0) {
-            return Err(refuse("ellipticity", ellipticity, "a finite number, 1 or above"));
-        }
-        let material = Material {
-            radius: semi_axes(radius, ellipticity),
-            density: self.density.unwrap_or(preset.density),
-            youngs_modulus: self.youngs_modulus.unwrap_or(preset.youngs_modulus),
-            poisson_ratio: self.poisson_ratio.unwrap_or(preset.poisson_ratio),
-            internal_friction: self.internal_friction.unwrap_or(preset.internal_friction),
-            viscosity: self.viscosity.unwrap_or(preset.viscosity),
-            air_drag: self.air_drag.unwrap_or(preset.air_drag),
+        let mut parameters = hair.parameters(formula).map_err(in_words_of_flags)?;
+        parameters.variation = variation;
+        parameters.material.viscosity = self.viscosity.unwrap_or(0.0);
+        parameters.material.check("material").map_err(in_words_of_flags)?;
+        let sliders = Sliders {
+            curliness,
+            stiffness: self.stiffness,
+            discipline: self.discipline,
+            weight: self.weight,
+            combing_ease: self.combing_ease,
         };
-        material.check("material").map_err(|error| match error {
-            Error::InvalidArgument { argument, value, expected } => {
-                let flag = argument.strip_prefix("material.").map(|field| format!("--{}", field.replace('_', "-")));
-                Failure::Other(format!("{} is {value}; expected {expected}", flag.unwrap_or(argument)))
-            }
-            other => Failure::from(other),
-        })?;
-        Ok(material)
+        parameters.with_sliders(&sliders).map_err(in_words_of_flags)
     }
 }

@@ -7,7 +7,6 @@ use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use superhelix::files::curves::Curves;
 use superhelix::files::motion::{Motion, MotionOptions};
-use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
 use superhelix::math::frame::Frame;
 use superhelix::math::lane::Precision;
 use superhelix::rod::turning::coarse_strands;
@@ -20,6 +19,7 @@ use superhelix::study::presets::Preset;
 use superhelix::study::settings::HairShape;
 
 use crate::atomic_file::AtomicFile;
+use crate::cache::Cache;
 use crate::failure::Failure;
 use crate::groom_statistics::{GroomStatistics, Spread, is_plausible_length};
 use crate::groom_strands::{self, GroomStrand, NaturalShape, StrandRecipe};
@@ -43,7 +43,7 @@ use crate::{progress, resolution, scene, settled};
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct SimulateArguments {
-    /// The groom: .hair, .tfx or .obj with lines, root first.
+    /// The groom: .hair, .tfx, .obj with lines or .usda, root first.
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
     /// The head's motion: a .csv of poses or a .bvh. Without it the head stands still.
@@ -64,12 +64,12 @@ pub struct SimulateArguments {
     /// Where the head's joint sits in the groom, file units. Default: the middle of the roots.
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
     pivot: Option<Vector3<f64>>,
-    /// Metres a unit of the groom. Default: 1, refused when hair of that size could not be.
+    /// Metres a unit of the groom. Default: what the file says (.usda), else 1, refused when hair of that size could not be.
     #[arg(long, value_name = "METRES", value_parser = positive)]
     scale: Option<f64>,
     /// The groom's axis that points up; gravity points the other way.
     #[arg(long, value_enum, value_name = "AXIS", default_value_t = Up::Y)]
-    up: Up,
+    pub up: Up,
     /// Use each K-th strand only.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     every: u32,
@@ -91,10 +91,10 @@ pub struct SimulateArguments {
     #[command(flatten)]
     bodies: BodyArguments,
     #[command(flatten)]
-    material: MaterialArguments,
+    pub material: MaterialArguments,
     /// Frames a second.
     #[arg(long, default_value_t = 30.0, value_parser = positive)]
-    fps: f64,
+    pub fps: f64,
     /// Seconds to simulate. Default: to the motion's end.
     #[arg(long, value_name = "SECONDS", value_parser = positive)]
     duration: Option<f64>,
@@ -133,16 +133,16 @@ pub struct SimulateArguments {
     threads: u32,
     /// Directory of the cache: one file a frame, in the groom's units.
     #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Format of the cache.
+    pub out: Option<PathBuf>,
+    /// Format of the cache: a file a frame (obj, hair), or one file hair.usda with velocities.
     #[arg(long, value_enum, default_value_t = Format::Obj)]
-    format: Format,
+    pub format: Format,
     /// Points a strand in the cache and in the picture.
     #[arg(long, value_name = "N", default_value_t = 33, value_parser = clap::value_parser!(u32).range(2..=100_000))]
-    samples: u32,
+    pub samples: u32,
     /// Replace the frames that the directory already holds.
     #[arg(long, requires = "out")]
-    overwrite: bool,
+    pub overwrite: bool,
     /// A contact sheet of the motion.
     #[arg(long, value_name = "FILE.png")]
     picture: Option<PathBuf>,
@@ -160,15 +160,18 @@ pub struct SimulateArguments {
     quiet: bool,
 }
 
-/// Format of a cache's frames.
+/// Format of a cache.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
+pub enum Format {
     /// Wavefront OBJ lines.
     Obj,
     /// Cem Yuksel's .hair.
     Hair,
+    /// One USD text file with time samples and velocities.
+    Usda,
 }
 
+/// A finite number, for clap.
 fn finite(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| "expected a finite number".to_string())
 }
@@ -178,7 +181,8 @@ pub fn positive(text: &str) -> Result<f64, String> {
     finite(text).ok().filter(|value| *value > 0.0).ok_or_else(|| "expected a finite number above zero".to_string())
 }
 
-fn triple(text: &str) -> Result<Vector3<f64>, String> {
+/// Three numbers with commas between, for clap.
+pub fn triple(text: &str) -> Result<Vector3<f64>, String> {
     let numbers: Result<Vec<f64>, String> = text.split(',').map(|number| finite(number.trim())).collect();
     match numbers.as_deref() {
         Ok([x, y, z]) => Ok(Vector3::new(*x, *y, *z)),
@@ -214,6 +218,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let begun = Instant::now();
     let (motion, duration) = read_motion(arguments)?;
     let curves = Curves::read(&arguments.groom)?;
+    arguments.up.check_groom(&arguments.groom, &curves)?;
     let scale = choose_scale(arguments, &curves)?;
     let fineness = Fineness::choose(arguments, &curves)?;
     let body = arguments.bodies.read(scale)?;
@@ -269,11 +274,10 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         settled.warn(&arguments.groom.display().to_string(), definitions.len());
     }
     let ids = solver.add_strands(&definitions)?;
-    let [first, second] = recipe.material.radius;
-    let body_id = arguments.bodies.begin(&mut solver, &ids, first.max(second), body.as_ref())?;
+    let body_id = arguments.bodies.begin(&mut solver, &ids, arguments.material.contact()?, body.as_ref())?;
 
     let frame_count = (duration * arguments.fps + 1e-9).floor() as usize + 1;
-    let mut film = Film::create(arguments, scale, frame_count, fineness.elements)?;
+    let mut film = Film::create(arguments, scale, ids.len(), frame_count, fineness.elements)?;
     let preparing_seconds = begun.elapsed().as_secs_f64();
     let mut report = Report::default();
     let mut quarantined = vec![false; ids.len()];
@@ -373,7 +377,7 @@ fn read_motion(arguments: &SimulateArguments) -> Result<(Option<Motion>, f64), F
 
 /// Metres a file unit. Not given, it is 1, unless strands of that size could not be hair.
 fn choose_scale(arguments: &SimulateArguments, curves: &Curves) -> Result<f64, Failure> {
-    if let Some(scale) = arguments.scale {
+    if let Some(scale) = arguments.scale.or(curves.extras().metres_per_unit) {
         return Ok(scale);
     }
     let statistics = GroomStatistics::of(curves);
@@ -438,7 +442,7 @@ fn warn(arguments: &SimulateArguments, strands: &[GroomStrand], skipped: usize) 
 
 /// The frames on their way out: to the cache, and some of them to the picture.
 struct Film {
-    cache: Option<SequenceWriter>,
+    cache: Option<Cache>,
     picture: Option<AtomicFile>,
     moments: Vec<Moment>,
     chosen: Vec<usize>,
@@ -447,18 +451,19 @@ struct Film {
     elements: u32,
     units_a_metre: f64,
     points: Vec<[f32; 3]>,
+    velocities: Vec<[f32; 3]>,
 }
 
 impl Film {
     /// Opens what will be written, so that a directory that cannot be written to is found out before the work.
-    fn create(arguments: &SimulateArguments, scale: f64, frame_count: usize, elements: u32) -> Result<Self, Failure> {
-        let format = match arguments.format {
-            Format::Obj => CacheFormat::Obj,
-            Format::Hair => CacheFormat::Hair,
-        };
-        let existing = if arguments.overwrite { Existing::Replace } else { Existing::Refuse };
-        let cache =
-            arguments.out.as_ref().map(|directory| SequenceWriter::create(directory, "hair", format, 1, existing)).transpose()?;
+    fn create(
+        arguments: &SimulateArguments,
+        scale: f64,
+        strands: usize,
+        frame_count: usize,
+        elements: u32,
+    ) -> Result<Self, Failure> {
+        let cache = arguments.out.as_deref().map(|directory| Cache::create(arguments, directory, scale, strands)).transpose()?;
         let picture = arguments.picture.as_deref().map(AtomicFile::create).transpose()?;
         let chosen = if picture.is_some() { spread(frame_count, arguments.moments as usize) } else { Vec::new() };
         Ok(Self {
@@ -471,6 +476,7 @@ impl Film {
             elements,
             units_a_metre: 1.0 / scale,
             points: Vec::new(),
+            velocities: Vec::new(),
         })
     }
 
@@ -486,14 +492,15 @@ impl Film {
         if self.cache.is_none() && !pictured {
             return Ok(());
         }
-        let (points, samples, units) = (&mut self.points, self.samples, self.units_a_metre);
-        points.clear();
+        let (points, velocities, samples, units) = (&mut self.points, &mut self.velocities, self.samples, self.units_a_metre);
         points.resize(ids.len() * samples, [0.0; 3]);
+        velocities.resize(ids.len() * samples, [0.0; 3]);
         solver.sample_strands(ids, samples, |strand, point, sample| {
             points[strand * samples + point] = (sample.position * units).map(|value| value as f32).into();
+            velocities[strand * samples + point] = (sample.velocity * units).map(|value| value as f32).into();
         })?;
         if let Some(cache) = &mut self.cache {
-            cache.write_points(&vec![samples as u32; ids.len()], points)?;
+            cache.write(frame as f64 / self.fps, &vec![samples as u32; ids.len()], points, velocities)?;
         }
         if pictured {
             let strands = points.chunks_exact(samples).map(<[_]>::to_vec).collect();
@@ -509,12 +516,12 @@ impl Film {
 
     /// Draws the picture; how many frames the cache has and where the picture is.
     fn finish<'a>(
-        self,
+        mut self,
         arguments: &'a SimulateArguments,
         strands: &[GroomStrand],
         scale: f64,
     ) -> Result<(u32, Option<&'a Path>), Failure> {
-        let cache_frames = self.cache.as_ref().map_or(0, SequenceWriter::frame_count);
+        let cache_frames = self.cache.take().map_or(Ok(0), Cache::finish)?;
         if let (Some(mut file), Some(path)) = (self.picture, &arguments.picture) {
             let name = |path: &Path| path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
             let title = format!(

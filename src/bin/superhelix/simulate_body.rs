@@ -100,19 +100,19 @@ impl BodyArguments {
         Ok(Some(HeadBody { shape: Arc::new(shape), report }))
     }
 
-    /// Gives strands (with the radii of their sections, m) their contact, and adds the body.
+    /// Gives strands their contact, `own` but for what these arguments say, and adds the body.
     pub fn begin(
         &self,
         solver: &mut Solver,
         strands: &[StrandId],
-        radius: f64,
+        own: StrandContact,
         body: Option<&HeadBody>,
     ) -> Result<Option<BodyId>, Failure> {
         if !self.touches() {
             return Ok(None);
         }
         let wisp_radius = self.hair_contact.unwrap_or(0.0);
-        let contact = StrandContact { radius, wisp_radius, exempt_length: self.exempt, ..StrandContact::default() };
+        let contact = StrandContact { wisp_radius, exempt_length: self.exempt, ..own };
         solver.set_contact(strands, Some(&contact))?;
         let Some(body) = body else { return Ok(None) };
         Ok(solver.add_bodies(vec![BodyDef::new(Arc::clone(&body.shape))])?.first().copied())

@@ -14,7 +14,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use superhelix::files::curves::Curves;
+use superhelix::files::curve_cache::CurveCache;
+use superhelix::files::curves::{Curves, CurvesFormat};
 
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
@@ -28,7 +29,7 @@ use view::{Face, Up};
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct PictureArguments {
-    /// A directory of frames (name.0001.obj, name.0002.obj ... or .hair), or the files themselves in order; with --scene the
+    /// A directory of frames (name.0001.obj, name.0002.obj ... or .hair), a .usda file, or the files themselves in order; with --scene the
     /// result of that scene.
     #[arg(value_name = "CACHE", required = true)]
     inputs: Vec<PathBuf>,
@@ -71,6 +72,7 @@ pub struct PictureArguments {
 pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
     let mut out = AtomicFile::create(&arguments.out)?;
     let (moments, frame_count) = match (&arguments.scene, &arguments.inputs[..]) {
+        (None, [file]) if CurvesFormat::of_name(file) == Some(CurvesFormat::Usda) => moments_of_cache(arguments, file)?,
         (None, inputs) => moments_of_frames(arguments, &list_frames(inputs)?)?,
         (Some(scene), [result]) => {
             let moments = replay::moments(result, scene, arguments.moments as usize, arguments.every as usize)?;
@@ -125,6 +127,23 @@ fn moments_of_frames(arguments: &PictureArguments, frames: &[PathBuf]) -> Result
     Ok((moments, frames.len()))
 }
 
+/// Some of the time samples of a .usda file, and how many it has.
+fn moments_of_cache(arguments: &PictureArguments, path: &Path) -> Result<(Vec<Moment>, usize), Failure> {
+    let cache = CurveCache::read(path)?;
+    let count = cache.times().len();
+    let moments = spread(count, arguments.moments as usize).into_iter().map(|index| {
+        let curves = cache.frame(index)?;
+        let strands = curves.strands().step_by(arguments.every as usize).map(<[_]>::to_vec).collect();
+        Ok(Moment { label: format!("{:.2} s", cache.times()[index]), strands, bodies: Vec::new() })
+    });
+    let moments = moments.collect::<Result<Vec<Moment>, Failure>>()?;
+    if let Some(moment) = moments.iter().find(|moment| moment.strands.len() != moments[0].strands.len()) {
+        let (here, there) = (moment.strands.len(), moments[0].strands.len());
+        return Err(Failure::file(path, format!("has {here} strands at {}, where the first frame has {there}", moment.label)));
+    }
+    Ok((moments, count))
+}
+
 /// Draws a sheet into a file that is being written.
 pub fn write_png(out: &mut AtomicFile, path: &Path, moments: &[Moment], options: &SheetOptions) -> Result<(), Failure> {
     let fail = |error: &dyn std::fmt::Display| Failure::file(path, format!("cannot be written: {error}"));
@@ -142,7 +161,7 @@ pub fn spread(length: usize, count: usize) -> Vec<usize> {
 }
 
 /// The frames to draw from: those of a directory in the order of their numbers, or the files as given.
-fn list_frames(inputs: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+pub fn list_frames(inputs: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     match inputs {
         [directory] if directory.is_dir() => list_directory(directory),
         files => {

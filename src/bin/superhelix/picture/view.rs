@@ -1,6 +1,9 @@
 //! The two views of a sheet: which axes run right, up and towards the viewer.
 
+use std::path::Path;
+
 use nalgebra::{Matrix3, Vector3};
+use superhelix::files::curves::{Curves, UpAxis};
 
 use crate::failure::Failure;
 
@@ -20,6 +23,16 @@ impl Up {
             Up::Y => 1,
             Up::Z => 2,
         }
+    }
+
+    /// Refuses a groom that says that another axis is up.
+    pub fn check_groom(self, path: &Path, curves: &Curves) -> Result<(), Failure> {
+        let (said, flag) = match curves.extras().up {
+            Some(UpAxis::Y) if self != Up::Y => ("y", "y"),
+            Some(UpAxis::Z) if self != Up::Z => ("z", "z"),
+            _ => return Ok(()),
+        };
+        Err(Failure::file(path, format!("says that {said} is up: give --up {flag}")))
     }
 
     /// Gravity, m/s².

@@ -4,6 +4,7 @@ pub mod attachments;
 pub mod colliders;
 pub mod contact;
 mod deformation;
+mod hair;
 pub mod options;
 pub mod outputs;
 mod pose;

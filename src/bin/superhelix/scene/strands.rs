@@ -1,11 +1,13 @@
 //! `strands`: what each is made from, and how its root moves.
 
+use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::contact::options::StrandContact;
 use superhelix::math::pose_spline::PoseSpline;
 use superhelix::rod::freedoms::Freedoms;
 use superhelix::rod::material::Material;
 use superhelix::solver::definition::{MAX_ELEMENTS, StrandDef};
 
+use super::hair;
 use super::pose::{read_motion, read_pose};
 use super::words::in_words_of_the_scene;
 use crate::json::{Complaint, Entries, Node};
@@ -27,6 +29,7 @@ pub fn read(node: &Node) -> Result<SceneStrand, Complaint> {
         "elements",
         "length",
         "element_lengths",
+        "hair",
         "radius",
         "density",
         "youngs_modulus",
@@ -44,28 +47,37 @@ pub fn read(node: &Node) -> Result<SceneStrand, Complaint> {
     ])?;
     let element_lengths = read_lengths(&strand)?;
     let count = element_lengths.len();
-    let defaults = Material::default();
+    // Of the lengths only those that are above zero make it here.
+    let hair = strand.get_unless_null("hair").map(|node| hair::read(node)?.strand(&element_lengths)).transpose()?;
+    let defaults = hair.as_ref().map_or_else(Material::default, |hair| hair.material);
     let material = Material {
         radius: strand.or("radius", defaults.radius, Node::numbers)?,
         density: strand.or("density", defaults.density, Node::number)?,
         youngs_modulus: strand.or("youngs_modulus", defaults.youngs_modulus, Node::number)?,
         poisson_ratio: strand.or("poisson_ratio", defaults.poisson_ratio, Node::number)?,
-        internal_friction: strand.or("internal_friction", 0.0, Node::number)?,
-        viscosity: strand.or("viscosity", 0.0, Node::number)?,
-        air_drag: strand.or("air_drag", 0.0, Node::number)?,
+        internal_friction: strand.or("internal_friction", defaults.internal_friction, Node::number)?,
+        viscosity: strand.or("viscosity", defaults.viscosity, Node::number)?,
+        air_drag: strand.or("air_drag", defaults.air_drag, Node::number)?,
     };
     let rows = |name: &str| strand.get_unless_null(name).map(|rows| read_rows(rows, count)).transpose();
+    let natural = hair.as_ref().map_or_else(|| vec![[0.0; 3]; count], |hair| hair.natural.clone());
     let mut definition = StrandDef {
         element_lengths,
         material,
         freedoms: strand.or("freedoms", Freedoms::ALL, read_freedoms)?,
-        natural: strand.or("natural_curvatures", vec![[0.0; 3]; count], |node| read_rows(node, count))?,
+        natural: strand.or("natural_curvatures", natural, |node| read_rows(node, count))?,
         initial: rows("initial_curvatures")?,
         initial_rates: rows("initial_rates")?,
         ..StrandDef::straight(1.0, 1)
     };
     if let Some(root) = strand.get("root") {
         definition.root = read_pose(root)?;
+    }
+    if let Some(hair) = hair.filter(|hair| hair.root_turn != 0.0) {
+        if let Some(motion) = strand.get_unless_null("root_motion") {
+            return Err(motion.complain("none where hair.variation.root_turn turns the root"));
+        }
+        definition.root.rotation *= UnitQuaternion::from_axis_angle(&Vector3::x_axis(), hair.root_turn);
     }
     let motion = strand.get_unless_null("root_motion").map(read_motion).transpose()?;
     if let Some(motion) = &motion {

@@ -1,0 +1,174 @@
+//! Caches: curves over time with velocities, in one .usda file.
+
+use std::ffi::c_char;
+
+use super::buffers::{POINT_FORMATS, Place, Places, Reader};
+use super::curve_data::{narrowed, read_data, shx_curve_data};
+use super::curves::{path_from, shx_curves};
+use super::errors::shx_result;
+use super::guard::call;
+use super::types::shx_input;
+use crate::error::{Error, Result};
+use crate::files::curve_cache::{CurveCache, CurveCacheWriter};
+
+/// Curves over time. Made by shx_curve_cache_read, owned by the caller, freed by shx_curve_cache_destroy. It never changes, so any threads may
+/// read it at the same time.
+pub struct shx_curve_cache(CurveCache);
+
+/// A cache that is being written. Made by shx_curve_cache_create, owned by the caller, ended and freed by shx_curve_cache_finish, or given
+/// up and freed by shx_curve_cache_abandon.
+pub struct shx_cache_writer(CurveCacheWriter);
+
+/// Reads the curves of a .usda file at its time samples; curves that stand still are one frame at time 0. *out_cache is yours; free it with
+/// shx_curve_cache_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_cache_read(path: *const c_char, out_cache: *mut *mut shx_curve_cache) -> shx_result {
+    call("shx_curve_cache_read", || {
+        // SAFETY: the caller's text and place for one pointer.
+        let (path, place) = unsafe { (path_from(path)?, Place::new("out_cache", out_cache)?) };
+        place.write(Box::into_raw(Box::new(shx_curve_cache(CurveCache::read(path)?))));
+        Ok(())
+    })
+}
+
+/// Frees a cache. Null is nothing to free. Any thread; nobody may use it any more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_cache_destroy(cache: *mut shx_curve_cache) {
+    call("shx_curve_cache_destroy", || {
+        if !cache.is_null() {
+            // SAFETY: made by Box::into_raw in shx_curve_cache_read.
+            drop(unsafe { Box::from_raw(cache) });
+        }
+        Ok(())
+    });
+}
+
+/// # Safety
+/// `cache` is null or alive.
+unsafe fn cache_from<'a>(cache: *const shx_curve_cache) -> Result<&'a CurveCache> {
+    // SAFETY: the same.
+    match unsafe { cache.as_ref() } {
+        Some(cache) => Ok(&cache.0),
+        None => Err(Error::NullArgument { argument: "cache".into() }),
+    }
+}
+
+/// The times of the frames, s, ascending. *out_count is how many there are, at least one; they go into out_times, which holds capacity numbers
+/// (null with capacity 0: only the count is wanted).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_cache_times(
+    cache: *const shx_curve_cache,
+    out_times: *mut f64,
+    capacity: usize,
+    out_count: *mut usize,
+) -> shx_result {
+    call("shx_curve_cache_times", || {
+        // SAFETY: the caller's handle, and places for one number and for capacity numbers.
+        let (cache, count, times) = unsafe {
+            let times = if out_times.is_null() && capacity == 0 {
+                None
+            } else {
+                Some(Places::new("out_times", "capacity", out_times, capacity)?)
+            };
+            (cache_from(cache)?, Place::new("out_count", out_count)?, times)
+        };
+        if let Some(times) = times {
+            times.write(cache.times())?;
+        }
+        count.write(cache.times().len());
+        Ok(())
+    })
+}
+
+/// The curves at a time, s, with their velocities where the file has them (shx_curves_numbers): a frame's own at its time, between frames
+/// straight from one to the next, outside held. *out_curves is yours; free it with shx_curves_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (time), SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_cache_at(
+    cache: *const shx_curve_cache,
+    time: f64,
+    out_curves: *mut *mut shx_curves,
+) -> shx_result {
+    call("shx_curve_cache_at", || {
+        // SAFETY: the caller's handle and place for one pointer.
+        let (cache, place) = unsafe { (cache_from(cache)?, Place::new("out_curves", out_curves)?) };
+        place.write(Box::into_raw(Box::new(shx_curves::new(cache.at(time)?))));
+        Ok(())
+    })
+}
+
+/// Begins a cache, a .usda file. first has the numbers of points and what does not change over time (diameters, colours, unit, axis); its
+/// points are not written, and whether it has velocities says whether frames have. frames_per_second is above 0: what times are counted in.
+/// The file appears when the cache is finished. *out_writer is yours.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_cache_create(
+    path: *const c_char,
+    first: *const shx_curve_data,
+    frames_per_second: f64,
+    out_writer: *mut *mut shx_cache_writer,
+) -> shx_result {
+    call("shx_curve_cache_create", || {
+        // SAFETY: the caller's text, structure and place for one pointer.
+        let (path, place) = unsafe { (path_from(path)?, Place::new("out_writer", out_writer)?) };
+        // SAFETY: the same.
+        let (curves, _) = unsafe { read_data(first) }.map_err(|error| error.renamed("data", "first"))?;
+        let writer = CurveCacheWriter::create(path, &curves, frames_per_second);
+        let writer = writer.map_err(|error| error.renamed("time_codes_per_second", "frames_per_second"))?;
+        place.write(Box::into_raw(Box::new(shx_cache_writer(writer))));
+        Ok(())
+    })
+}
+
+/// Writes a frame: its time, s, after that of the frame before, the points of all strands (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4) and, if
+/// first had velocities, theirs (the same formats); else velocities is null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the cache is then of no further use). Alone with the writer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_cache_write(
+    writer: *mut shx_cache_writer,
+    time: f64,
+    points: *const shx_input,
+    velocities: *const shx_input,
+) -> shx_result {
+    call("shx_curve_cache_write", || {
+        // SAFETY: the caller's handle, alone with it, and inputs.
+        let (writer, points, velocities) = unsafe {
+            let Some(writer) = writer.as_mut() else { return Err(Error::NullArgument { argument: "writer".into() }) };
+            let points = narrowed("points", &Reader::new("points", points, POINT_FORMATS)?)?;
+            let velocities = if velocities.is_null() {
+                None
+            } else {
+                Some(narrowed("velocities", &Reader::new("velocities", velocities, POINT_FORMATS)?)?)
+            };
+            (writer, points, velocities)
+        };
+        writer.0.write(time, &points, velocities.as_deref())
+    })
+}
+
+/// Ends a cache, puts the file in its place, and frees the writer, whether that goes well or not.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE. Alone with the writer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_cache_finish(writer: *mut shx_cache_writer) -> shx_result {
+    call("shx_curve_cache_finish", || {
+        if writer.is_null() {
+            return Err(Error::NullArgument { argument: "writer".into() });
+        }
+        // SAFETY: made by Box::into_raw in shx_curve_cache_create.
+        unsafe { Box::from_raw(writer) }.0.finish().map_err(|error| error.renamed("frames", "writer"))
+    })
+}
+
+/// Gives up a cache: nothing is left of it. Null is nothing to give up. Alone with the writer.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_cache_abandon(writer: *mut shx_cache_writer) {
+    call("shx_curve_cache_abandon", || {
+        if !writer.is_null() {
+            // SAFETY: made by Box::into_raw in shx_curve_cache_create.
+            drop(unsafe { Box::from_raw(writer) });
+        }
+        Ok(())
+    });
+}

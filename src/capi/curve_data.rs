@@ -1,0 +1,281 @@
+//! All that groom files may say beside the points: out of curves, and into files.
+
+use std::ffi::c_char;
+use std::mem::{offset_of, size_of};
+
+use super::buffers::{POINT_FORMATS, Place, Places, Reader, array};
+use super::curves::{curves_from, path_from, shx_curves};
+use super::errors::shx_result;
+use super::guard::call;
+use super::solver_def::check_reserved;
+use super::types::{MAX_COUNT, shx_input};
+use super::versioned::{Versioned, initialise, read_versioned};
+use crate::error::{Error, Result, check_finite};
+use crate::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
+use crate::files::tfx::{self, TfxVersion};
+
+/// Thickness (diameter), a float a point, file units.
+pub const SHX_CURVES_THICKNESS: u32 = 1;
+/// Transparency, a float a point, 0 to 1.
+pub const SHX_CURVES_TRANSPARENCY: u32 = 2;
+/// Colour, three floats a point, 0 to 1.
+pub const SHX_CURVES_COLOR: u32 = 3;
+/// Velocity, three floats a point, file units a second.
+pub const SHX_CURVES_VELOCITY: u32 = 4;
+/// Whether a point is held, a float a point, 0 or 1.
+pub const SHX_CURVES_HELD: u32 = 5;
+/// Thickness factor, a float a strand.
+pub const SHX_CURVES_STRAND_THICKNESS: u32 = 6;
+/// Texture coordinates of the root, two floats a strand.
+pub const SHX_CURVES_STRAND_UV: u32 = 7;
+
+/// The file does not say which axis points up.
+pub const SHX_UP_UNKNOWN: u32 = 0;
+/// y points up.
+pub const SHX_UP_Y: u32 = 1;
+/// z points up.
+pub const SHX_UP_Z: u32 = 2;
+
+/// Curves to write to a file. Prepare with shx_curve_data_init, then set at least points, point_counts and strand_count. Null arrays are what
+/// the file will not say. What is pointed to is read during the call and not kept.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_curve_data {
+    /// Set by shx_curve_data_init.
+    pub struct_size: u32,
+    /// SHX_UP_, for formats that say it (.usda). Default SHX_UP_UNKNOWN.
+    pub up: u32,
+    /// How many strands.
+    pub strand_count: usize,
+    /// strand_count numbers, each 2 or more, whose sum is points.count.
+    pub point_counts: *const u32,
+    /// The points of all strands, one strand after the other, root first, file units: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (narrowed to
+    /// floats; a fourth number is not looked at).
+    pub points: shx_input,
+    /// count 0 (default), or a velocity a point, file units a second; formats as points.
+    pub velocities: shx_input,
+    /// Null, or a diameter a point, file units.
+    pub thickness: *const f32,
+    /// Null, or a number a point, 0 to 1.
+    pub transparency: *const f32,
+    /// Null, or three numbers a point, 0 to 1.
+    pub colors: *const f32,
+    /// Null, or a byte a point: other than 0 where it is held.
+    pub held: *const u8,
+    /// Null, or a factor a strand.
+    pub strand_thickness: *const f32,
+    /// Null, or two numbers a strand.
+    pub strand_uvs: *const f32,
+    /// Metres a file unit, for formats that say it (.usda). 0 (default): not known.
+    pub metres_per_unit: f64,
+    /// 2, 3 or 4: the version of a .tfx file. 0 (default): 4, or 2 where strands differ in their number of points.
+    pub tfx_version: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// 0.
+    pub reserved: [u64; 4],
+}
+
+const NO_INPUT: shx_input = shx_input { data: std::ptr::null(), stride: 0, count: 0, format: 0, reserved: 0 };
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
+unsafe impl Versioned for shx_curve_data {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            up: SHX_UP_UNKNOWN,
+            strand_count: 0,
+            point_counts: std::ptr::null(),
+            points: NO_INPUT,
+            velocities: NO_INPUT,
+            thickness: std::ptr::null(),
+            transparency: std::ptr::null(),
+            colors: std::ptr::null(),
+            held: std::ptr::null(),
+            strand_thickness: std::ptr::null(),
+            strand_uvs: std::ptr::null(),
+            metres_per_unit: 0.0,
+            tfx_version: 0,
+            reserved0: 0,
+            reserved: [0; 4],
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_curve_data>() == 184 && offset_of!(shx_curve_data, points) == 24);
+    assert!(offset_of!(shx_curve_data, thickness) == 88 && offset_of!(shx_curve_data, tfx_version) == 144);
+};
+
+/// Prepares a shx_curve_data. size is sizeof(shx_curve_data).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curve_data_init(data: *mut shx_curve_data, size: usize) -> shx_result {
+    // SAFETY: the caller says that data holds size bytes.
+    unsafe { initialise("shx_curve_data_init", "data", data, size) }
+}
+
+/// Vectors as floats, checked to be finite.
+pub(super) fn narrowed(argument: &str, reader: &Reader) -> Result<Vec<[f32; 3]>> {
+    let mut vectors = Vec::with_capacity(reader.count());
+    for index in 0..reader.count() {
+        let vector = reader.point(index).map(|number| number as f32);
+        for number in vector {
+            check_finite(|| format!("{argument}[{index}]"), f64::from(number))?;
+        }
+        vectors.push(vector);
+    }
+    Ok(vectors)
+}
+
+/// The caller's curves, copied and checked.
+///
+/// # Safety
+/// `data` is null or points to a structure of the size that it states, and all that it points to is there.
+pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, Option<TfxVersion>)> {
+    // SAFETY: as the caller says, here and below.
+    let data = unsafe { read_versioned("data", data)? };
+    if data.reserved0 != 0 {
+        return Err(Error::invalid("data.reserved0", data.reserved0, "0"));
+    }
+    check_reserved("data", &data.reserved)?;
+    let up = match data.up {
+        SHX_UP_UNKNOWN => None,
+        SHX_UP_Y => Some(UpAxis::Y),
+        SHX_UP_Z => Some(UpAxis::Z),
+        other => return Err(Error::invalid("data.up", other, "one of SHX_UP_")),
+    };
+    let version = match data.tfx_version {
+        0 => None,
+        2 => Some(TfxVersion::V2),
+        3 => Some(TfxVersion::V3),
+        4 => Some(TfxVersion::V4),
+        other => return Err(Error::invalid("data.tfx_version", other, "0, 2, 3 or 4")),
+    };
+    // SAFETY: the same.
+    let (counts, points) = unsafe {
+        (
+            array("data.point_counts", "data.strand_count", data.point_counts, data.strand_count)?,
+            Reader::new("data.points", &raw const data.points, POINT_FORMATS)?,
+        )
+    };
+    let total = counts.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count as usize));
+    if total.is_none_or(|total| total > MAX_COUNT || total != points.count()) {
+        return Err(Error::invalid("data.points.count", points.count(), "the sum of data.point_counts"));
+    }
+    let points = narrowed("data.points", &points)?;
+    let velocities = if data.velocities.count == 0 && data.velocities.data.is_null() {
+        None
+    } else {
+        // SAFETY: the same.
+        Some(narrowed("data.velocities", &unsafe { Reader::new("data.velocities", &raw const data.velocities, POINT_FORMATS)? })?)
+    };
+    let (strand_count, point_count) = (counts.len(), points.len());
+    /// # Safety
+    /// `data` is null or points to `count` items.
+    unsafe fn optional<T: Copy>(argument: &str, data: *const T, count: usize) -> Result<Option<Vec<T>>> {
+        // SAFETY: as the caller says.
+        if data.is_null() { Ok(None) } else { Ok(Some(unsafe { array(argument, "data.strand_count", data, count)? }.to_vec())) }
+    }
+    // SAFETY: the same.
+    let extras = unsafe {
+        Extras {
+            thickness: optional("data.thickness", data.thickness, point_count)?,
+            transparency: optional("data.transparency", data.transparency, point_count)?,
+            colors: optional("data.colors", data.colors.cast::<[f32; 3]>(), point_count)?,
+            velocities,
+            held: optional("data.held", data.held, point_count)?.map(|held| held.iter().map(|held| *held != 0).collect()),
+            strand_thickness: optional("data.strand_thickness", data.strand_thickness, strand_count)?,
+            strand_uvs: optional("data.strand_uvs", data.strand_uvs.cast::<[f32; 2]>(), strand_count)?,
+            hair_header: None,
+            metres_per_unit: (data.metres_per_unit != 0.0).then_some(data.metres_per_unit),
+            up,
+        }
+    };
+    let in_words = |error: Error| match error {
+        Error::InvalidArgument { argument, value, expected } => {
+            let field = argument.strip_prefix("extras.").unwrap_or(&argument);
+            let field = field.strip_prefix("counts").map_or_else(|| field.to_owned(), |rest| format!("point_counts{rest}"));
+            Error::invalid(format!("data.{field}"), value, expected)
+        }
+        other => other,
+    };
+    let curves = Curves::from_counts(counts.to_vec(), points).and_then(|curves| curves.with_extras(extras)).map_err(in_words)?;
+    Ok((curves, version))
+}
+
+/// Writes curves to a file whose name ends in .hair (Cem Yuksel's), .tfx (TressFX), .obj (Wavefront lines) or .usda (USD as text). What the
+/// format has no place for is left out: docs/files.md has the table.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_save(path: *const c_char, data: *const shx_curve_data) -> shx_result {
+    call("shx_curves_save", || {
+        // SAFETY: the caller's text, structure and what it points to.
+        let (path, (curves, version)) = unsafe { (path_from(path)?, read_data(data)?) };
+        match (CurvesFormat::of_name(path), version) {
+            (Some(CurvesFormat::TfxV4), Some(version)) => tfx::write(path, &curves, version),
+            _ => curves.write(path),
+        }
+    })
+}
+
+/// What a file says beside the points: SHX_CURVES_ in what. *out_count is how many floats that is, 0 if the file does not say; they go into
+/// out_numbers, which holds capacity floats (null with capacity 0: only the count is wanted).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (what), SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_numbers(
+    curves: *const shx_curves,
+    what: u32,
+    out_numbers: *mut f32,
+    capacity: usize,
+    out_count: *mut usize,
+) -> shx_result {
+    call("shx_curves_numbers", || {
+        // SAFETY: the caller's handle, and places for one number and for capacity floats.
+        let (curves, count, numbers) = unsafe {
+            let numbers = if out_numbers.is_null() && capacity == 0 {
+                None
+            } else {
+                Some(Places::new("out_numbers", "capacity", out_numbers, capacity)?)
+            };
+            (curves_from(curves)?, Place::new("out_count", out_count)?, numbers)
+        };
+        let extras = curves.extras();
+        let list: Vec<f32> = match what {
+            SHX_CURVES_THICKNESS => extras.thickness.clone().unwrap_or_default(),
+            SHX_CURVES_TRANSPARENCY => extras.transparency.clone().unwrap_or_default(),
+            SHX_CURVES_COLOR => extras.colors.iter().flatten().flatten().copied().collect(),
+            SHX_CURVES_VELOCITY => extras.velocities.iter().flatten().flatten().copied().collect(),
+            SHX_CURVES_HELD => extras.held.iter().flatten().map(|held| f32::from(u8::from(*held))).collect(),
+            SHX_CURVES_STRAND_THICKNESS => extras.strand_thickness.clone().unwrap_or_default(),
+            SHX_CURVES_STRAND_UV => extras.strand_uvs.iter().flatten().flatten().copied().collect(),
+            other => return Err(Error::invalid("what", other, "one of SHX_CURVES_")),
+        };
+        if let Some(numbers) = numbers {
+            numbers.write(&list)?;
+        }
+        count.write(list.len());
+        Ok(())
+    })
+}
+
+/// Metres a file unit (0 where the file does not say) and the axis that points up (SHX_UP_).
+/// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_curves_unit(curves: *const shx_curves, out_metres: *mut f64, out_up: *mut u32) -> shx_result {
+    call("shx_curves_unit", || {
+        // SAFETY: the caller's handle and places for a number each.
+        let (curves, metres, up) =
+            unsafe { (curves_from(curves)?, Place::new("out_metres", out_metres)?, Place::new("out_up", out_up)?) };
+        metres.write(curves.extras().metres_per_unit.unwrap_or(0.0));
+        up.write(match curves.extras().up {
+            None => SHX_UP_UNKNOWN,
+            Some(UpAxis::Y) => SHX_UP_Y,
+            Some(UpAxis::Z) => SHX_UP_Z,
+        });
+        Ok(())
+    })
+}

@@ -1,0 +1,335 @@
+//! Kinds of hair, sliders, and the strands of a head that vary.
+
+use std::ffi::{CStr, c_char};
+use std::mem::{offset_of, size_of};
+
+use super::buffers::{Places, Strided, array};
+use super::errors::shx_result;
+use super::guard::call;
+use super::solver_def::check_reserved;
+use super::types::MAX_COUNT;
+use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
+use crate::error::{Error, Result};
+use crate::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
+use crate::groom::hair_type::{HairType, MeasuredHair};
+use crate::groom::variation::Variation;
+
+/// Natural curvatures are those of the measured helix itself.
+pub const SHX_CURL_EXACT: u32 = 0;
+/// Natural curvatures as Bertails et al. 2006 have them, for steps much shorter than the helix radius.
+pub const SHX_CURL_PAPER: u32 = 1;
+
+/// What was measured of a kind of hair, and how its strands vary. Prepare with shx_hair_init or shx_hair_of_type.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_hair {
+    /// Set by shx_hair_init.
+    pub struct_size: u32,
+    /// SHX_CURL_.
+    pub curl: u32,
+    /// Mean radius of the section, sqrt(a1 a2), m; above 0.
+    pub mean_radius: f64,
+    /// Longer semi-axis over the shorter one; 1 or above.
+    pub ellipticity: f64,
+    /// Radius of the helix that a lock's tip makes, m; 0: straight, then helix_step is 0 too.
+    pub helix_radius: f64,
+    /// How far that helix goes on in a turn, m; 0 or above.
+    pub helix_step: f64,
+    /// Pa, above 0.
+    pub youngs_modulus: f64,
+    /// Above -1, at most 0.5.
+    pub poisson_ratio: f64,
+    /// kg/m^3, above 0.
+    pub density: f64,
+    /// gamma, kg m^3/s; 0 or above.
+    pub internal_friction: f64,
+    /// nu, kg/(m s); 0 or above.
+    pub air_drag: f64,
+    /// Friction against other hair and bodies in units of shx_strand_contact's own coefficients; 0 or above.
+    pub friction: f64,
+    /// Of natural twist and curvature from strand to strand: standard deviation over the mean, 0 (default) to 0.25.
+    pub variation_between: f64,
+    /// Of natural twist and curvature along a strand: the same.
+    pub variation_along: f64,
+    /// Of the section's radius from strand to strand: the same.
+    pub variation_thickness: f64,
+    /// Natural curvature in random directions that is added along a strand: standard deviation, rad/m; 0 (default) or above.
+    pub frizz: f64,
+    /// The arclength over which what varies along a strand changes, m; 1e-4 or above (default 0.02).
+    pub variation_period: f64,
+    /// Roots are turned about their tangents by up to so much either way, rad; 0 (default) to pi.
+    pub root_turn: f64,
+    /// Another seed, other strands of the same kind.
+    pub seed: u64,
+    /// 0.
+    pub reserved: [u64; 4],
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
+unsafe impl Versioned for shx_hair {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self::of(&MeasuredHair::default())
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_hair>() == 176 && offset_of!(shx_hair, mean_radius) == 8);
+    assert!(offset_of!(shx_hair, variation_between) == 88 && offset_of!(shx_hair, seed) == 136);
+};
+
+impl shx_hair {
+    fn of(hair: &MeasuredHair) -> Self {
+        let none = Variation::none();
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            curl: SHX_CURL_EXACT,
+            mean_radius: hair.mean_radius,
+            ellipticity: hair.ellipticity,
+            helix_radius: hair.helix_radius,
+            helix_step: hair.helix_step,
+            youngs_modulus: hair.youngs_modulus,
+            poisson_ratio: hair.poisson_ratio,
+            density: hair.density,
+            internal_friction: hair.internal_friction,
+            air_drag: hair.air_drag,
+            friction: hair.friction,
+            variation_between: none.between,
+            variation_along: none.along,
+            variation_thickness: none.thickness,
+            frizz: none.frizz,
+            variation_period: none.period,
+            root_turn: none.root_turn,
+            seed: 0,
+            reserved: [0; 4],
+        }
+    }
+
+    fn parameters(&self) -> Result<HairParameters> {
+        check_reserved("hair", &self.reserved)?;
+        let formula = match self.curl {
+            SHX_CURL_EXACT => CurlFormula::Exact,
+            SHX_CURL_PAPER => CurlFormula::Paper,
+            other => return Err(Error::invalid("hair.curl", other, "one of SHX_CURL_")),
+        };
+        let measured = MeasuredHair {
+            mean_radius: self.mean_radius,
+            ellipticity: self.ellipticity,
+            helix_radius: self.helix_radius,
+            helix_step: self.helix_step,
+            youngs_modulus: self.youngs_modulus,
+            poisson_ratio: self.poisson_ratio,
+            density: self.density,
+            internal_friction: self.internal_friction,
+            air_drag: self.air_drag,
+            friction: self.friction,
+        };
+        let variation = Variation {
+            between: self.variation_between,
+            along: self.variation_along,
+            thickness: self.variation_thickness,
+            frizz: self.frizz,
+            period: self.variation_period,
+            root_turn: self.root_turn,
+            seed: self.seed,
+        };
+        let parameters = HairParameters { variation, ..measured.parameters(formula)? };
+        parameters.check("hair")?;
+        Ok(parameters)
+    }
+}
+
+/// High-level sliders, each from -1 to 1, 0 (default) changes nothing; docs/hair_types.md says what each does. Prepare with
+/// shx_sliders_init.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_sliders {
+    /// Set by shx_sliders_init.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// Natural curvature and twist.
+    pub curliness: f64,
+    /// Young's modulus.
+    pub stiffness: f64,
+    /// Less variation, frizz and air drag.
+    pub discipline: f64,
+    /// Density.
+    pub weight: f64,
+    /// Less friction.
+    pub combing_ease: f64,
+    /// 0.
+    pub reserved: [u64; 2],
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
+unsafe impl Versioned for shx_sliders {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved0: 0,
+            curliness: 0.0,
+            stiffness: 0.0,
+            discipline: 0.0,
+            weight: 0.0,
+            combing_ease: 0.0,
+            reserved: [0; 2],
+        }
+    }
+}
+
+const _: () = assert!(size_of::<shx_sliders>() == 64 && offset_of!(shx_sliders, combing_ease) == 40);
+
+/// Prepares a shx_hair: Caucasian 1 hair without variation. size is sizeof(shx_hair).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_hair_init(hair: *mut shx_hair, size: usize) -> shx_result {
+    // SAFETY: the caller says that hair holds size bytes.
+    unsafe { initialise("shx_hair_init", "hair", hair, size) }
+}
+
+/// Prepares a shx_sliders. size is sizeof(shx_sliders).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_sliders_init(sliders: *mut shx_sliders, size: usize) -> shx_result {
+    // SAFETY: the caller says that sliders holds size bytes.
+    unsafe { initialise("shx_sliders_init", "sliders", sliders, size) }
+}
+
+/// Fills a prepared shx_hair with what was measured of a kind, without variation: "asian", "caucasian1", "caucasian2", "african"
+/// (Bertails et al. 2006, appendix B), "h1", "h2", "ga1", "gc3" (Bonanni and Kmoch 2008, table 1).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name). Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_hair_of_type(name: *const c_char, out_hair: *mut shx_hair) -> shx_result {
+    call("shx_hair_of_type", || {
+        if name.is_null() {
+            return Err(Error::NullArgument { argument: "name".into() });
+        }
+        // SAFETY: a text that is closed by a zero, and the caller's structure of the size that it states.
+        let (name, output) = unsafe { (CStr::from_ptr(name), VersionedOutput::new("out_hair", out_hair)?) };
+        let kind = HairType::from_name(&name.to_string_lossy())?;
+        output.write(&shx_hair::of(&kind.measured()));
+        Ok(())
+    })
+}
+
+/// What a strand of a kind is made of. Put the first eight into a shx_strand_def, turn its root frame about the tangent (the frame's x axis)
+/// by root_turn, and put friction_along and friction_against into a shx_strand_contact.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_hair_strand {
+    /// Semi-axes along n1 and n2, m.
+    pub radius: [f64; 2],
+    /// kg/m^3.
+    pub density: f64,
+    /// Pa.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio.
+    pub poisson_ratio: f64,
+    /// gamma, kg m^3/s.
+    pub internal_friction: f64,
+    /// mu, s.
+    pub viscosity: f64,
+    /// nu, kg/(m s).
+    pub air_drag: f64,
+    /// rad.
+    pub root_turn: f64,
+    /// Coulomb's coefficient along the strand, against bodies and hair.
+    pub friction_along: f64,
+    /// The same against the scales, from tip to root.
+    pub friction_against: f64,
+}
+
+const _: () = assert!(size_of::<shx_hair_strand>() == 88 && offset_of!(shx_hair_strand, root_turn) == 64);
+
+/// Makes strand_count strands of a kind, with the sliders moved (null: as they are): those numbered first_strand and on. The same number
+/// always gives the same strand, whatever else is asked for. element_counts has the number of elements of each strand (1 or more), and
+/// element_lengths their lengths, m, strand after strand. Item i of strands (stride bytes apart, 0: packed) says what strand i is made of; its
+/// natural twist and curvatures, rad/m, go into out_natural (rows of three doubles, an element each, strand after strand), which holds
+/// capacity rows.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_hair_strands(
+    hair: *const shx_hair,
+    sliders: *const shx_sliders,
+    first_strand: u64,
+    strand_count: usize,
+    element_counts: *const u32,
+    element_lengths: *const f64,
+    strands: *mut shx_hair_strand,
+    stride: usize,
+    out_natural: *mut f64,
+    capacity: usize,
+) -> shx_result {
+    call("shx_hair_strands", || {
+        // SAFETY: the caller's structures, of the sizes that they state.
+        let mut parameters = unsafe { read_versioned("hair", hair)?.parameters()? };
+        if !sliders.is_null() {
+            // SAFETY: the same.
+            let sliders = unsafe { read_versioned("sliders", sliders)? };
+            if sliders.reserved0 != 0 {
+                return Err(Error::invalid("sliders.reserved0", sliders.reserved0, "0"));
+            }
+            check_reserved("sliders", &sliders.reserved)?;
+            parameters = parameters.with_sliders(&Sliders {
+                curliness: sliders.curliness,
+                stiffness: sliders.stiffness,
+                discipline: sliders.discipline,
+                weight: sliders.weight,
+                combing_ease: sliders.combing_ease,
+            })?;
+        }
+        // SAFETY: the caller's arrays.
+        let counts = unsafe { array("element_counts", "strand_count", element_counts, strand_count)? };
+        if let Some(index) = counts.iter().position(|count| *count == 0) {
+            return Err(Error::invalid(format!("element_counts[{index}]"), 0, "1 or more"));
+        }
+        let total = counts.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count as usize));
+        let Some(total) = total.filter(|total| *total <= MAX_COUNT) else {
+            return Err(Error::invalid("element_counts", "more elements than there can be", format!("{MAX_COUNT} at most")));
+        };
+        // SAFETY: the caller's arrays, and memory for strand_count items and capacity rows.
+        let (lengths, made, rows) = unsafe {
+            (
+                array("element_lengths", "element_counts", element_lengths, total)?,
+                Strided::new("strands", "strand_count", strands, stride, strand_count)?,
+                Places::new("out_natural", "capacity", out_natural.cast::<[f64; 3]>(), capacity)?,
+            )
+        };
+        rows.check_room(total)?;
+        let friction = parameters.contact().hair_friction;
+        let (mut all, mut natural) = (Vec::with_capacity(strand_count), Vec::with_capacity(total));
+        let mut first = 0;
+        for (index, count) in counts.iter().enumerate() {
+            let end = first + *count as usize;
+            let number = first_strand.wrapping_add(index as u64);
+            let strand = parameters.strand(number, &lengths[first..end]).map_err(|error| match error {
+                Error::InvalidArgument { argument, value, expected } if argument.starts_with("element_lengths") => {
+                    Error::invalid(format!("element_lengths (strand {index}, {argument})"), value, expected)
+                }
+                other => other,
+            })?;
+            let material = strand.material;
+            all.push(shx_hair_strand {
+                radius: material.radius,
+                density: material.density,
+                youngs_modulus: material.youngs_modulus,
+                poisson_ratio: material.poisson_ratio,
+                internal_friction: material.internal_friction,
+                viscosity: material.viscosity,
+                air_drag: material.air_drag,
+                root_turn: strand.root_turn,
+                friction_along: friction.along,
+                friction_against: friction.against,
+            });
+            natural.extend(strand.natural);
+            first = end;
+        }
+        rows.write(&natural)?;
+        made.write(&all)
+    })
+}

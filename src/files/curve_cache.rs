@@ -1,0 +1,265 @@
+//! A cache in one file: curves over time, with velocities, as time samples of a `.usda` file.
+
+use std::fs::{self, File};
+use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result, check_finite, check_positive};
+use crate::files::bytes;
+use crate::files::curves::{Curves, Extras};
+use crate::files::usd_curves;
+use crate::files::usda::{self, LayerHead, Vector};
+use crate::files::usda_layer::Layer;
+
+/// The curves of a `.usda` file at its time samples. Frames are made when they are asked for; the file stays in memory as it was read.
+#[derive(Debug)]
+pub struct CurveCache {
+    name: String,
+    layer: Layer,
+    codes: Vec<f64>,
+    times: Vec<f64>,
+}
+
+impl CurveCache {
+    /// Reads a `.usda` file. Curves that stand still are one frame at time 0.
+    ///
+    /// # Errors
+    /// [`Error::File`], [`Error::OutOfMemory`]: as [`Curves::read`]. What is wrong with the numbers of single frames is found when those
+    /// are made.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        Self::read_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
+    }
+
+    /// [`CurveCache::read`] from memory. `name` stands for the path in errors.
+    ///
+    /// # Errors
+    /// As [`CurveCache::read`].
+    pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Self> {
+        if let Some(what) = usda::other_scene_format(bytes) {
+            return Err(Error::file(name, what));
+        }
+        let layer = Layer::read(name, bytes)?;
+        let mut codes = usd_curves::times(&layer);
+        if codes.is_empty() {
+            codes.push(0.0);
+        }
+        let times: Vec<f64> = codes.iter().map(|code| code / layer.time_codes_per_second).collect();
+        if let Some(code) = times.iter().zip(&codes).find(|(time, _)| !time.is_finite()) {
+            return Err(Error::file(name, format_args!("time code {} is no time", code.1)));
+        }
+        Ok(Self { name: name.to_owned(), layer, codes, times })
+    }
+
+    /// The times of the frames, s, ascending; at least one.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// Time codes (frames) a second.
+    pub fn time_codes_per_second(&self) -> f64 {
+        self.layer.time_codes_per_second
+    }
+
+    /// The curves of a frame, with their velocities (file units a second) where the file has them.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when there is no such frame; else as [`Curves::read`].
+    pub fn frame(&self, index: usize) -> Result<Curves> {
+        match self.codes.get(index) {
+            Some(code) => usd_curves::at(&self.layer, &self.name, *code),
+            None => Err(Error::invalid("index", index, format!("below {}, the number of frames", self.codes.len()))),
+        }
+    }
+
+    /// The curves at a time, s: between frames points, velocities and widths go straight from one to the next, outside they are held.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a time that is not finite; else as [`Curves::read`].
+    pub fn at(&self, time: f64) -> Result<Curves> {
+        check_finite(|| "time".to_owned(), time)?;
+        let found = self.times.partition_point(|frame| *frame <= time);
+        // A frame's own time gives the frame, whatever the division rounded it to.
+        let code = match found.checked_sub(1) {
+            Some(before) if self.times[before] == time => self.codes[before],
+            _ => time * self.layer.time_codes_per_second,
+        };
+        usd_curves::at(&self.layer, &self.name, code)
+    }
+}
+
+/// Writes curves over time into one `.usda` file, a frame a call. Memory does not grow with the frames but for 32 bytes each. The file
+/// appears when it is finished; dropped before that, nothing is left.
+#[derive(Debug)]
+pub struct CurveCacheWriter {
+    path: PathBuf,
+    per_second: f64,
+    first: Curves,
+    /// The points' samples, and the velocities' if there are any: text in files beside the one that they will be part of.
+    points: Option<Spool>,
+    velocities: Option<Spool>,
+    extents: Vec<(f64, [f32; 3], [f32; 3])>,
+}
+
+/// A file beside the target that is deleted when dropped.
+#[derive(Debug)]
+struct Spool {
+    path: PathBuf,
+    writer: BufWriter<File>,
+}
+
+impl Spool {
+    fn create(target: &Path) -> Result<Self> {
+        let Some(path) = bytes::neighbour(target) else {
+            return Err(Error::file(target, "cannot be written: it has no file name"));
+        };
+        let file = File::options().read(true).write(true).create_new(true).open(&path);
+        let file = file.map_err(|error| Error::file(target, format_args!("cannot be written: {error}")))?;
+        Ok(Self { path, writer: BufWriter::new(file) })
+    }
+
+    fn sample(&mut self, code: f64, vectors: &[[f32; 3]]) -> std::io::Result<()> {
+        write!(self.writer, "            {code}: ")?;
+        usda::write_list(&mut self.writer, vectors.iter().map(|vector| Vector(*vector)))?;
+        self.writer.write_all(b",\n")
+    }
+
+    fn copy_to(&mut self, out: &mut impl Write) -> std::io::Result<()> {
+        self.writer.flush()?;
+        let file = self.writer.get_mut();
+        file.seek(SeekFrom::Start(0))?;
+        let mut reader = BufReader::new(file);
+        let mut chunk = vec![0; 1 << 16];
+        loop {
+            match reader.read(&mut chunk)? {
+                0 => return Ok(()),
+                read => out.write_all(&chunk[..read])?,
+            }
+        }
+    }
+}
+
+impl Drop for Spool {
+    fn drop(&mut self) {
+        // Nothing can be done about a failure here, and nothing depends on it.
+        let _ = fs::remove_file(&self.path);
+    }
+}
+
+impl CurveCacheWriter {
+    /// Begins a cache. `first` has the curves' numbers of points and what does not change over time (widths, colours, unit, axis); its points
+    /// are not written. `time_codes_per_second` is what the times of frames are counted in, above zero: usually the frames a second.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`], [`Error::File`] when no file can be made beside `path`.
+    pub fn create(path: impl AsRef<Path>, first: &Curves, time_codes_per_second: f64) -> Result<Self> {
+        check_positive(|| "time_codes_per_second".to_owned(), time_codes_per_second)?;
+        let path = path.as_ref();
+        let points = Some(Spool::create(path)?);
+        let velocities = first.extras().velocities.is_some().then(|| Spool::create(path)).transpose()?;
+        Ok(Self {
+            path: path.to_owned(),
+            per_second: time_codes_per_second,
+            first: first.clone(),
+            points,
+            velocities,
+            extents: Vec::new(),
+        })
+    }
+
+    /// Writes a frame: time (s, after that of the frame before), the points of all strands and, if `first` had any, their velocities in
+    /// file units a second.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a time that is not after the last or not finite, points or velocities that are not as many as those of
+    /// `first` or not finite, and for velocities where `first` had none; [`Error::File`] when it cannot be written. After that error the
+    /// cache is of no further use.
+    pub fn write(&mut self, time: f64, points: &[[f32; 3]], velocities: Option<&[[f32; 3]]>) -> Result<()> {
+        check_finite(|| "time".to_owned(), time)?;
+        let code = time * self.per_second;
+        check_finite(|| "time".to_owned(), code)?;
+        if let Some((before, ..)) = self.extents.last()
+            && code <= *before
+        {
+            return Err(Error::invalid("time", time, format!("after {}, the frame before", before / self.per_second)));
+        }
+        let (Some(spool), written) = (&mut self.points, self.extents.len()) else {
+            return Err(Error::file(&self.path, "failed to be written before"));
+        };
+        if velocities.is_some() != self.velocities.is_some() {
+            let (there, wanted) = if velocities.is_some() { ("given", "none") } else { ("not given", "some") };
+            return Err(Error::invalid("velocities", there, format!("{wanted}, as in the curves that the cache began with")));
+        }
+        for (name, list) in [("points", Some(points)), ("velocities", velocities)] {
+            let Some(list) = list else { continue };
+            if list.len() != self.first.point_count() {
+                return Err(Error::invalid(name, format!("{} entries", list.len()), format!("{}", self.first.point_count())));
+            }
+            if let Some(index) = list.iter().position(|vector| !vector.iter().all(|value| value.is_finite())) {
+                return Err(Error::invalid(format!("{name}[{index}]"), format!("{:?}", list[index]), "finite numbers"));
+            }
+        }
+        let result = spool.sample(code, points).and_then(|()| match (&mut self.velocities, velocities) {
+            (Some(spool), Some(velocities)) => spool.sample(code, velocities),
+            _ => Ok(()),
+        });
+        if let Err(error) = result {
+            (self.points, self.velocities) = (None, None);
+            return Err(Error::file(&self.path, format_args!("cannot be written: frame {written}: {error}")));
+        }
+        let frame = Curves { points: points.to_vec(), extras: Extras::default(), ..self.first.clone() };
+        let (low, high) = frame.bounding_box();
+        let half = {
+            let (still, own) = (usda::extent(&self.first).0, self.first.bounding_box().0);
+            own[0] - still[0]
+        };
+        self.extents.push((code, low.map(|value| value - half), high.map(|value| value + half)));
+        Ok(())
+    }
+
+    /// Frames written so far.
+    pub fn frame_count(&self) -> usize {
+        self.extents.len()
+    }
+
+    /// Ends the file and puts it in its place.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] when no frame was written; [`Error::File`].
+    pub fn finish(mut self) -> Result<()> {
+        let (Some((first, ..)), Some((last, ..))) = (self.extents.first(), self.extents.last()) else {
+            return Err(Error::invalid("frames", 0, "at least one"));
+        };
+        let extras = self.first.extras();
+        let head = LayerHead {
+            metres_per_unit: extras.metres_per_unit.unwrap_or(1.0),
+            up: extras.up.unwrap_or(super::curves::UpAxis::Y),
+            times: Some((self.per_second, *first, *last)),
+        };
+        let mut whole = Spool::create(&self.path)?;
+        let failed = |error: std::io::Error| Error::file(&self.path, format_args!("cannot be written: {error}"));
+        let Some(points) = &mut self.points else { return Err(Error::file(&self.path, "failed to be written before")) };
+        let out = &mut whole.writer;
+        let mut write = || {
+            head.write(out)?;
+            usda::write_counts(out, self.first.counts())?;
+            writeln!(out, "        float3[] extent.timeSamples = {{")?;
+            for (code, low, high) in &self.extents {
+                writeln!(out, "            {code}: [{}, {}],", Vector(*low), Vector(*high))?;
+            }
+            writeln!(out, "        }}\n        point3f[] points.timeSamples = {{")?;
+            points.copy_to(out)?;
+            writeln!(out, "        }}")?;
+            if let Some(velocities) = &mut self.velocities {
+                writeln!(out, "        vector3f[] velocities.timeSamples = {{")?;
+                velocities.copy_to(out)?;
+                writeln!(out, "        }}")?;
+            }
+            usda::write_constant(out, &self.first)?;
+            writeln!(out, "    }}\n}}")?;
+            out.flush()
+        };
+        write().map_err(failed)?;
+        fs::rename(&whole.path, &self.path).map_err(failed)
+    }
+}

@@ -1,0 +1,210 @@
+//! What goes with the control points of a prim's curves made into what goes with the points of its polylines.
+
+use nalgebra::Vector3;
+
+use crate::error::{Error, Result};
+use crate::files::usda_values::Interpolation;
+use crate::math::nurbs::Nurbs;
+use crate::math::spline::{Spline, SplineEnds, SplineKind};
+
+/// Points a span of a cubic curve or of NURBS.
+const PER_SPAN: usize = 4;
+
+/// How the control points of a curve are made into points.
+pub(super) enum Way<'a> {
+    Linear,
+    Cubic(SplineKind, SplineEnds),
+    Nurbs { orders: &'a [u32], knots: &'a [f64], weights: Option<&'a [f64]> },
+}
+
+/// Makes an error out of what is wrong with the prim's curves.
+pub(super) type Bad<'a> = &'a dyn Fn(std::fmt::Arguments<'_>) -> Error;
+
+pub(super) fn wide(point: [f32; 3]) -> Vector3<f64> {
+    Vector3::from(point.map(f64::from))
+}
+
+/// As floats, if they have room for it.
+pub(super) fn narrow(point: Vector3<f64>) -> Option<[f32; 3]> {
+    let narrowed = [point.x as f32, point.y as f32, point.z as f32];
+    narrowed.iter().all(|value| value.is_finite()).then_some(narrowed)
+}
+
+/// The control points of a prim's curves: makes what goes with them into what goes with points.
+pub(super) struct Controls<'a> {
+    pub counts: &'a [u32],
+    pub total: usize,
+}
+
+impl Controls<'_> {
+    pub fn check(&self, what: &str, there: usize, bad: Bad<'_>) -> Result<()> {
+        if there == self.total {
+            return Ok(());
+        }
+        Err(bad(format_args!("{what} has {there} entries; expected one a point, {}", self.total)))
+    }
+
+    /// The range of each curve's control points.
+    fn ranges(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+        self.counts.iter().scan(0_usize, |start, count| {
+            let range = *start..*start + *count as usize;
+            *start = range.end;
+            Some(range)
+        })
+    }
+
+    fn spline(&self, kind: SplineKind, ends: SplineEnds, curve: usize, bad: Bad<'_>) -> Result<Spline> {
+        Spline::new(kind, ends, self.counts[curve] as usize).map_err(|error| bad(format_args!("curve {curve}: {error}")))
+    }
+
+    /// Points of each curve that is made.
+    pub fn counts(&self, way: &Way<'_>, bad: Bad<'_>) -> Result<Vec<u32>> {
+        let ranges = self.ranges().enumerate();
+        match way {
+            Way::Linear => Ok(self.counts.to_vec()),
+            Way::Cubic(kind, ends) => {
+                ranges.map(|(curve, _)| Ok(self.spline(*kind, *ends, curve, bad)?.point_count(PER_SPAN) as u32)).collect()
+            }
+            Way::Nurbs { .. } => {
+                let mut counts = Vec::with_capacity(self.counts.len());
+                self.each_nurbs(way, bad, |nurbs, _| counts.push(nurbs.parameters(PER_SPAN).len() as u32))?;
+                Ok(counts)
+            }
+        }
+    }
+
+    fn each_nurbs(&self, way: &Way<'_>, bad: Bad<'_>, mut each: impl FnMut(&Nurbs<'_>, std::ops::Range<usize>)) -> Result<()> {
+        let Way::Nurbs { orders, knots, weights } = way else { return Ok(()) };
+        let mut knot = 0;
+        for (curve, range) in self.ranges().enumerate() {
+            let end = knot + range.len() + orders[curve] as usize;
+            let nurbs = Nurbs::new(
+                orders[curve] as usize,
+                &knots[knot..end],
+                weights.map(|weights| &weights[range.clone()]),
+                range.len(),
+            );
+            each(&nurbs.map_err(|error| bad(format_args!("curve {curve}: {error}")))?, range);
+            knot = end;
+        }
+        Ok(())
+    }
+
+    /// Three numbers a control point: three a point.
+    pub fn vectors(&self, way: &Way<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
+        let narrow = |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point leaves the range of floats")));
+        let mut made = Vec::new();
+        match way {
+            Way::Linear => return Ok(vectors.to_vec()),
+            Way::Cubic(kind, ends) => {
+                for (curve, range) in self.ranges().enumerate() {
+                    let spline = self.spline(*kind, *ends, curve, bad)?;
+                    let controls: Vec<Vector3<f64>> = vectors[range].iter().map(|vector| wide(*vector)).collect();
+                    let (points, _) =
+                        spline.points(&controls, PER_SPAN).map_err(|error| bad(format_args!("curve {curve}: {error}")))?;
+                    for point in points {
+                        made.push(narrow(point)?);
+                    }
+                }
+            }
+            Way::Nurbs { .. } => {
+                let mut failure = None;
+                self.each_nurbs(way, bad, |nurbs, range| {
+                    for place in nurbs.parameters(PER_SPAN) {
+                        match narrow(nurbs.at(place, |control| wide(vectors[range.start + control]))) {
+                            Ok(point) => made.push(point),
+                            Err(error) => failure = Some(error),
+                        }
+                    }
+                })?;
+                if let Some(error) = failure {
+                    return Err(error);
+                }
+            }
+        }
+        Ok(made)
+    }
+
+    /// Three numbers each, interpolated as said: three a point.
+    pub fn triples(
+        &self,
+        way: &Way<'_>,
+        items: &[[f32; 3]],
+        how: Interpolation,
+        what: &str,
+        bad: Bad<'_>,
+    ) -> Result<Vec<[f32; 3]>> {
+        let at_controls =
+            self.spread(way, items, how, what, bad, |a, b, share| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * share))?;
+        match at_controls {
+            Spread::Controls(list) => self.vectors(way, &list, bad),
+            Spread::Points(list) => Ok(list),
+        }
+    }
+
+    /// One number each, interpolated as said: one a point.
+    pub fn numbers(&self, way: &Way<'_>, items: &[f32], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<f32>> {
+        match self.spread(way, items, how, what, bad, |a, b, share| a + (b - a) * share)? {
+            Spread::Controls(list) if matches!(way, Way::Linear) => Ok(list),
+            Spread::Controls(list) => {
+                let vectors: Vec<[f32; 3]> = list.into_iter().map(|number| [number, 0.0, 0.0]).collect();
+                Ok(self.vectors(way, &vectors, bad)?.into_iter().map(|[number, _, _]| number).collect())
+            }
+            Spread::Points(list) => Ok(list),
+        }
+    }
+
+    /// What is said for all, a curve, a span's end or a control point, said for each control point, or where a basis would bend it, point.
+    fn spread<T: Copy>(
+        &self,
+        way: &Way<'_>,
+        items: &[T],
+        how: Interpolation,
+        what: &str,
+        bad: Bad<'_>,
+        mix: impl Fn(T, T, f32) -> T,
+    ) -> Result<Spread<T>> {
+        let wrong = |expected: usize, of: &str| {
+            Err(bad(format_args!("{what} has {} entries; expected {expected}, one {of}", items.len())))
+        };
+        let made_counts = self.counts(way, bad)?;
+        match how {
+            Interpolation::Constant if items.len() != 1 => wrong(1, "for all curves"),
+            Interpolation::Constant => Ok(Spread::Points(vec![items[0]; made_counts.iter().map(|count| *count as usize).sum()])),
+            Interpolation::Uniform if items.len() != self.counts.len() => wrong(self.counts.len(), "a curve"),
+            Interpolation::Uniform => Ok(Spread::Points(
+                items.iter().zip(&made_counts).flat_map(|(item, count)| std::iter::repeat_n(*item, *count as usize)).collect(),
+            )),
+            Interpolation::Vertex if items.len() != self.total => wrong(self.total, "a point"),
+            Interpolation::Vertex => Ok(Spread::Controls(items.to_vec())),
+            Interpolation::Varying if matches!(way, Way::Linear) => match items.len() == self.total {
+                true => Ok(Spread::Controls(items.to_vec())),
+                false => wrong(self.total, "a point"),
+            },
+            Interpolation::Varying => {
+                let each = |count: &u32| (*count as usize - 1) / PER_SPAN;
+                let ends: usize = made_counts.iter().map(|count| each(count) + 1).sum();
+                if items.len() != ends {
+                    return wrong(ends, "an end of a span");
+                }
+                let (mut made, mut first) = (Vec::new(), 0);
+                for count in &made_counts {
+                    for point in 0..*count as usize {
+                        let (span, step) = (point / PER_SPAN, point % PER_SPAN);
+                        let begin = items[first + span];
+                        let end = items[first + (span + 1).min(each(count))];
+                        made.push(if step == 0 { begin } else { mix(begin, end, step as f32 / PER_SPAN as f32) });
+                    }
+                    first += each(count) + 1;
+                }
+                Ok(Spread::Points(made))
+            }
+        }
+    }
+}
+
+/// What goes with control points, or with points.
+enum Spread<T> {
+    Controls(Vec<T>),
+    Points(Vec<T>),
+}

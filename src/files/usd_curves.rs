@@ -1,0 +1,356 @@
+//! The curves of a USD layer at a time, as polylines in the world.
+//!
+//! Linear curves are their points. Cubic curves and NURBS are made into points, four a span; what goes along with control points goes
+//! along with them. Placements (`xformOp`s of the prim and of those it is in) are applied; where there is none the numbers stay as they are.
+
+use nalgebra::{Matrix3, Matrix4, Vector3};
+
+use crate::error::{Error, Result};
+use crate::files::curves::{Curves, CurvesFormat, Extras};
+use crate::files::usd_controls::{Bad, Controls, Way, narrow, wide};
+use crate::files::usda_layer::{CurvesPrim, Layer};
+use crate::files::usda_values::{Attribute, Interpolation};
+use crate::math::spline::{SplineEnds, SplineKind};
+
+/// The times at which any curve of the layer is sampled, in time codes, ascending; none if they stand still.
+pub(super) fn times(layer: &Layer) -> Vec<f64> {
+    let mut times: Vec<f64> = Vec::new();
+    for (_, curves) in layer.curves() {
+        times.extend(curves.points.times().chain(curves.counts.times()));
+    }
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
+}
+
+/// All curves at a time.
+pub(super) fn at(layer: &Layer, file: &str, time: f64) -> Result<Curves> {
+    let mut all = All::default();
+    for (index, prim) in layer.curves() {
+        let one = One { layer, file, index, prim, time };
+        one.add(&mut all)?;
+    }
+    if all.counts.is_empty() {
+        return Err(Error::file(file, "has no curves: no BasisCurves or NurbsCurves with points"));
+    }
+    let extras = Extras {
+        thickness: all.thickness.0,
+        transparency: all.transparency.0,
+        colors: all.colors.0,
+        velocities: all.velocities.0,
+        held: all.held.0,
+        strand_thickness: all.strand_thickness.0,
+        strand_uvs: all.strand_uvs.0,
+        hair_header: None,
+        metres_per_unit: Some(layer.metres_per_unit),
+        up: Some(layer.up),
+    };
+    Curves::from_parts(CurvesFormat::Usda, all.counts, all.points, extras)
+}
+
+/// Numbers that some prims may have and others not: those that have not get zeros.
+struct Optional<T>(Option<Vec<T>>);
+
+impl<T> Default for Optional<T> {
+    fn default() -> Self {
+        Self(None)
+    }
+}
+
+impl<T: Copy> Optional<T> {
+    /// Adds what a prim has, after `before` entries of others; a prim has `count`.
+    fn add(&mut self, items: Option<Vec<T>>, before: usize, count: usize, otherwise: T) {
+        match (&mut self.0, items) {
+            (None, None) => {}
+            (None, Some(items)) => {
+                let mut list = vec![otherwise; before];
+                list.extend(items);
+                self.0 = Some(list);
+            }
+            (Some(list), Some(items)) => list.extend(items),
+            (Some(list), None) => list.resize(before + count, otherwise),
+        }
+    }
+}
+
+#[derive(Default)]
+struct All {
+    counts: Vec<u32>,
+    points: Vec<[f32; 3]>,
+    thickness: Optional<f32>,
+    transparency: Optional<f32>,
+    colors: Optional<[f32; 3]>,
+    velocities: Optional<[f32; 3]>,
+    held: Optional<bool>,
+    strand_thickness: Optional<f32>,
+    strand_uvs: Optional<[f32; 2]>,
+}
+
+/// The curves of a prim at a time.
+struct One<'a> {
+    layer: &'a Layer,
+    file: &'a str,
+    index: usize,
+    prim: &'a CurvesPrim,
+    time: f64,
+}
+
+impl One<'_> {
+    fn error(&self, reason: impl std::fmt::Display) -> Error {
+        Error::file(self.file, format_args!("{}: {reason}", self.layer.path(self.index)))
+    }
+
+    fn add(&self, all: &mut All) -> Result<()> {
+        let bad: Bad<'_> = &|reason| self.error(reason);
+        let points = self.points()?;
+        if points.is_empty() {
+            // A prim that stands for hair that is not there yet.
+            return Ok(());
+        }
+        let counts = self.prim.counts.at(self.time).map_or(&[][..], Vec::as_slice);
+        let total: u64 = counts.iter().map(|count| u64::from(*count)).sum();
+        if total != points.len() as u64 {
+            let (said, there) = (counts.len(), points.len());
+            return Err(self.error(format_args!("curveVertexCounts has {said} curves of {total} points, and points has {there}")));
+        }
+        if let Some(curve) = counts.iter().position(|count| *count < 2) {
+            return Err(self.error(format_args!("curve {curve} has {} points; expected at least two", counts[curve])));
+        }
+        let way = self.way(counts)?;
+        let controls = Controls { counts, total: points.len() };
+        let made = controls.vectors(&way, &points, bad)?;
+        let mut made_counts = controls.counts(&way, bad)?;
+        let before = (all.points.len(), all.counts.len());
+        let (point_count, curve_count) = (made.len(), counts.len());
+
+        let moved = Moved::of(self)?;
+        all.points.extend(match &moved {
+            None => made.clone(),
+            Some(moved) => {
+                moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
+            }
+        });
+        let velocities = match self.vectors_at(&self.prim.velocities) {
+            Some(list) => {
+                controls.check("velocities", list.len(), bad)?;
+                Some(controls.vectors(&way, &list, bad)?)
+            }
+            None => None,
+        };
+        let velocities = match (&moved, velocities) {
+            (Some(moved), velocities) => {
+                let placed = moved.velocities(&made, velocities.as_deref(), self.layer.time_codes_per_second);
+                placed.map_err(|()| self.error("a velocity leaves the range of floats when it is placed"))?
+            }
+            (None, velocities) => velocities,
+        };
+        all.velocities.add(velocities, before.0, point_count, [0.0; 3]);
+
+        let thickness = match self.singles_at(&self.prim.widths) {
+            Some(widths) => {
+                let how = self.prim.widths.interpolation.unwrap_or(if widths.len() == 1 && points.len() != 1 {
+                    Interpolation::Constant
+                } else {
+                    Interpolation::Vertex
+                });
+                let mut widths = controls.numbers(&way, &widths, how, "widths", bad)?;
+                if let Some(moved) = &moved {
+                    widths.iter_mut().for_each(|width| *width = (f64::from(*width) * moved.scale) as f32);
+                }
+                Some(widths)
+            }
+            None => None,
+        };
+        all.thickness.add(thickness, before.0, point_count, 0.0);
+        let opacities = indexed(self.prim.opacities.at(self.time), self.prim.opacity_indices.at(self.time)).map_err(|index| {
+            self.error(format_args!("primvars:displayOpacity:indices says {index}, and there is no such entry"))
+        })?;
+        let transparency = match opacities {
+            Some(list) => {
+                let how = self.prim.opacities.interpolation.unwrap_or(Interpolation::Constant);
+                let mut list = controls.numbers(&way, &list, how, "primvars:displayOpacity", bad)?;
+                list.iter_mut().for_each(|opacity| *opacity = 1.0 - *opacity);
+                Some(list)
+            }
+            None => None,
+        };
+        all.transparency.add(transparency, before.0, point_count, 0.0);
+        let colors = indexed(self.prim.colors.at(self.time), self.prim.color_indices.at(self.time)).map_err(|index| {
+            self.error(format_args!("primvars:displayColor:indices says {index}, and there is no such entry"))
+        })?;
+        let colors = match colors {
+            Some(list) => {
+                let how = self.prim.colors.interpolation.unwrap_or(Interpolation::Constant);
+                Some(controls.triples(&way, &list, how, "primvars:displayColor", bad)?)
+            }
+            None => None,
+        };
+        all.colors.add(colors, before.0, point_count, [0.0; 3]);
+
+        // What this library's own files say beyond USD's own names.
+        let held = self.prim.held.at(self.time).filter(|held| matches!(way, Way::Linear) && held.len() == points.len());
+        all.held.add(held.map(|held| held.iter().map(|held| *held != 0).collect()), before.0, point_count, false);
+        let thickness = self.prim.strand_thickness.at(self.time).filter(|list| list.len() == curve_count);
+        all.strand_thickness.add(thickness.cloned(), before.1, curve_count, 1.0);
+        let uvs = indexed(self.prim.uvs.at(self.time), self.prim.uv_indices.at(self.time))
+            .map_err(|index| self.error(format_args!("primvars:st:indices says {index}, and there is no such entry")))?;
+        all.strand_uvs.add(uvs.filter(|list| list.len() == curve_count), before.1, curve_count, [0.0; 2]);
+        all.counts.append(&mut made_counts);
+        Ok(())
+    }
+
+    /// Points, between samples if the time is.
+    fn points(&self) -> Result<Vec<[f32; 3]>> {
+        self.vectors_at(&self.prim.points).map_or_else(|| Ok(Vec::new()), Ok)
+    }
+
+    fn vectors_at(&self, attribute: &Attribute<Vec<[f32; 3]>>) -> Option<Vec<[f32; 3]>> {
+        match attribute.between(self.time) {
+            Some((before, after, share)) if before.len() == after.len() => {
+                let mix = |a: f32, b: f32| (f64::from(a) + (f64::from(b) - f64::from(a)) * share) as f32;
+                let pairs = before.iter().zip(after);
+                Some(pairs.map(|(a, b)| std::array::from_fn(|axis| mix(a[axis], b[axis]))).collect())
+            }
+            _ => attribute.at(self.time).cloned(),
+        }
+    }
+
+    fn singles_at(&self, attribute: &Attribute<Vec<f32>>) -> Option<Vec<f32>> {
+        match attribute.between(self.time) {
+            Some((before, after, share)) if before.len() == after.len() => {
+                let pairs = before.iter().zip(after);
+                Some(pairs.map(|(a, b)| (f64::from(*a) + (f64::from(*b) - f64::from(*a)) * share) as f32).collect())
+            }
+            _ => attribute.at(self.time).cloned(),
+        }
+    }
+
+    fn way(&self, counts: &[u32]) -> Result<Way<'_>> {
+        let prim = self.prim;
+        if prim.nurbs {
+            let orders = prim.orders.at(self.time).map_or(&[][..], Vec::as_slice);
+            if orders.len() != counts.len() {
+                let (said, wanted) = (orders.len(), counts.len());
+                return Err(self.error(format_args!("order has {said} numbers; expected one a curve, {wanted}")));
+            }
+            let knots = prim.knots.at(self.time).map_or(&[][..], Vec::as_slice);
+            let wanted: u64 = counts.iter().zip(orders).map(|(count, order)| u64::from(*count) + u64::from(*order)).sum();
+            if knots.len() as u64 != wanted {
+                let expected = "expected, over the curves, the points and the order of each";
+                return Err(self.error(format_args!("knots has {} numbers; {expected}: {wanted}", knots.len())));
+            }
+            let weights = prim.weights.at(self.time).map(Vec::as_slice);
+            let points: u64 = counts.iter().map(|count| u64::from(*count)).sum();
+            if let Some(weights) = weights.filter(|weights| weights.len() as u64 != points) {
+                let there = weights.len();
+                return Err(self.error(format_args!("pointWeights has {there} numbers; expected one a point, {points}")));
+            }
+            return Ok(Way::Nurbs { orders, knots, weights });
+        }
+        match prim.kind.as_deref().unwrap_or("cubic") {
+            "linear" => {}
+            "cubic" => {}
+            other => return Err(self.error(format_args!("type is {other:?}; expected \"linear\" or \"cubic\""))),
+        }
+        let ends = match prim.wrap.as_deref().unwrap_or("nonperiodic") {
+            "nonperiodic" => SplineEnds::Open,
+            "pinned" => SplineEnds::Pinned,
+            "periodic" => return Err(self.error("wrap is \"periodic\": a closed curve has no root and is no strand")),
+            other => return Err(self.error(format_args!("wrap is {other:?}; expected \"nonperiodic\" or \"pinned\""))),
+        };
+        if prim.kind.as_deref() == Some("linear") {
+            return Ok(Way::Linear);
+        }
+        let kind = match prim.basis.as_deref().unwrap_or("bezier") {
+            "bezier" => SplineKind::Bezier,
+            "bspline" => SplineKind::BSpline,
+            "catmullRom" => SplineKind::CatmullRom,
+            other => {
+                return Err(self.error(format_args!("basis is {other:?}; expected \"bezier\", \"bspline\" or \"catmullRom\"")));
+            }
+        };
+        Ok(Way::Cubic(kind, ends))
+    }
+}
+
+/// The entries of a primvar in their order; the index that is of no entry.
+fn indexed<T: Copy>(values: Option<&Vec<T>>, indices: Option<&Vec<u32>>) -> std::result::Result<Option<Vec<T>>, u32> {
+    match (values, indices) {
+        (None, _) => Ok(None),
+        (Some(values), None) => Ok(Some(values.clone())),
+        (Some(values), Some(indices)) => indices
+            .iter()
+            .map(|index| values.get(*index as usize).copied().ok_or(*index))
+            .collect::<std::result::Result<_, _>>()
+            .map(Some),
+    }
+}
+
+/// A placement that is not the identity.
+struct Moved {
+    matrix: Matrix4<f64>,
+    /// Per time code.
+    rate: Option<Matrix4<f64>>,
+    /// The cube root of what it multiplies volumes by: what widths are multiplied by.
+    scale: f64,
+}
+
+impl Moved {
+    fn of(one: &One<'_>) -> Result<Option<Self>> {
+        let matrix = |time: f64| -> Result<Matrix4<f64>> {
+            let mut world = Matrix4::identity();
+            for prim in one.layer.ancestry(one.index) {
+                if let Some(placement) = &prim.placement {
+                    let (local, anew) = placement.matrix(time, one.file, &|| one.layer.path(one.index))?;
+                    world = local * world;
+                    if anew {
+                        break;
+                    }
+                }
+            }
+            Ok(world)
+        };
+        let now = matrix(one.time)?;
+        let moves = one.layer.ancestry(one.index).any(|prim| prim.placement.as_ref().is_some_and(|placement| placement.moves()));
+        if now == Matrix4::identity() && !moves {
+            return Ok(None);
+        }
+        // Between samples placements are straight lines: a difference over a small part of a frame is exact but for rounding, and at a
+        // sample the mean of both sides.
+        const PART: f64 = 1e-3;
+        let rate = if moves { Some((matrix(one.time + PART)? - matrix(one.time - PART)?) / (2.0 * PART)) } else { None };
+        let scale = now.fixed_view::<3, 3>(0, 0).determinant().abs().cbrt();
+        Ok(Some(Self { matrix: now, rate, scale }))
+    }
+
+    fn points(&self, points: &[[f32; 3]]) -> Option<Vec<[f32; 3]>> {
+        points
+            .iter()
+            .map(|point| {
+                let placed = self.matrix * wide(*point).push(1.0);
+                narrow((placed / placed.w).xyz())
+            })
+            .collect()
+    }
+
+    /// What points do by themselves, and what the placement does to them.
+    fn velocities(
+        &self,
+        points: &[[f32; 3]],
+        own: Option<&[[f32; 3]]>,
+        codes: f64,
+    ) -> std::result::Result<Option<Vec<[f32; 3]>>, ()> {
+        if own.is_none() && self.rate.is_none() {
+            return Ok(None);
+        }
+        let linear: Matrix3<f64> = self.matrix.fixed_view::<3, 3>(0, 0).into();
+        let placed = points.iter().enumerate().map(|(index, point)| {
+            let mut velocity = own.map_or(Vector3::zeros(), |own| linear * wide(own[index]));
+            if let Some(rate) = &self.rate {
+                velocity += (rate * wide(*point).push(1.0)).xyz() * codes;
+            }
+            narrow(velocity)
+        });
+        placed.collect::<Option<Vec<_>>>().map(Some).ok_or(())
+    }
+}

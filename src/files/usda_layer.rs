@@ -1,0 +1,376 @@
+//! A USD text file as far as curves go: what the layer says of units, axes and time, and of its prims the curves and the placements above
+//! them.
+//!
+//! A layer is read by itself: nothing that other files or variants would add to it. Where it asks for such things it is refused rather than
+//! read in part.
+
+use crate::error::{Error, Result};
+use crate::files::curves::UpAxis;
+use crate::files::usd_placement::Placement;
+use crate::files::usda_scan::Scan;
+use crate::files::usda_values::{Attribute, Interpolation, list, tuple};
+
+/// What brings in other content: names of metadata.
+const ARCS: [&str; 6] = ["subLayers", "references", "payload", "inherits", "specializes", "variantSets"];
+
+/// The curves of a prim, as the file has them.
+#[derive(Debug, Default)]
+pub(super) struct CurvesPrim {
+    /// `NurbsCurves`, not `BasisCurves`.
+    pub nurbs: bool,
+    /// linear or cubic.
+    pub kind: Option<Box<str>>,
+    /// bezier, bspline, catmullRom.
+    pub basis: Option<Box<str>>,
+    /// nonperiodic, pinned, periodic.
+    pub wrap: Option<Box<str>>,
+    pub counts: Attribute<Vec<u32>>,
+    pub points: Attribute<Vec<[f32; 3]>>,
+    pub velocities: Attribute<Vec<[f32; 3]>>,
+    pub widths: Attribute<Vec<f32>>,
+    pub colors: Attribute<Vec<[f32; 3]>>,
+    pub color_indices: Attribute<Vec<u32>>,
+    pub opacities: Attribute<Vec<f32>>,
+    pub opacity_indices: Attribute<Vec<u32>>,
+    pub uvs: Attribute<Vec<[f32; 2]>>,
+    pub uv_indices: Attribute<Vec<u32>>,
+    pub strand_thickness: Attribute<Vec<f32>>,
+    pub held: Attribute<Vec<u32>>,
+    pub orders: Attribute<Vec<u32>>,
+    pub knots: Attribute<Vec<f64>>,
+    pub weights: Attribute<Vec<f64>>,
+}
+
+/// The attributes of curves that are taken.
+const WANTED: [&str; 18] = [
+    "type",
+    "basis",
+    "wrap",
+    "curveVertexCounts",
+    "points",
+    "velocities",
+    "widths",
+    "primvars:displayColor",
+    "primvars:displayColor:indices",
+    "primvars:displayOpacity",
+    "primvars:displayOpacity:indices",
+    "primvars:st",
+    "primvars:st:indices",
+    "primvars:superhelix:strandThickness",
+    "primvars:superhelix:held",
+    "order",
+    "knots",
+    "pointWeights",
+];
+
+/// What kind of curves a prim is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum CurvesKind {
+    None,
+    Basis,
+    Nurbs,
+}
+
+/// A prim: its name, the prim that it is in, its curves and its placement if it has any. Small prims are many, so what most have not is
+/// made when the first of it is read.
+#[derive(Debug)]
+pub(super) struct Prim {
+    name: Box<str>,
+    parent: Option<u32>,
+    /// Whether it and all above it are defined, active and not abstract.
+    alive: bool,
+    kind: CurvesKind,
+    pub curves: Option<Box<CurvesPrim>>,
+    pub placement: Option<Box<Placement>>,
+}
+
+/// A layer.
+#[derive(Debug)]
+pub(super) struct Layer {
+    /// What the format means where the file does not say: 0.01.
+    pub metres_per_unit: f64,
+    /// What the format means where the file does not say: y.
+    pub up: UpAxis,
+    /// What the format means where the file does not say: 24.
+    pub time_codes_per_second: f64,
+    pub prims: Vec<Prim>,
+}
+
+impl Layer {
+    /// The prims that are in use and have curves.
+    pub fn curves(&self) -> impl Iterator<Item = (usize, &CurvesPrim)> {
+        let alive = self.prims.iter().enumerate().filter(|(_, prim)| prim.alive);
+        alive.filter_map(|(index, prim)| prim.curves.as_deref().map(|curves| (index, curves)))
+    }
+
+    /// A prim and those it is in, itself first.
+    pub fn ancestry(&self, prim: usize) -> impl Iterator<Item = &Prim> {
+        std::iter::successors(Some(&self.prims[prim]), |prim| prim.parent.map(|parent| &self.prims[parent as usize]))
+    }
+
+    /// A prim's path: `/head/hair`.
+    pub fn path(&self, prim: usize) -> String {
+        let mut names: Vec<&str> = self.ancestry(prim).map(|prim| &*prim.name).collect();
+        names.reverse();
+        names.iter().fold(String::new(), |path, name| path + "/" + name)
+    }
+
+    /// Reads a layer.
+    pub fn read(name: &str, bytes: &[u8]) -> Result<Self> {
+        if !bytes.starts_with(b"#usda 1.") {
+            return Err(Error::file(name, "does not begin with \"#usda 1.\": no USD text file"));
+        }
+        let mut layer = Layer { metres_per_unit: 0.01, up: UpAxis::Y, time_codes_per_second: 24.0, prims: Vec::new() };
+        let scan = &mut Scan::new(name, bytes);
+        let mut frames_per_second = None;
+        let mut time_codes_per_second = None;
+        if scan.accept(b'(') {
+            metadata(scan, |key, scan| match key {
+                "metersPerUnit" => above_zero(scan, key).map(|value| layer.metres_per_unit = value),
+                "timeCodesPerSecond" => above_zero(scan, key).map(|value| time_codes_per_second = Some(value)),
+                "framesPerSecond" => above_zero(scan, key).map(|value| frames_per_second = Some(value)),
+                "upAxis" => {
+                    layer.up = match scan.string()? {
+                        "Y" | "y" => UpAxis::Y,
+                        "Z" | "z" => UpAxis::Z,
+                        other => return Err(scan.error(format_args!("upAxis is {other:?}; expected \"Y\" or \"Z\""))),
+                    };
+                    Ok(())
+                }
+                _ => scan.skip_value(),
+            })?;
+        }
+        layer.time_codes_per_second = time_codes_per_second.or(frames_per_second).unwrap_or(24.0);
+        layer.read_prims(scan)?;
+        Ok(layer)
+    }
+
+    fn read_prims(&mut self, scan: &mut Scan<'_>) -> Result<()> {
+        let mut open: Vec<(u32, usize)> = Vec::new();
+        loop {
+            match scan.peek() {
+                None => match open.last() {
+                    None => return Ok(()),
+                    Some((prim, place)) => {
+                        let (path, line) = (self.path(*prim as usize), scan.line_at(*place));
+                        return Err(scan.error(format_args!("the file ends inside {path}, which begins at line {line}")));
+                    }
+                },
+                Some(b'}') if !open.is_empty() => {
+                    scan.accept(b'}');
+                    open.pop();
+                    continue;
+                }
+                Some(_) => {}
+            }
+            let word = scan.word()?;
+            match word {
+                "def" | "over" | "class" => {
+                    let place = scan.place();
+                    let prim = self.begin_prim(scan, word == "def", open.last().map(|(parent, _)| *parent))?;
+                    open.push((prim, place));
+                }
+                "reorder" => {
+                    scan.word()?;
+                    scan.expect(b'=', "in reorder")?;
+                    scan.skip_value()?;
+                }
+                "variantSet" => return Err(arc(scan, "variantSet")),
+                "custom" | "uniform" | "varying" | "config" | "prepend" | "append" | "add" | "delete" => {}
+                "" => return Err(scan.unexpected("def, an attribute, or the end of a prim")),
+                _ => match open.last() {
+                    Some((prim, _)) => {
+                        scan.brackets();
+                        property(scan, &mut self.prims[*prim as usize])?;
+                    }
+                    None => return Err(scan.error(format_args!("{word:?} outside of prims; expected def, over or class"))),
+                },
+            }
+        }
+    }
+
+    /// `[Type] "name" [( metadata )] {`.
+    fn begin_prim(&mut self, scan: &mut Scan<'_>, defined: bool, parent: Option<u32>) -> Result<u32> {
+        let kind = if scan.peek() == Some(b'"') { "" } else { scan.word()? };
+        let name = scan.string()?;
+        let mut active = true;
+        if scan.accept(b'(') {
+            metadata(scan, |key, scan| match key {
+                "active" => {
+                    active = !matches!(scan.word()?, "false" | "0");
+                    Ok(())
+                }
+                _ => scan.skip_value(),
+            })?;
+        }
+        scan.expect(b'{', format_args!("to begin {name:?}"))?;
+        let above = parent.is_none_or(|parent| self.prims[parent as usize].alive);
+        let kind = match kind {
+            "BasisCurves" => CurvesKind::Basis,
+            "NurbsCurves" => CurvesKind::Nurbs,
+            _ => CurvesKind::None,
+        };
+        let index = u32::try_from(self.prims.len()).map_err(|_| scan.error("more than 4294967295 prims"))?;
+        if self.prims.len() == self.prims.capacity() {
+            let bytes = 2 * self.prims.len() * size_of::<Prim>();
+            self.prims.try_reserve(1).map_err(|_| Error::OutOfMemory { bytes })?;
+        }
+        self.prims.push(Prim {
+            name: name.into(),
+            parent,
+            alive: above && defined && active,
+            kind,
+            curves: None,
+            placement: None,
+        });
+        Ok(index)
+    }
+}
+
+/// The error that a layer asks for more than itself.
+fn arc(scan: &Scan<'_>, what: &str) -> Error {
+    scan.error(format_args!(
+        "{what}: other files or variants would add to this one, which is read by itself; flatten it first (usdcat --flatten)"
+    ))
+}
+
+fn above_zero(scan: &mut Scan<'_>, what: &str) -> Result<f64> {
+    let value = scan.double(what)?;
+    if value > 0.0 { Ok(value) } else { Err(scan.error(format_args!("{what} is {value}; expected a number above zero"))) }
+}
+
+/// The entries `key = value` to the closing bracket; `entry` takes the value, or skips it.
+fn metadata<'a>(scan: &mut Scan<'a>, mut entry: impl FnMut(&'a str, &mut Scan<'a>) -> Result<()>) -> Result<()> {
+    while !scan.accept(b')') {
+        match scan.peek() {
+            // Documentation.
+            Some(b'"' | b'\'') => {
+                scan.string()?;
+            }
+            // What goes on with a value: the path and the offset of a reference.
+            Some(b'<' | b'(' | b',') => {
+                if !scan.accept(b',') {
+                    scan.skip_value()?;
+                }
+            }
+            _ => {
+                let key = scan.word()?;
+                if matches!(key, "prepend" | "append" | "add" | "delete" | "reorder") && scan.peek() != Some(b'=') {
+                    continue;
+                }
+                if key.is_empty() {
+                    return Err(scan.unexpected("metadata: name = value"));
+                }
+                scan.expect(b'=', format_args!("after {key}"))?;
+                if ARCS.contains(&key) && !scan.accept_none() {
+                    return Err(arc(scan, key));
+                }
+                entry(key, scan)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// An attribute or a relationship, of which the type has been read.
+fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
+    let full = scan.word()?;
+    if full.is_empty() {
+        return Err(scan.unexpected("the name of an attribute"));
+    }
+    let (name, over_time) = match full.strip_suffix(".timeSamples") {
+        Some(name) => (name, true),
+        None => (full, false),
+    };
+    if scan.accept(b'=') {
+        let taken = if name.starts_with("xformOp") {
+            prim.placement.get_or_insert_default().take(scan, name, over_time)?;
+            true
+        } else if prim.kind != CurvesKind::None && WANTED.contains(&name) {
+            let nurbs = prim.kind == CurvesKind::Nurbs;
+            let curves = prim.curves.get_or_insert_with(|| Box::new(CurvesPrim { nurbs, ..CurvesPrim::default() }));
+            take(scan, curves, name, over_time)?
+        } else {
+            false
+        };
+        if !taken {
+            scan.skip_value()?;
+        }
+    }
+    if scan.accept(b'(') {
+        let interpolation = match &mut prim.curves {
+            Some(curves) => match name {
+                "widths" => Some(&mut curves.widths.interpolation),
+                "primvars:displayColor" => Some(&mut curves.colors.interpolation),
+                "primvars:displayOpacity" => Some(&mut curves.opacities.interpolation),
+                "primvars:st" => Some(&mut curves.uvs.interpolation),
+                _ => None,
+            },
+            None => None,
+        };
+        let mut found = None;
+        metadata(scan, |key, scan| match key {
+            "interpolation" => {
+                found = match scan.string()? {
+                    "constant" => Some(Interpolation::Constant),
+                    "uniform" => Some(Interpolation::Uniform),
+                    "varying" => Some(Interpolation::Varying),
+                    "vertex" | "faceVarying" => Some(Interpolation::Vertex),
+                    other => {
+                        let expected = "constant, uniform, varying or vertex";
+                        return Err(scan.error(format_args!("interpolation is {other:?}; expected {expected}")));
+                    }
+                };
+                Ok(())
+            }
+            _ => scan.skip_value(),
+        })?;
+        if let Some(interpolation) = interpolation {
+            *interpolation = found.or(*interpolation);
+        }
+    }
+    Ok(())
+}
+
+/// Takes an attribute of curves; whether it is one that is wanted.
+fn take(scan: &mut Scan<'_>, curves: &mut CurvesPrim, name: &str, over_time: bool) -> Result<bool> {
+    fn counts(scan: &mut Scan<'_>, attribute: &mut Attribute<Vec<u32>>, what: &'static str, over_time: bool) -> Result<()> {
+        attribute.read(scan, over_time, |scan| list(scan, what, |scan| scan.count(what)))
+    }
+    fn vectors<const N: usize>(
+        scan: &mut Scan<'_>,
+        attribute: &mut Attribute<Vec<[f32; N]>>,
+        what: &'static str,
+        over_time: bool,
+    ) -> Result<()> {
+        attribute.read(scan, over_time, |scan| list(scan, what, |scan| tuple(scan, what)))
+    }
+    fn singles(scan: &mut Scan<'_>, attribute: &mut Attribute<Vec<f32>>, what: &'static str, over_time: bool) -> Result<()> {
+        attribute.read(scan, over_time, |scan| list(scan, what, |scan| scan.single(what)))
+    }
+    fn doubles(scan: &mut Scan<'_>, attribute: &mut Attribute<Vec<f64>>, what: &'static str, over_time: bool) -> Result<()> {
+        attribute.read(scan, over_time, |scan| list(scan, what, |scan| scan.double(what)))
+    }
+    match name {
+        "type" if !over_time => curves.kind = Some(scan.string()?.into()),
+        "basis" if !over_time => curves.basis = Some(scan.string()?.into()),
+        "wrap" if !over_time => curves.wrap = Some(scan.string()?.into()),
+        "curveVertexCounts" => counts(scan, &mut curves.counts, "a curve's number of points", over_time)?,
+        "points" => vectors(scan, &mut curves.points, "a point", over_time)?,
+        "velocities" => vectors(scan, &mut curves.velocities, "a velocity", over_time)?,
+        "widths" => singles(scan, &mut curves.widths, "a width", over_time)?,
+        "primvars:displayColor" => vectors(scan, &mut curves.colors, "a colour", over_time)?,
+        "primvars:displayColor:indices" => counts(scan, &mut curves.color_indices, "a colour's index", over_time)?,
+        "primvars:displayOpacity" => singles(scan, &mut curves.opacities, "an opacity", over_time)?,
+        "primvars:displayOpacity:indices" => counts(scan, &mut curves.opacity_indices, "an opacity's index", over_time)?,
+        "primvars:st" => vectors(scan, &mut curves.uvs, "a texture coordinate", over_time)?,
+        "primvars:st:indices" => counts(scan, &mut curves.uv_indices, "a texture coordinate's index", over_time)?,
+        "primvars:superhelix:strandThickness" => singles(scan, &mut curves.strand_thickness, "a thickness", over_time)?,
+        "primvars:superhelix:held" => counts(scan, &mut curves.held, "held", over_time)?,
+        "order" if curves.nurbs => counts(scan, &mut curves.orders, "an order", over_time)?,
+        "knots" if curves.nurbs => doubles(scan, &mut curves.knots, "a knot", over_time)?,
+        "pointWeights" if curves.nurbs => doubles(scan, &mut curves.weights, "a weight", over_time)?,
+        _ => return Ok(false),
+    }
+    Ok(true)
+}

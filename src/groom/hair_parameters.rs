@@ -1,0 +1,162 @@
+//! What the strands of a head share, and the five sliders by which people change it.
+//!
+//! A slider goes from −1 to 1; 0 leaves everything as it is. What each does is said at its field; a factor is that of `factor`:
+//! 1 + (F − 1) x above zero, its reciprocal below, so that x and −x undo each other and no number comes from a platform's own functions.
+
+use crate::contact::options::{Friction, StrandContact};
+use crate::error::{Error, Result, check_not_negative};
+use crate::groom::hair_type::{DISCIPLINED_DRAG, FUZZY_DRAG};
+use crate::groom::variation::Variation;
+use crate::rod::material::Material;
+
+/// How natural curvatures follow from a measured helix of radius r and step Δ, with p = Δ/2π.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CurlFormula {
+    /// κ1 = r/(r² + p²), κ0 = p/(r² + p²): the helix itself.
+    #[default]
+    Exact,
+    /// κ1 = 1/r, κ0 = Δ/(2π r²): Bertails et al. 2006, section 4.2. The same for steps much shorter than the radius.
+    Paper,
+}
+
+/// What the strands of a head share.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HairParameters {
+    /// Section and material.
+    pub material: Material,
+    /// Natural twist and curvatures (κ0, κ1, κ2), rad/m.
+    pub natural: [f64; 3],
+    /// Friction against hair and bodies, in units of the engine's own coefficients; zero or above.
+    pub friction: f64,
+    /// How strands differ from that.
+    pub variation: Variation,
+}
+
+/// High-level sliders, each from −1 to 1; 0 changes nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Sliders {
+    /// How curly: −1 is straight; up to 0 the natural curvature goes in proportion; above it goes on to 1.5 times its own or 400 rad/m (curls
+    /// of 2.5 mm), whichever is more. Twist goes along (where there was no curvature: 0.13 of it, as of Caucasian 2 hair).
+    pub curliness: f64,
+    /// How stiff: Young's modulus, by a factor of up to 8.
+    pub stiffness: f64,
+    /// How disciplined, the opposite of frizz: above 0 variation along and between strands, and frizz, shrink to nothing at 1 and air drag
+    /// goes to 5e-6 kg/(m·s); below 0 frizz grows by up to 60 rad/m, variation by up to 0.2, and air drag goes to 5e-5 kg/(m·s).
+    pub discipline: f64,
+    /// How heavy (wet, dyed): density, by a factor of up to 2.
+    pub weight: f64,
+    /// How easy to comb: friction against hair and bodies, and the internal friction that stands for friction inside a lock, by a factor of
+    /// up to 1/3.
+    pub combing_ease: f64,
+}
+
+/// The curvature that curliness 1 gives at least, rad/m.
+const CURLY: f64 = 400.0;
+/// Twist over curvature of what was straight: that of Caucasian 2 hair, p/r = 0.5 cm/(2π 0.6 cm).
+const TWIST_SHARE: f64 = 0.132_629;
+/// Frizz at discipline −1, rad/m.
+const FRIZZ: f64 = 60.0;
+/// Variation along and between strands at discipline −1.
+const LOOSE: f64 = 0.2;
+
+/// See the head of this file.
+fn factor(x: f64, most: f64) -> f64 {
+    if x >= 0.0 { 1.0 + (most - 1.0) * x } else { 1.0 / (1.0 - (most - 1.0) * x) }
+}
+
+impl Sliders {
+    /// Checks that all are from −1 to 1; `argument` is the name put before the field in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first that is not.
+    pub fn check(&self, argument: &str) -> Result<()> {
+        for (name, value) in [
+            ("curliness", self.curliness),
+            ("stiffness", self.stiffness),
+            ("discipline", self.discipline),
+            ("weight", self.weight),
+            ("combing_ease", self.combing_ease),
+        ] {
+            if !(-1.0..=1.0).contains(&value) {
+                return Err(Error::invalid(format!("{argument}.{name}"), value, "a number from -1 to 1"));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl HairParameters {
+    /// Checks every value; `argument` is the name put before the field in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first value out of range.
+    pub fn check(&self, argument: &str) -> Result<()> {
+        self.material.check(argument)?;
+        for (axis, value) in self.natural.iter().enumerate() {
+            crate::error::check_finite(|| format!("{argument}.natural[{axis}]"), *value)?;
+        }
+        check_not_negative(|| format!("{argument}.friction"), self.friction)?;
+        self.variation.check(argument)
+    }
+
+    /// The parameters with the sliders moved.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for what is out of range, before or after.
+    pub fn with_sliders(&self, sliders: &Sliders) -> Result<Self> {
+        sliders.check("sliders")?;
+        self.check("hair")?;
+        let mut hair = *self;
+        hair.natural = curled(self.natural, sliders.curliness);
+        hair.material.youngs_modulus *= factor(sliders.stiffness, 8.0);
+        hair.material.density *= factor(sliders.weight, 2.0);
+        hair.material.internal_friction *= factor(-sliders.combing_ease, 3.0);
+        hair.friction *= factor(-sliders.combing_ease, 3.0);
+        let (x, own) = (sliders.discipline, self.variation);
+        let drag = self.material.air_drag;
+        if x >= 0.0 {
+            let variation = &mut hair.variation;
+            variation.along = own.along * (1.0 - x);
+            variation.between = own.between * (1.0 - x);
+            variation.thickness = own.thickness * (1.0 - x);
+            variation.frizz = own.frizz * (1.0 - x);
+            hair.material.air_drag = drag + x * (drag.min(DISCIPLINED_DRAG) - drag);
+        } else {
+            let variation = &mut hair.variation;
+            variation.along = (own.along - LOOSE * x).min(Variation::MOST.max(own.along));
+            variation.between = (own.between - LOOSE * x).min(Variation::MOST.max(own.between));
+            variation.frizz = own.frizz - FRIZZ * x;
+            hair.material.air_drag = drag - x * (drag.max(FUZZY_DRAG) - drag);
+        }
+        hair.check("hair")?;
+        Ok(hair)
+    }
+
+    /// What such a strand is to contact: the engine's own values with this hair's radius and friction.
+    pub fn contact(&self) -> StrandContact {
+        let own = StrandContact::default();
+        let scaled =
+            |friction: Friction| Friction { along: friction.along * self.friction, against: friction.against * self.friction };
+        let [a1, a2] = self.material.radius;
+        StrandContact {
+            radius: a1.max(a2),
+            friction: scaled(own.friction),
+            hair_friction: scaled(own.hair_friction),
+            viscous_friction: scaled(own.viscous_friction),
+            ..own
+        }
+    }
+}
+
+/// See [`Sliders::curliness`].
+fn curled([twist, first, second]: [f64; 3], x: f64) -> [f64; 3] {
+    let curvature = (first * first + second * second).sqrt();
+    if x <= 0.0 {
+        return [twist, first, second].map(|value| value * (1.0 + x));
+    }
+    let wanted = curvature + x * ((1.5 * curvature).max(CURLY) - curvature);
+    if curvature == 0.0 {
+        return [twist + TWIST_SHARE * wanted, wanted, 0.0];
+    }
+    [twist, first, second].map(|value| value * (wanted / curvature))
+}

@@ -1,0 +1,192 @@
+//! Groom files, caches and kinds of hair through the C ABI: what comes out is what the library gives in Rust.
+#![allow(unsafe_code)] // calls through the C ABI
+
+use std::ffi::CString;
+use std::mem::MaybeUninit;
+use std::ptr::{null, null_mut};
+
+use superhelix::capi::curve_cache::*;
+use superhelix::capi::curve_data::*;
+use superhelix::capi::curves::*;
+use superhelix::capi::errors::SHX_OK;
+use superhelix::capi::hair::*;
+use superhelix::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_input, shx_output};
+use superhelix::files::curves::{Curves, Extras, UpAxis};
+use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
+use superhelix::groom::hair_type::HairType;
+use superhelix::groom::variation::Variation;
+
+fn made<T>(fill: impl FnOnce(*mut T) -> i32) -> T {
+    let mut made = MaybeUninit::uninit();
+    assert_eq!(fill(made.as_mut_ptr()), SHX_OK);
+    // SAFETY: the call went well, so it filled the structure.
+    unsafe { made.assume_init() }
+}
+
+fn input<T>(items: &[T], format: u32) -> shx_input {
+    shx_input { data: items.as_ptr().cast(), stride: 0, count: items.len(), format, reserved: 0 }
+}
+
+const COUNTS: [u32; 2] = [2, 3];
+const POINTS: [[f32; 3]; 5] = [[0.0, 0.1, 0.2], [1.0 / 3.0, 1.0, 1.0], [2.0; 3], [3.0; 3], [-1e-7, 4.0, 5.0]];
+const VELOCITIES: [[f64; 3]; 5] = [[0.5, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0; 3], [0.0, 0.0, 2.0], [-1.0, 0.0, 0.25]];
+const THICKNESS: [f32; 5] = [0.1, 0.2, 0.3, 0.4, 0.5];
+const HELD: [u8; 5] = [1, 0, 9, 0, 0];
+
+fn data() -> shx_curve_data {
+    shx_curve_data {
+        up: SHX_UP_Z,
+        strand_count: 2,
+        point_counts: COUNTS.as_ptr(),
+        points: input(&POINTS, SHX_FORMAT_F32X3),
+        velocities: input(&VELOCITIES, SHX_FORMAT_F64X3),
+        thickness: THICKNESS.as_ptr(),
+        held: HELD.as_ptr(),
+        metres_per_unit: 0.01,
+        // SAFETY: room for one structure.
+        ..made(|data| unsafe { shx_curve_data_init(data, size_of::<shx_curve_data>()) })
+    }
+}
+
+fn path(name: &str) -> (std::path::PathBuf, CString) {
+    let path = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("capi_{name}"));
+    let text = CString::new(path.to_str().unwrap()).unwrap();
+    (path, text)
+}
+
+/// All numbers of a kind.
+fn numbers(curves: *const shx_curves, what: u32) -> Vec<f32> {
+    let mut count = 0;
+    // SAFETY: a living handle, and room for as many numbers as it says.
+    unsafe {
+        assert_eq!(shx_curves_numbers(curves, what, null_mut(), 0, &raw mut count), SHX_OK);
+        let mut numbers = vec![0.0; count];
+        assert_eq!(shx_curves_numbers(curves, what, numbers.as_mut_ptr(), count, &raw mut count), SHX_OK);
+        numbers
+    }
+}
+
+#[test]
+fn what_is_saved_is_read_with_all_that_goes_along() {
+    let data = data();
+    let (rust, text) = path("groom.usda");
+    // SAFETY: all that is pointed to is there; handles are freed once.
+    unsafe {
+        assert_eq!(shx_curves_save(text.as_ptr(), &raw const data), SHX_OK);
+        let curves = made(|curves| shx_curves_read(text.as_ptr(), curves));
+        let mut points = [[0.0_f32; 3]; 5];
+        let output = shx_output { data: points.as_mut_ptr().cast(), stride: 0, count: 5, format: SHX_FORMAT_F32X3, reserved: 0 };
+        assert_eq!(shx_curves_points(curves, 0, 2, 1.0, &raw const output), SHX_OK);
+        assert_eq!(points, POINTS);
+        assert_eq!(numbers(curves, SHX_CURVES_THICKNESS), THICKNESS);
+        assert_eq!(
+            numbers(curves, SHX_CURVES_VELOCITY),
+            VELOCITIES.as_flattened().iter().map(|value| *value as f32).collect::<Vec<_>>()
+        );
+        assert_eq!(numbers(curves, SHX_CURVES_HELD), [1.0, 0.0, 1.0, 0.0, 0.0]);
+        for what in [SHX_CURVES_TRANSPARENCY, SHX_CURVES_COLOR, SHX_CURVES_STRAND_THICKNESS, SHX_CURVES_STRAND_UV] {
+            assert!(numbers(curves, what).is_empty());
+        }
+        let (mut metres, mut up) = (0.0, 0);
+        assert_eq!(shx_curves_unit(curves, &raw mut metres, &raw mut up), SHX_OK);
+        assert_eq!((metres, up), (0.01, SHX_UP_Z));
+        shx_curves_destroy(curves);
+    }
+    let read = Curves::read(rust).unwrap();
+    let expected = Extras {
+        thickness: Some(THICKNESS.to_vec()),
+        velocities: Some(VELOCITIES.iter().map(|v| v.map(|value| value as f32)).collect()),
+        held: Some(HELD.iter().map(|held| *held != 0).collect()),
+        metres_per_unit: Some(0.01),
+        up: Some(UpAxis::Z),
+        ..Extras::default()
+    };
+    assert_eq!(read.extras(), &expected);
+    // Other formats by their names; a version of .tfx that was asked for.
+    for (name, version, format) in
+        [("groom.tfx", 2, "tfx 2 (text)"), ("groom.hair", 0, "hair"), ("groom.obj", 0, "obj"), ("b.tfx", 0, "tfx 2 (text)")]
+    {
+        let (rust, text) = path(name);
+        let data = shx_curve_data { tfx_version: version, ..data };
+        // SAFETY: the same.
+        assert_eq!(unsafe { shx_curves_save(text.as_ptr(), &raw const data) }, SHX_OK);
+        let read = Curves::read(rust).unwrap();
+        assert_eq!((read.format().name(), read.points()), (format, &POINTS[..]));
+    }
+}
+
+#[test]
+fn a_cache_is_written_and_read_frame_by_frame() {
+    let (rust, text) = path("cache.usda");
+    let data = data();
+    let at = |time: f32| POINTS.map(|point| point.map(|value| value + time));
+    // SAFETY: all that is pointed to is there; handles are ended or freed once.
+    unsafe {
+        let writer = made(|writer| shx_curve_cache_create(text.as_ptr(), &raw const data, 24.0, writer));
+        for time in [0.0_f32, 0.5, 1.0] {
+            let (points, velocities) = (at(time), input(&VELOCITIES, SHX_FORMAT_F64X3));
+            let points = input(&points, SHX_FORMAT_F32X3);
+            assert_eq!(shx_curve_cache_write(writer, f64::from(time), &raw const points, &raw const velocities), SHX_OK);
+        }
+        assert!(!rust.exists());
+        assert_eq!(shx_curve_cache_finish(writer), SHX_OK);
+        let cache = made(|cache| shx_curve_cache_read(text.as_ptr(), cache));
+        let (mut times, mut count) = ([0.0; 3], 0);
+        assert_eq!(shx_curve_cache_times(cache, null_mut(), 0, &raw mut count), SHX_OK);
+        assert_eq!(count, 3);
+        assert_eq!(shx_curve_cache_times(cache, times.as_mut_ptr(), 3, &raw mut count), SHX_OK);
+        assert_eq!(times, [0.0, 0.5, 1.0]);
+        let curves = made(|curves| shx_curve_cache_at(cache, 0.5, curves));
+        assert_eq!(numbers(curves, SHX_CURVES_VELOCITY).len(), 15);
+        shx_curves_destroy(curves);
+        shx_curve_cache_destroy(cache);
+        let given_up = made(|writer| shx_curve_cache_create(path("none.usda").1.as_ptr(), &raw const data, 24.0, writer));
+        shx_curve_cache_abandon(given_up);
+    }
+    let cache = superhelix::files::curve_cache::CurveCache::read(&rust).unwrap();
+    assert_eq!(cache.frame(1).unwrap().points(), at(0.5));
+    std::fs::remove_file(rust).unwrap();
+    assert!(!path("none.usda").0.exists());
+}
+
+#[test]
+fn strands_of_a_kind_are_those_of_the_library() {
+    // SAFETY: all that is pointed to is there.
+    unsafe {
+        let mut hair: shx_hair = made(|hair| shx_hair_init(hair, size_of::<shx_hair>()));
+        assert_eq!(shx_hair_of_type(c"african".as_ptr(), &raw mut hair), SHX_OK);
+        assert_eq!((hair.helix_step, hair.youngs_modulus), (0.01, 0.5e9));
+        (hair.variation_between, hair.variation_along, hair.frizz, hair.root_turn, hair.seed) = (0.1, 0.05, 4.0, 0.5, 11);
+        let mut sliders: shx_sliders = made(|sliders| shx_sliders_init(sliders, size_of::<shx_sliders>()));
+        (sliders.stiffness, sliders.discipline) = (0.5, -0.25);
+        let (counts, lengths) = ([3_u32, 2], [0.01, 0.02, 0.03, 0.05, 0.04]);
+        let mut strands: [shx_hair_strand; 2] = [made(|strand| {
+            std::ptr::write_bytes(strand, 0, 1);
+            SHX_OK
+        }); 2];
+        let mut natural = [[0.0_f64; 3]; 5];
+        let make = |sliders: *const shx_sliders, strands: &mut [shx_hair_strand; 2], natural: &mut [[f64; 3]; 5]| {
+            let out = (strands.as_mut_ptr(), natural.as_mut_ptr().cast());
+            shx_hair_strands(&raw const hair, sliders, 7, 2, counts.as_ptr(), lengths.as_ptr(), out.0, 0, out.1, 5)
+        };
+        let variation = Variation { between: 0.1, along: 0.05, frizz: 4.0, root_turn: 0.5, seed: 11, ..Variation::none() };
+        let own = HairParameters { variation, ..HairType::African.measured().parameters(CurlFormula::Exact).unwrap() };
+        let moved = own.with_sliders(&Sliders { stiffness: 0.5, discipline: -0.25, ..Sliders::default() }).unwrap();
+        for (sliders, expected) in [(null(), own), (&raw const sliders, moved)] {
+            assert_eq!(make(sliders, &mut strands, &mut natural), SHX_OK);
+            for (index, range) in [(0, 0..3), (1, 3..5)] {
+                let strand = expected.strand(7 + index as u64, &lengths[range.clone()]).unwrap();
+                assert_eq!(natural[range], strand.natural[..]);
+                let made = strands[index];
+                assert_eq!(
+                    (made.radius, made.youngs_modulus, made.root_turn),
+                    (strand.material.radius, strand.material.youngs_modulus, strand.root_turn)
+                );
+                assert_eq!(
+                    (made.air_drag, made.friction_along),
+                    (strand.material.air_drag, expected.contact().hair_friction.along)
+                );
+            }
+        }
+    }
+}
