@@ -2,6 +2,7 @@
 
 pub mod fit;
 pub mod polyline;
+pub mod pose;
 pub mod rest_shape;
 pub mod spline;
 pub mod stability;

@@ -1,0 +1,287 @@
+//! Levenberg and Marquardt's method on a strand's curvatures.
+//!
+//! Minimised is, in units of length squared,
+//!
+//! ```text
+//! ½ L³ Σ ℓ cᵢ (κᵢ − κᵢ*)² + ½ W Σ w |r − t|² + ½ H L² φ² + ½ H Σ min(gap, 0)²,
+//! ```
+//!
+//! κ* the shape to stay near, c the strand's relative stiffness, t targets of material points, φ the tip's angle to its wanted direction,
+//! gap the distance to a body. W grows until what can be reached is reached.
+
+use nalgebra::Vector3;
+
+use super::elimination::{Elimination, Model, Step};
+use super::springs::Spring;
+use crate::contact::body::BodyAt;
+use crate::contact::strand_body::{self, PathBounds, Span};
+use crate::contact::touch::{StrandCurve, StrandPath, Touch};
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::{ElementState, element_states};
+
+/// A material point and where it is to go.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pull {
+    pub element: usize,
+    /// Arclength from the element's left end.
+    pub s: f64,
+    /// Relative to the root's origin, world axes.
+    pub target: Vec3<f64>,
+    pub weight: f64,
+}
+
+/// Bodies that a strand is kept out of.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Obstacles<'a> {
+    pub bodies: &'a [BodyAt<'a>],
+    /// The first metres that are left out.
+    pub span: Span,
+    /// How far the centreline stays from the bodies' surfaces.
+    pub distance: f64,
+}
+
+/// What is asked of one strand.
+#[derive(Debug)]
+pub(super) struct Task<'a> {
+    pub root: Mat3<f64>,
+    pub origin: Vector3<f64>,
+    pub lengths: &'a [f64],
+    /// L.
+    pub length: f64,
+    /// Curvatures that may change.
+    pub free: &'a [[bool; 3]],
+    /// c.
+    pub charge: [f64; 3],
+    /// κ*.
+    pub anchor: &'a [[f64; 3]],
+    /// By element and arclength.
+    pub pulls: &'a [Pull],
+    /// The tip's direction.
+    pub tip: Option<Vec3<f64>>,
+    pub obstacles: Option<Obstacles<'a>>,
+}
+
+/// W and H.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Weights {
+    pub pull: f64,
+    pub hard: f64,
+}
+
+/// A strand in one shape.
+#[derive(Debug, Default)]
+pub(super) struct State {
+    pub elements: Vec<ElementState<f64>>,
+    pub touches: Vec<Touch>,
+    /// All that is minimised.
+    pub cost: f64,
+    /// Σ w |r − t|².
+    pub distance: f64,
+    /// The deepest place in a body, m.
+    pub depth: f64,
+}
+
+/// No frame turns by more than this in an iteration, rad.
+const TURN_LIMIT: f64 = 0.6;
+/// How often an iteration damps more before it gives up.
+const TRIALS: usize = 10;
+/// Touches that are nearer than this share of the strand's length may be met by a step.
+const NEAR: f64 = 0.05;
+/// Rounds in which touches that a step would go through are put in its way.
+const ROUNDS: usize = 4;
+/// Gauss and Newton's method gives way to Newton's where an iteration gains less than this share.
+const SLOW: f64 = 0.3;
+
+/// Memory of searches.
+#[derive(Default)]
+pub(super) struct Search {
+    pub state: State,
+    trial: State,
+    rows: Vec<[f64; 3]>,
+    start: Vec<ElementState<f64>>,
+    springs: Vec<Spring>,
+    stiffness: Vec<[f64; 3]>,
+    force: Vec<[f64; 3]>,
+    in_the_way: Vec<bool>,
+    bounds: PathBounds,
+    touching: strand_body::Scratch,
+    elimination: Elimination,
+    step: Step,
+    /// Iterations since [`Search::begin`].
+    pub iterations: u32,
+    damping: f64,
+}
+
+impl Search {
+    /// Begins with a strand in its present shape: bodies are met on the way from there.
+    pub fn begin(&mut self, task: &Task, rows: &[[f64; 3]]) {
+        element_states(task.root, task.lengths.iter().copied(), rows, &mut self.start);
+        (self.iterations, self.damping) = (0, 0.0);
+    }
+
+    /// Brings `state` to a shape.
+    fn place(&mut self, task: &Task, rows: &[[f64; 3]], weights: Weights) {
+        let state = &mut self.trial;
+        element_states(task.root, task.lengths.iter().copied(), rows, &mut state.elements);
+        let mut bent = 0.0;
+        for (element, row) in rows.iter().enumerate() {
+            for axis in 0..3 {
+                let off = row[axis] - task.anchor[element][axis];
+                bent += task.lengths[element] * task.charge[axis] * off * off;
+            }
+        }
+        state.distance = 0.0;
+        for pull in task.pulls {
+            let at = state.elements[pull.element].point(pull.s).position;
+            state.distance += pull.weight * (pull.target - at).norm_squared();
+        }
+        let mut hard = 0.0;
+        if let (Some(direction), Some(last)) = (task.tip, state.elements.last()) {
+            let spring = Spring::at(last, state.elements.len() - 1, last.length);
+            let (_, angle) = spring.turned(last, direction, 1.0);
+            hard += (task.length * angle).powi(2);
+        }
+        state.touches.clear();
+        state.depth = 0.0;
+        if let Some(obstacles) = &task.obstacles {
+            let curve = |elements| StrandCurve { origin: task.origin, elements };
+            let path = StrandPath { index: 0, start: curve(&self.start), now: curve(&state.elements) };
+            self.bounds.update(&path);
+            let (span, distance, within) = (obstacles.span, obstacles.distance, NEAR * task.length);
+            for body in obstacles.bodies {
+                let scratch = &mut self.touching;
+                strand_body::touches(&path, &self.bounds, span, distance, body, within, scratch, &mut state.touches);
+            }
+            state.touches.sort_by(|a, b| (a.place.element.cmp(&b.place.element)).then(a.place.s.total_cmp(&b.place.s)));
+            for touch in &state.touches {
+                let depth = (-touch.gap).max(0.0);
+                state.depth = state.depth.max(depth);
+                hard += depth * depth;
+            }
+        }
+        state.cost = 0.5 * (task.length.powi(3) * bent + weights.pull * state.distance + weights.hard * hard);
+    }
+
+    /// Goes downhill from `rows`, which is left at the best shape found; at most `most` iterations, and none after one that gains less than
+    /// `least_gain` of the cost. Whether it ended by that.
+    pub fn descend(&mut self, task: &Task, rows: &mut Vec<[f64; 3]>, weights: Weights, most: u32, least_gain: f64) -> bool {
+        self.place(task, rows, weights);
+        std::mem::swap(&mut self.state, &mut self.trial);
+        let mut exact = false;
+        for _ in 0..most {
+            self.iterations += 1;
+            let mut gained = 0.0;
+            for _ in 0..TRIALS {
+                self.direction(task, rows, weights, exact);
+                let share = if self.step.turn > TURN_LIMIT { TURN_LIMIT / self.step.turn } else { 1.0 };
+                self.advance(task, rows, share);
+                let next = std::mem::take(&mut self.rows);
+                self.place(task, &next, weights);
+                self.rows = next;
+                let fall = self.state.cost - self.trial.cost;
+                if fall > 0.0 {
+                    gained = fall / self.state.cost;
+                    let ratio = fall / (self.step.gain * share * (2.0 - share));
+                    if ratio > 0.5 {
+                        self.damping = if self.damping > 1e-6 { 0.1 * self.damping } else { 0.0 };
+                    } else if ratio < 0.1 {
+                        self.damping = (10.0 * self.damping).max(1e-2);
+                    }
+                    std::mem::swap(&mut self.state, &mut self.trial);
+                    std::mem::swap(rows, &mut self.rows);
+                    break;
+                }
+                self.damping = (10.0 * self.damping).max(1e-2);
+            }
+            if gained < least_gain {
+                return true;
+            }
+            exact = gained < SLOW;
+        }
+        false
+    }
+
+    /// The step from the present state. Touches that it would go through are put in its way.
+    fn direction(&mut self, task: &Task, rows: &[[f64; 3]], weights: Weights, exact: bool) {
+        self.in_the_way.clear();
+        self.in_the_way.extend(self.state.touches.iter().map(|touch| touch.gap < 0.0));
+        self.model(task, rows);
+        for _ in 0..ROUNDS {
+            self.springs.clear();
+            springs(task, &self.state, weights, &self.in_the_way, &mut self.springs);
+            let model = Model {
+                elements: &self.state.elements,
+                springs: &self.springs,
+                stiffness: &self.stiffness,
+                force: &self.force,
+                free: task.free,
+                exact,
+            };
+            self.elimination.solve(&model, &mut self.step);
+            let mut met = false;
+            for (touch, in_the_way) in self.state.touches.iter().zip(&mut self.in_the_way) {
+                if !*in_the_way && touch.gap + moved(&self.state, &self.step, touch) < 0.0 {
+                    (*in_the_way, met) = (true, true);
+                }
+            }
+            if !met {
+                break;
+            }
+        }
+    }
+
+    /// Springs of the curvatures themselves.
+    fn model(&mut self, task: &Task, rows: &[[f64; 3]]) {
+        self.stiffness.clear();
+        self.force.clear();
+        let unit = task.length.powi(3);
+        for (element, row) in rows.iter().enumerate() {
+            let own = task.charge.map(|charge| unit * task.lengths[element] * charge);
+            self.force.push(std::array::from_fn(|axis| own[axis] * (task.anchor[element][axis] - row[axis])));
+            self.stiffness.push(own.map(|own| own + self.damping * unit * task.lengths[element]));
+        }
+    }
+
+    /// `self.rows` is `rows` after a share of the step.
+    fn advance(&mut self, task: &Task, rows: &[[f64; 3]], share: f64) {
+        self.rows.clear();
+        for (element, row) in rows.iter().enumerate() {
+            let change = &self.step.rows[element];
+            let free = &task.free[element];
+            self.rows.push(std::array::from_fn(|axis| if free[axis] { row[axis] + share * change[axis] } else { row[axis] }));
+        }
+    }
+}
+
+/// How far the step takes a touching place from its body.
+fn moved(state: &State, step: &Step, touch: &Touch) -> f64 {
+    let index = touch.place.element as usize;
+    let element = &state.elements[index];
+    let place = Spring::at(element, index, touch.place.s);
+    let (psi, rho) = step.left[index];
+    let way = rho + psi.cross(place.local) + place.jacobian.apply(Vec3(step.rows[index]));
+    element.frame_left.apply(way).dot(touch.normal.into())
+}
+
+/// The springs of a state, by element.
+fn springs(task: &Task, state: &State, weights: Weights, in_the_way: &[bool], out: &mut Vec<Spring>) {
+    let mut touches = state.touches.iter().zip(in_the_way).filter(|(_, in_the_way)| **in_the_way).peekable();
+    let mut pulls = task.pulls.iter().peekable();
+    let last = state.elements.len() - 1;
+    for (index, element) in state.elements.iter().enumerate() {
+        while let Some(pull) = pulls.next_if(|pull| pull.element == index) {
+            let off = pull.target - element.point(pull.s).position;
+            out.push(Spring::at(element, index, pull.s).pulled(element, off, weights.pull * pull.weight));
+        }
+        while let Some((touch, _)) = touches.next_if(|(touch, _)| touch.place.element as usize == index) {
+            let place = Spring::at(element, index, touch.place.s);
+            out.push(place.pushed(element, touch.normal.into(), -touch.gap, weights.hard));
+        }
+        if index == last
+            && let Some(direction) = task.tip
+        {
+            let stiffness = weights.hard * task.length * task.length;
+            out.push(Spring::at(element, index, element.length).turned(element, direction, stiffness).0);
+        }
+    }
+}
