@@ -4,7 +4,9 @@ use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::contact::body::BodyAt;
 use superhelix::contact::shape::Shape;
 use superhelix::error::Error;
-use superhelix::groom::pose::{Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, PoseScratch, StrandShape, Surroundings};
+use superhelix::groom::pose::{
+    Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, PoseScratch, StrandShape, Surroundings,
+};
 use superhelix::math::frame::Frame;
 use superhelix::rod::freedoms::Freedoms;
 
@@ -25,11 +27,8 @@ impl Noise {
     fn strand(&mut self, elements: usize, turn: f64) -> StrandShape {
         let element_lengths: Vec<f64> = (0..elements).map(|_| 0.25 / elements as f64 * (1.0 + 0.4 * self.next())).collect();
         let common = self.vector();
-        let curvatures = element_lengths
-            .iter()
-            .map(|length| (0.7 * common + 0.3 * self.vector()) * (turn / length))
-            .map(Into::into)
-            .collect();
+        let curvatures =
+            element_lengths.iter().map(|length| (0.7 * common + 0.3 * self.vector()) * (turn / length)).map(Into::into).collect();
         let rotation = UnitQuaternion::from_euler_angles(3.0 * self.next(), 1.5 * self.next(), 3.0 * self.next());
         StrandShape { root: Frame { origin: 0.3 * self.vector(), rotation }, element_lengths, curvatures }
     }
@@ -43,7 +42,12 @@ fn straight(length: f64, elements: usize) -> StrandShape {
     }
 }
 
-fn drag(shape: &mut StrandShape, arclength: f64, position: Vector3<f64>, options: &PoseOptions) -> superhelix::groom::pose::Dragged {
+fn drag(
+    shape: &mut StrandShape,
+    arclength: f64,
+    position: Vector3<f64>,
+    options: &PoseOptions,
+) -> superhelix::groom::pose::Dragged {
     let target = DragTarget { arclength, position };
     shape.drag(&target, options, &Surroundings::default(), &mut PoseScratch::default()).unwrap()
 }
@@ -69,7 +73,11 @@ fn reachable_targets_are_reached() {
                     let (before, length) = (shape.clone(), shape.length());
                     let found = drag(&mut shape, arclength, target, &PoseOptions::default());
                     let off = (shape.frame_at(arclength).origin - target).norm();
-                    println!("{elements} {turn} {share}: {off:.1e} {} from {:.2}", found.iterations, (before.frame_at(arclength).origin - target).norm() / length);
+                    println!(
+                        "{elements} {turn} {share}: {off:.1e} {} from {:.2}",
+                        found.iterations,
+                        (before.frame_at(arclength).origin - target).norm() / length
+                    );
                     assert!((off - found.distance).abs() < 1e-12);
                     worst = worst.max(off);
                     iterations += found.iterations;
