@@ -12,6 +12,8 @@ use superhelix::capi::{
     fit::shx_fit,
     fit_curves::{shx_fit_curves, shx_fit_options, shx_fitted_strand},
     friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
+    materials::shx_material,
+    pose_def::{shx_brush, shx_element_change, shx_pose_options},
     sampling::shx_sample_def,
     settings::shx_settings,
     settle::{shx_settle_def, shx_settle_report},
@@ -69,6 +71,10 @@ fn every_size_and_offset_is_as_published() {
         shx_contact: 152 { strand: 0, arclength: 8, partner: 16, feature: 20, body: 24, other: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }
         shx_constraint_def: 120 { struct_size: 0, hold: 4, strand: 8, arclength: 16, other: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112 }
         shx_constraint_state: 72 { status: 0, reserved: 4, arclength: 8, error: 16, force: 24, torque: 48 }
+        shx_pose_options: 80 { struct_size: 0, keep_tip_direction: 4, keep_out: 8, reserved0: 12, natural_pull: 16, clearance: 24, movable: 32, movable_count: 40, reserved: 48 }
+        shx_brush: 88 { struct_size: 0, reserved0: 4, centre: 8, radius: 32, falloff: 40, movement: 48, reserved: 72 }
+        shx_element_change: 48 { struct_size: 0, element: 4, twist: 8, bend: 16, stretch: 32, keep_curvature: 40, reserved: 44 }
+        shx_material: 72 { struct_size: 0, reserved0: 4, radius: 8, density: 24, youngs_modulus: 32, poisson_ratio: 40, internal_friction: 48, viscosity: 56, air_drag: 64 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

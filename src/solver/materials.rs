@@ -18,16 +18,20 @@ pub enum Stiffening {
 }
 
 impl Stiffening {
-    /// The factor that a strand needs.
-    fn scale(self, stability: &Stability, margin: f64) -> Result<f64> {
+    /// The factor that a strand needs, see [`Stability::youngs_scale`].
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a margin out of range.
+    pub fn scale(self, stability: &Stability, margin: f64) -> Result<f64> {
         match self {
             Self::YoungsModulus => stability.youngs_scale(margin),
             Self::Radius => stability.radius_scale(margin),
         }
     }
 
-    /// A material by that factor stiffer.
-    fn applied(self, material: &Material, scale: f64) -> Material {
+    /// A material with that factor.
+    #[must_use]
+    pub fn applied(self, material: &Material, scale: f64) -> Material {
         match self {
             Self::YoungsModulus => Material { youngs_modulus: material.youngs_modulus * scale, ..*material },
             Self::Radius => Material { radius: material.radius.map(|radius| radius * scale), ..*material },

@@ -11,6 +11,7 @@ mod fit;
 mod fit_curves;
 mod friction_fit;
 mod level_of_detail;
+mod posing;
 mod restyling;
 mod roots;
 mod sampling;
@@ -37,6 +38,9 @@ use superhelix::capi::fit::*;
 use superhelix::capi::fit_curves::*;
 use superhelix::capi::friction_fit::*;
 use superhelix::capi::level_of_detail::*;
+use superhelix::capi::materials::*;
+use superhelix::capi::pose_def::*;
+use superhelix::capi::posing::*;
 use superhelix::capi::restyling::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
@@ -151,6 +155,7 @@ fn table() -> Vec<Case> {
         shape::cases,
         settle::cases,
         restyling::cases,
+        posing::cases,
         level_of_detail::cases,
         suggest::cases,
         sampling::cases,

@@ -14,10 +14,12 @@ mod info;
 mod json;
 mod material_arguments;
 mod picture;
+mod pose;
 mod presets;
 mod progress;
 mod report;
 mod resolution;
+mod rest_arguments;
 mod result;
 mod run;
 mod scene;
@@ -49,6 +51,7 @@ enum Command {
     Simulate(Box<simulate::SimulateArguments>),
     Info(info::InfoArguments),
     Bake(bake::BakeArguments),
+    Pose(pose::PoseArguments),
     Picture(picture::PictureArguments),
     Settings(settings::SettingsArguments),
     Fit(Box<fit::FitArguments>),
@@ -81,6 +84,7 @@ fn main() -> ExitCode {
         Command::Simulate(arguments) => simulate::run(arguments),
         Command::Info(arguments) => info::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
+        Command::Pose(arguments) => pose::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
         Command::Settings(arguments) => settings::run(arguments),
         Command::Fit(arguments) => fit::run(arguments),

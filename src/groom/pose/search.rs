@@ -285,3 +285,74 @@ fn springs(task: &Task, state: &State, weights: Weights, in_the_way: &[bool], ou
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::shape::Shape;
+    use crate::math::frame::Frame;
+
+    /// What pulls at the curvatures, and how stiff they are, against differences of all that is minimised: two points, a direction, a body that
+    /// the strand is in, and springs to another shape at once.
+    #[test]
+    fn forces_and_stiffness_are_the_derivatives_of_the_cost() {
+        let lengths = [0.05, 0.03, 0.06, 0.04];
+        let rows = [[3.0, 12.0, -4.0], [-8.0, 6.0, 9.0], [1.0, -15.0, 2.0], [5.0, 0.0, 11.0]];
+        let free = [[true; 3], [true, true, false], [true; 3], [false, true, true]];
+        let sphere = Shape::new_sphere(0.03).unwrap();
+        let root = Frame::default();
+        let origin = Vector3::new(0.1, 0.2, 0.3);
+        let pose = Frame { origin: origin + Vector3::new(0.07, 0.01, 0.0), ..root };
+        let bodies = [BodyAt::new(0, &sphere, pose, pose, 0.0)];
+        let pulls = [
+            Pull { element: 1, s: 0.02, target: Vec3([0.05, 0.03, 0.01]), weight: 0.7 },
+            Pull { element: 3, s: 0.04, target: Vec3([0.02, 0.1, -0.05]), weight: 1.0 },
+        ];
+        let task = Task {
+            root: Mat3::identity(),
+            origin,
+            lengths: &lengths,
+            length: 0.18,
+            free: &free,
+            charge: [0.7, 1.0, 1.5],
+            anchor: &[[0.0; 3]; 4],
+            pulls: &pulls,
+            tip: Some(Vec3([0.6, 0.0, 0.8])),
+            obstacles: Some(Obstacles { bodies: &bodies, span: Span::default(), distance: 1e-4 }),
+        };
+        let weights = Weights { pull: 30.0, hard: 20.0 };
+        let mut search = Search::default();
+        search.begin(&task, &rows);
+        search.place(&task, &rows, weights);
+        std::mem::swap(&mut search.state, &mut search.trial);
+        assert!(search.state.depth > 1e-3, "the strand is in the sphere: {}", search.state.depth);
+        search.direction(&task, &rows, weights, true);
+        // With all damping the step is the force over the damping.
+        let mut force = [[0.0; 3]; 4];
+        search.damping = 1e9;
+        search.direction(&task, &rows, weights, true);
+        let unit = task.length.powi(3) * search.damping;
+        for (element, row) in search.step.rows.iter().enumerate() {
+            force[element] = row.map(|change| change * unit * lengths[element]);
+        }
+        let largest = force.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+        for element in 0..4 {
+            for axis in 0..3 {
+                if !free[element][axis] {
+                    assert_eq!(force[element][axis], 0.0);
+                    continue;
+                }
+                let step = 1e-4 / lengths[element];
+                let mut cost = |step: f64| {
+                    let mut moved = rows;
+                    moved[element][axis] += step;
+                    search.place(&task, &moved, weights);
+                    search.trial.cost
+                };
+                let slope = (cost(step) - cost(-step)) / (2.0 * step);
+                let off = (force[element][axis] + slope).abs();
+                assert!(off < 2e-6 * largest, "{element} {axis}: {} {slope}", force[element][axis]);
+            }
+        }
+    }
+}
