@@ -253,8 +253,8 @@ fn strands_are_kept_out_of_a_sphere() {
     let outside = radius + 1e-4 + 5e-5 + 1e-3;
     let mut hit = 0;
     for target in [
-        Vector3::new(0.2, 0.0, -0.12),
-        Vector3::new(0.12, 0.02, -0.14),
+        Vector3::new(0.16, 0.0, -0.1),
+        Vector3::new(0.15, 0.05, -0.08),
         // In the sphere, and in its middle but for a little.
         Vector3::new(0.14, 0.01, -0.03),
         Vector3::new(0.121, 0.0, -0.06),
@@ -282,19 +282,19 @@ fn strands_are_kept_out_of_a_sphere() {
         let left = (shape.frame_at(0.25).origin - target).norm();
         assert!((left - expected).abs() < 1e-4, "{left} {expected}");
     }
-    assert!(hit >= 3, "{hit}");
+    assert!(hit >= 2, "{hit}");
 }
 
 #[test]
 fn a_brush_moves_what_lies_in_it_and_nothing_else() {
     let mut noise = Noise(8);
-    let (mut touched, mut followed) = (0, 0.0_f64);
-    for _ in 0..40 {
+    let (mut touched, mut full, mut followed) = (0, 0, 0.0_f64);
+    for trial in 0..80 {
         let shape = noise.strand(10, 0.2);
         let length = shape.length();
         let tip = shape.frame_at(length);
-        let centre = tip.origin + 0.03 * noise.vector();
-        let brush = Brush { centre, radius: 0.02, falloff: 1.0, movement: 0.01 * noise.vector() };
+        let centre = tip.origin + if trial % 4 == 0 { 0.005 } else { 0.03 } * noise.vector();
+        let brush = Brush { centre, radius: 0.02, falloff: f64::from(trial % 4), movement: 0.01 * noise.vector() };
         let inside = |shape: &StrandShape, radius: f64| {
             (0..=500).any(|k| (shape.frame_at(length * f64::from(k) / 500.0).origin - centre).norm() < radius)
         };
@@ -311,18 +311,21 @@ fn a_brush_moves_what_lies_in_it_and_nothing_else() {
             assert!(!inside(&shape, 0.9 * brush.radius));
         }
         assert_eq!((shape.root, &shape.element_lengths), (brushed.root, &brushed.element_lengths));
-        let fall = 1.0 - (tip.origin - centre).norm_squared() / brush.radius.powi(2);
-        if fall > 0.3 {
+        if brush.falloff == 0.0 && (tip.origin - centre).norm() < 0.5 * brush.radius {
             // Across the strand a tip can follow; along it a strand does not stretch.
             let way = brushed.frame_at(length).origin - tip.origin;
-            let wanted = brush.movement * fall;
-            let across = wanted - (tip.rotation * Vector3::x()) * (tip.rotation * Vector3::x()).dot(&wanted);
-            followed = followed.max((way.dot(&across) / across.norm_squared() - 1.0).abs());
+            let tangent = tip.rotation * Vector3::x();
+            let across = brush.movement - tangent * tangent.dot(&brush.movement);
+            if across.norm() > 0.9 * brush.movement.norm() {
+                followed = followed.max((way.dot(&across) / across.norm_squared() - 1.0).abs());
+                full += 1;
+            }
         }
     }
-    println!("{touched} of 40 touched, off by {followed:.2}");
-    assert!((10..=38).contains(&touched), "{touched}");
-    assert!(followed < 0.35, "{followed}");
+    println!("{touched} of 80 touched, {full} wholly, off by {followed:.2}");
+    assert!((15..=70).contains(&touched) && full > 5, "{touched} {full}");
+    // As near as bending lets it come.
+    assert!(followed < 0.15, "{followed}");
 }
 
 #[test]
@@ -463,7 +466,7 @@ fn bad_input_is_named_and_changes_nothing() {
     named(
         "change",
         shape
-            .change_element(0, &ElementChange { stretch: 1e308, ..ElementChange::default() })
+            .change_element(0, &ElementChange { stretch: 1e-310, ..ElementChange::default() })
             .and(shape.clone().change_element(0, &ElementChange { twist: 1e308, stretch: 1e-3, ..ElementChange::default() })),
     );
     shape = good.clone();

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::drag::{HARD, leave_bodies, prepare};
-use super::search::{Pull, Task, Weights};
+use super::search::{End, Pull, Task, Weights};
 use super::{PoseOptions, PoseScratch, StrandShape, Surroundings};
 #[cfg(doc)]
 use crate::error::Error;
@@ -41,9 +41,8 @@ pub struct Brushed {
 
 /// W: what the brush takes along against bending.
 const PULL: f64 = 1e4;
-/// Iterations, and the share that the last must gain.
-const ITERATIONS: u32 = 12;
-const LEAST_GAIN: f64 = 1e-2;
+/// When its search ends.
+const END: End = End { most: 12, gain: 1e-2, turn: f64::INFINITY, near: 0.0 };
 /// Points of an element that are looked at: so many a brush's radius, and at least and at most so many.
 const A_RADIUS: f64 = 4.0;
 const LEAST: f64 = 3.0;
@@ -106,7 +105,7 @@ impl StrandShape {
         };
         rows.clone_from(&self.curvatures);
         search.begin(&task, rows);
-        search.descend(&task, rows, Weights { pull: PULL, hard: HARD }, ITERATIONS, LEAST_GAIN);
+        search.descend(&task, rows, Weights { pull: PULL, hard: HARD }, &END);
         let whole: f64 = task.pulls.iter().map(|pull| pull.weight).sum();
         let distance = (search.state.distance / whole).sqrt();
         leave_bodies(&mut task, search, rows);

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::search::{Obstacles, Pull, Search, Task, Weights};
+use super::search::{End, Obstacles, Pull, Search, Task, Weights};
 use super::{PoseOptions, StrandShape, Surroundings};
 use crate::error::{Error, Result, check_finite};
 use crate::math::vector::Vec3;
@@ -48,14 +48,19 @@ impl std::fmt::Debug for PoseScratch {
 
 /// H: a body or a direction gives way by less than 10⁻⁸ of the length to what bends a strand by some turns.
 pub(super) const HARD: f64 = 1e9;
-/// W, from a shape near the one to stay near to one that is where it should be; iterations each, and the share that the last must gain.
-const STAGES: [(f64, u32, f64); 3] = [(1e3, 20, 1e-2), (1e5, 20, 1e-2), (1e9, 60, 1e-4)];
+/// W, from a shape near the one to stay near to one that is where it should be.
+const FIRST: [f64; 2] = [1e3, 1e5];
+const LAST: f64 = 1e9;
+/// When a search with one of the first ends; the length is multiplied by `near`.
+const ROUGH: End = End { most: 20, gain: 1e-2, turn: f64::INFINITY, near: 0.0 };
+/// When one with the last ends.
+const FINE: End = End { most: 100, gain: 1e-4, turn: 1e-7, near: 1e-7 };
 /// A target is reached that is nearer than this share of the length.
-const REACHED: f64 = 1e-9;
+const REACHED: f64 = 1e-6;
 /// A body is left that is no deeper than this share of the length.
 const LEFT: f64 = 1e-8;
-/// Iterations to leave bodies.
-const LEAVING: u32 = 40;
+/// When a search out of bodies ends.
+const LEAVING: End = End { most: 40, gain: 1e-6, turn: 1e-7, near: 0.0 };
 
 impl StrandShape {
     /// Drags a point of the strand to a target, its root held: of the shapes that bring it there, one near the one to stay near
@@ -110,12 +115,13 @@ impl StrandShape {
         };
         rows.clone_from(&self.curvatures);
         search.begin(&task, rows);
-        let close = (REACHED * length).powi(2);
-        for (pull, most, gain) in STAGES {
-            search.descend(&task, rows, Weights { pull, hard: HARD }, most, gain);
-            if pull == STAGES[0].0 && search.state.distance > close {
-                task.unlock(search, rows, Weights { pull, hard: HARD }, most, gain);
-            }
+        for pull in FIRST {
+            search.descend(&task, rows, Weights { pull, hard: HARD }, &ROUGH);
+        }
+        let (weights, fine) = (Weights { pull: LAST, hard: HARD }, End { near: FINE.near * length, ..FINE });
+        search.descend(&task, rows, weights, &fine);
+        if search.state.distance > (REACHED * length).powi(2) {
+            task.unlock(search, rows, weights, &fine);
         }
         leave_bodies(&mut task, search, rows);
         self.curvatures.copy_from_slice(rows);
@@ -151,13 +157,13 @@ pub(super) fn leave_bodies(task: &mut Task, search: &mut Search, rows: &mut Vec<
     let anchor = rows.clone();
     let mut task = Task { anchor: &anchor, pulls: &[], tip: None, ..*task };
     task.pulls = &[];
-    search.descend(&task, rows, Weights { pull: 0.0, hard: HARD }, LEAVING, 1e-6);
+    search.descend(&task, rows, Weights { pull: 0.0, hard: HARD }, &LEAVING);
 }
 
 impl Task<'_> {
     /// A strand that is pulled or pushed along itself where it is straight does not know to which side to bend: it is bent a little, and
     /// searches again.
-    fn unlock(&self, search: &mut Search, rows: &mut Vec<[f64; 3]>, weights: Weights, most: u32, gain: f64) {
+    fn unlock(&self, search: &mut Search, rows: &mut Vec<[f64; 3]>, weights: Weights, end: &End) {
         let Some(pull) = self.pulls.first() else { return };
         let first = self.free.iter().position(|free| free.iter().any(|free| *free));
         let Some(first) = first.filter(|first| *first <= pull.element) else { return };
@@ -182,10 +188,10 @@ impl Task<'_> {
             };
             row[axis] += bend;
         }
-        search.descend(self, rows, weights, most, gain);
+        search.descend(self, rows, weights, end);
         if search.state.cost >= before.0 {
             *rows = before.1;
-            search.descend(self, rows, weights, 0, gain);
+            search.descend(self, rows, weights, &End { most: 0, ..*end });
         }
     }
 }

@@ -68,6 +68,19 @@ pub(super) struct Weights {
     pub hard: f64,
 }
 
+/// When a search ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End {
+    /// Iterations at most.
+    pub most: u32,
+    /// An iteration that gains less of the cost than this is the last,
+    pub gain: f64,
+    /// if it also turns no frame by more than this, rad,
+    pub turn: f64,
+    /// or all is nearer to where it should be than this, m.
+    pub near: f64,
+}
+
 /// A strand in one shape.
 #[derive(Debug, Default)]
 pub(super) struct State {
@@ -77,6 +90,8 @@ pub(super) struct State {
     pub cost: f64,
     /// Σ w |r − t|².
     pub distance: f64,
+    /// What is neither bending nor pulls, m².
+    pub hard: f64,
     /// The deepest place in a body, m.
     pub depth: f64,
 }
@@ -84,7 +99,18 @@ pub(super) struct State {
 /// No frame turns by more than this in an iteration, rad.
 const TURN_LIMIT: f64 = 0.6;
 /// How often an iteration damps more before it gives up.
-const TRIALS: usize = 10;
+const TRIALS: usize = 12;
+/// By how much damping grows where a step fails, and falls where one does well.
+const MORE: f64 = 10.0;
+const LESS: f64 = 0.2;
+/// A gain of less than this share is none.
+const ROUNDING: f64 = 1e-14;
+/// The first damping.
+const LEAST_DAMPING: f64 = 1e-2;
+/// The same in units of the pulling force times the length.
+const PULLED: f64 = 1e-3;
+/// A step so many times too long is held back by damping, not shortened: its direction says nothing.
+const FAR: f64 = 2.0;
 /// Touches that are nearer than this share of the strand's length may be met by a step.
 const NEAR: f64 = 0.05;
 /// Rounds in which touches that a step would go through are put in its way.
@@ -116,7 +142,7 @@ impl Search {
     /// Begins with a strand in its present shape: bodies are met on the way from there.
     pub fn begin(&mut self, task: &Task, rows: &[[f64; 3]]) {
         element_states(task.root, task.lengths.iter().copied(), rows, &mut self.start);
-        (self.iterations, self.damping) = (0, 0.0);
+        self.iterations = 0;
     }
 
     /// Brings `state` to a shape.
@@ -159,20 +185,30 @@ impl Search {
                 hard += depth * depth;
             }
         }
+        state.hard = hard;
         state.cost = 0.5 * (task.length.powi(3) * bent + weights.pull * state.distance + weights.hard * hard);
     }
 
-    /// Goes downhill from `rows`, which is left at the best shape found; at most `most` iterations, and none after one that gains less than
-    /// `least_gain` of the cost. Whether it ended by that.
-    pub fn descend(&mut self, task: &Task, rows: &mut Vec<[f64; 3]>, weights: Weights, most: u32, least_gain: f64) -> bool {
+    /// Goes downhill from `rows`, which is left at the best shape found.
+    pub fn descend(&mut self, task: &Task, rows: &mut Vec<[f64; 3]>, weights: Weights, end: &End) {
         self.place(task, rows, weights);
         std::mem::swap(&mut self.state, &mut self.trial);
+        self.damping = 0.0;
         let mut exact = false;
-        for _ in 0..most {
+        for _ in 0..end.most {
             self.iterations += 1;
-            let mut gained = 0.0;
+            let (mut gained, mut turned) = (0.0, 0.0);
+            // What pulls holds back, where it does, as much as a stiffness of about this.
+            let scale = LEAST_DAMPING + PULLED * weights.pull * self.state.distance.sqrt() / task.length;
             for _ in 0..TRIALS {
                 self.direction(task, rows, weights, exact);
+                if self.step.gain <= ROUNDING * self.state.cost {
+                    break;
+                }
+                if exact && self.step.turn > FAR * TURN_LIMIT {
+                    self.damping = (MORE * self.damping).max(scale);
+                    continue;
+                }
                 let share = if self.step.turn > TURN_LIMIT { TURN_LIMIT / self.step.turn } else { 1.0 };
                 self.advance(task, rows, share);
                 let next = std::mem::take(&mut self.rows);
@@ -181,24 +217,26 @@ impl Search {
                 let fall = self.state.cost - self.trial.cost;
                 if fall > 0.0 {
                     gained = fall / self.state.cost;
+                    // A step that is held back says nothing of how far there is to go.
+                    turned = if self.damping < scale { self.step.turn } else { f64::INFINITY };
                     let ratio = fall / (self.step.gain * share * (2.0 - share));
                     if ratio > 0.5 {
-                        self.damping = if self.damping > 1e-6 { 0.1 * self.damping } else { 0.0 };
+                        self.damping = if self.damping > 1e-3 * scale { LESS * self.damping } else { 0.0 };
                     } else if ratio < 0.1 {
-                        self.damping = (10.0 * self.damping).max(1e-2);
+                        self.damping = (10.0 * self.damping).max(LEAST_DAMPING);
                     }
                     std::mem::swap(&mut self.state, &mut self.trial);
                     std::mem::swap(rows, &mut self.rows);
                     break;
                 }
-                self.damping = (10.0 * self.damping).max(1e-2);
+                self.damping = (MORE * self.damping).max(scale);
             }
-            if gained < least_gain {
-                return true;
+            let near = self.state.distance + self.state.hard < end.near * end.near;
+            if gained < ROUNDING || gained < end.gain && (near || turned < end.turn) {
+                break;
             }
             exact = gained < SLOW;
         }
-        false
     }
 
     /// The step from the present state. Touches that it would go through are put in its way.
