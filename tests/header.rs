@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 29] = [
+const SOURCES: [&str; 32] = [
     "version",
     "errors",
     "types",
