@@ -340,7 +340,7 @@ mod tests {
         let sphere = Shape::new_sphere(0.03).unwrap();
         let root = Frame::default();
         let origin = Vector3::new(0.1, 0.2, 0.3);
-        let pose = Frame { origin: origin + Vector3::new(0.07, 0.01, 0.0), ..root };
+        let pose = Frame { origin: origin + Vector3::new(0.055, 0.012, 0.0), ..root };
         let bodies = [BodyAt::new(0, &sphere, pose, pose, 0.0)];
         let pulls = [
             Pull { element: 1, s: 0.02, target: Vec3([0.05, 0.03, 0.01]), weight: 0.7 },
