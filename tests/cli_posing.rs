@@ -3,6 +3,7 @@
 
 mod cli_support;
 
+use std::f64::consts::FRAC_1_SQRT_2 as HALF;
 use std::path::Path;
 
 use cli_support::{data, difference, directory, errors, numbers, run, run_text, small_scene, superhelix, with};
@@ -92,7 +93,7 @@ fn a_drag_reaches_its_target_and_bodies_are_kept_out_of() {
 fn shapes_are_taken_and_strands_stiffened_by_flags() {
     let directory = directory("posing_rest");
     // Upright, long and limp.
-    let mut scene = with(scene(), "/strands/0/root", json!({ "rotation": [0.0, -0.7071067811865476, 0.0, 0.7071067811865476] }));
+    let mut scene = with(scene(), "/strands/0/root", json!({ "rotation": [0.0, -HALF, 0.0, HALF] }));
     scene["strands"][0]["length"] = json!(0.4);
     scene["strands"][0]["natural_curvatures"] = json!([[0.0, 0.5, 0.0]]);
     scene["duration"] = json!(0.5);
