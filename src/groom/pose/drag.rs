@@ -52,7 +52,7 @@ pub(super) const HARD: f64 = 1e9;
 const FIRST: [f64; 2] = [1e3, 1e5];
 const LAST: f64 = 1e9;
 /// When a search with one of the first ends; the length is multiplied by `near`.
-const ROUGH: End = End { most: 20, gain: 1e-2, turn: f64::INFINITY, near: 0.0 };
+const ROUGH: End = End { most: 20, gain: 3e-2, turn: f64::INFINITY, near: 0.0 };
 /// When one with the last ends.
 const FINE: End = End { most: 100, gain: 1e-4, turn: 1e-7, near: 1e-7 };
 /// A target is reached that is nearer than this share of the length.

@@ -75,9 +75,9 @@ pub(super) struct End {
     pub most: u32,
     /// An iteration that gains less of the cost than this is the last,
     pub gain: f64,
-    /// if it also turns no frame by more than this, rad,
+    /// if it also turns no frame by more than this, rad;
     pub turn: f64,
-    /// or all is nearer to where it should be than this, m.
+    /// and one after which all is nearer to where it should be than this, m.
     pub near: f64,
 }
 
@@ -232,7 +232,7 @@ impl Search {
                 self.damping = (MORE * self.damping).max(scale);
             }
             let near = self.state.distance + self.state.hard < end.near * end.near;
-            if gained < ROUNDING || gained < end.gain && (near || turned < end.turn) {
+            if near || gained < ROUNDING || gained < end.gain && turned < end.turn {
                 break;
             }
             exact = gained < SLOW;
