@@ -711,6 +711,89 @@ typedef struct shx_settle_report {
   double seconds;
 } shx_settle_report;
 
+// Section and material of a strand, as shx_strand_def has them. Fill with shx_material_init, then change what you need.
+typedef struct shx_material {
+  // Set by shx_material_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // Semi-axes of the section along n1 and n2, m; above zero. Default 50e-6, 50e-6.
+  double radius[2];
+  // Density, kg/m^3; above zero. Default 1300.
+  double density;
+  // Young's modulus, Pa; above zero. Default 2e9.
+  double youngs_modulus;
+  // Poisson's ratio; above -1, at most 0.5. Default 0.48.
+  double poisson_ratio;
+  // Internal friction gamma, kg m^3/s; zero or above. Default 0.
+  double internal_friction;
+  // Kelvin-Voigt time mu, s; zero or above. Default 0.
+  double viscosity;
+  // Air drag nu, kg/(m s); zero or above. Default 0.
+  double air_drag;
+} shx_material;
+
+// How strands are dragged and brushed. Fill with shx_pose_options_init, then change what you need.
+typedef struct shx_pose_options {
+  // Set by shx_pose_options_init.
+  uint32_t struct_size;
+  // 1: a strand's direction at its tip stays what it is. Default 0.
+  uint32_t keep_tip_direction;
+  // 1 (default): strands are kept out of the solver's bodies (those that a strand's shx_strand_contact names; of strands without, all),
+  // and taken out of them. 0: bodies are not looked at.
+  uint32_t keep_out;
+  // 0.
+  uint32_t reserved0;
+  // The shape to stay near: 0 (default) the present one, 1 the natural one, between them a mixture.
+  double natural_pull;
+  // How far strands stay from bodies, beyond both thicknesses, m; 0 (default) or above.
+  double clearance;
+  // Which elements may change: 1 or 0 for each element of each strand of the call, strand after strand; the others keep their
+  // curvatures to the bit. Null (default): all may.
+  const uint8_t *movable;
+  // How many numbers movable has: the strands' elements together. Not read when movable is null.
+  size_t movable_count;
+  // 0.
+  uint64_t reserved[4];
+} shx_pose_options;
+
+// A ball that is moved, and with it what lies in it. Fill with shx_brush_init, then set at least radius.
+typedef struct shx_brush {
+  // Set by shx_brush_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // Where it is before it moves, world, m. Default 0.
+  double centre[3];
+  // m; above zero. Default 0: set it.
+  double radius;
+  // A point at distance d is to follow by the share (1 - d^2/radius^2)^falloff of the movement. Zero or above; 0: all of the ball alike.
+  // Default 1.
+  double falloff;
+  // Where it goes, m. Default 0.
+  double movement[3];
+  // 0.
+  uint64_t reserved[2];
+} shx_brush;
+
+// A change of one element of a strand. Fill with shx_element_change_init, then change what you need.
+typedef struct shx_element_change {
+  // Set by shx_element_change_init.
+  uint32_t struct_size;
+  // Which element, from 0 at the root. Default 0.
+  uint32_t element;
+  // By how much more its end is twisted about the strand, rad. Default 0.
+  double twist;
+  // By how much more it turns about n1 and n2, rad. Default 0.
+  double bend[2];
+  // Factor on its length; above zero. Default 1.
+  double stretch;
+  // 1 (default): a longer element keeps its curvatures, so that the helix goes on; 0: it keeps the angles that it turns by.
+  uint32_t keep_curvature;
+  // 0.
+  uint32_t reserved;
+} shx_element_change;
+
 // How strands are sampled. Fill with shx_sample_def_init.
 typedef struct shx_sample_def {
   // Set by shx_sample_def_init.
@@ -1605,6 +1688,94 @@ SHX_API shx_result shx_solver_get_shapes(const shx_solver *solver, const shx_str
 // together, a number that is not finite, a frozen freedom). Alone with the solver.
 SHX_API shx_result shx_solver_set_shapes(shx_solver *solver, const shx_strand_id *ids, size_t count,
     const double *curvatures, size_t row_count);
+
+// ---- Materials -----------------------------------------------------------------------------------------------------
+
+// Fills a material with the defaults. size is sizeof(shx_material).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_material_init(shx_material *material, size_t size);
+
+// Changes sections and materials of count living strands: from then on they are as strands that were made so. Material i begins i *
+// def_stride bytes after the first (def_stride: sizeof(shx_material)); def_count is count, or 1: one for all. Shapes, natural shapes,
+// velocities and freedoms stay, and so do the radii of contact (shx_solver_set_contact). A strand that hung at rest does so no more:
+// shx_solver_take_rest_shapes makes its shape one of rest again.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names
+// "defs[3].density"). Alone with the solver.
+SHX_API shx_result shx_solver_set_materials(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_material *defs, size_t def_stride, size_t def_count);
+
+// The section and material that a strand has now, into out_material, which shx_material_init has filled.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+SHX_API shx_result shx_solver_get_material(const shx_solver *solver, shx_strand_id id, shx_material *out_material);
+
+// ---- How strands are posed -----------------------------------------------------------------------------------------
+
+// Fills options with the defaults. size is sizeof(shx_pose_options).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_pose_options_init(shx_pose_options *options, size_t size);
+
+// Fills a brush with the defaults. size is sizeof(shx_brush).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_brush_init(shx_brush *brush, size_t size);
+
+// Fills a change with the defaults: none. size is sizeof(shx_element_change).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_element_change_init(shx_element_change *change, size_t size);
+
+// ---- Posing --------------------------------------------------------------------------------------------------------
+
+// Drags a point of each of count strands to a target: the point at arclengths[i] (m from the root, above 0) to item i of targets
+// (SHX_FORMAT_F32X3, _F64X3; world, m; count items). Roots, lengths and natural shapes stay. Among the shapes that bring the point
+// there one near the present shape is taken (options.natural_pull: near the natural one), bent as the strand's stiffness bends it. A
+// target out of reach is approached; one within a body counts as the nearest place of its surface. The strands are at rest then,
+// relative to their roots, and quarantines are cleared. Gravity, constraints and other strands are not looked at:
+// shx_solver_take_rest_shapes makes the pose one that stays. options: null for the defaults. out_distances: how far each point is
+// from its target, m; count numbers, or null. Each strand may be named once. The work is shared among the solver's workers; the
+// results' bits do not depend on them.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Alone with the solver.
+SHX_API shx_result shx_solver_drag_strands(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const double *arclengths, const shx_input *targets, const shx_pose_options *options, double *out_distances);
+
+// Moves a brush over count strands: the points that lie in it before it moves are to follow it, by the brush's falloff; strands bend, by
+// least squares, roots and lengths stay. Strands with no point in the brush are left alone to the bit, velocities included; the others
+// are at rest then, as after shx_solver_drag_strands, which says what is kept out of. options: null for the defaults. out_touched: 1
+// for each strand with a point in the brush, else 0; out_distances: the root mean square distance of each strand's points in the brush
+// from where they were to go, m. Each holds count items or is null. Each strand may be named once. The work is shared among the
+// solver's workers; the results' bits do not depend on them.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Alone with the solver.
+SHX_API shx_result shx_solver_brush_strands(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_brush *brush, const shx_pose_options *options, uint8_t *out_touched, double *out_distances);
+
+// Changes an element of each of count strands: twists, bends and lengthens it; what lies beyond goes along as it is. Change i begins i *
+// def_stride bytes after the first (def_stride: sizeof(shx_element_change)). Twist and bending act on the present shape, the length on
+// the natural one as well. The strands are at rest then, relative to their roots. Each strand may be named once.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (also a frozen freedom, and
+// a strand that a constraint would hold beyond its new length). Alone with the solver.
+SHX_API shx_result shx_solver_change_elements(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_element_change *defs, size_t def_stride);
+
+// Cuts count strands, strand i at arclengths[i] (m from the root, above 0, at most its length), at any moment of a run: what is left keeps
+// its shape, its natural shape and its velocities exactly. The element that is cut is shorter, of the same helix; elements beyond are
+// gone. Each strand may be named once.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (also a strand that a constraint holds beyond the
+// cut). Alone with the solver.
+SHX_API shx_result shx_solver_cut_strands(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const double *arclengths);
+
+// Lets count strands grow at their tips by length (m, above 0), at any moment of a run: what was there keeps shape and velocities, and what
+// is new moves with the tip. element_count elements are added, all equally long; 0: the last one becomes longer. curvatures: three
+// doubles, rad/m, of the added elements and their natural shape; null: those of the last one, so that the helix goes on (and null where
+// element_count is 0). Each strand may be named once.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_grow_strands(shx_solver *solver, const shx_strand_id *ids, size_t count, double length,
+    uint32_t element_count, const double *curvatures);
+
+// Adds the images of count strands in a mirror, the plane through point across normal (three doubles each; normal of any length above
+// zero): shape, natural shape and velocities as they are now, curls the other way round; material, contact and user_data are copied.
+// The images' roots stay where they are until they are moved. out_ids receives count ids, in the order of ids.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+SHX_API shx_result shx_solver_mirror_strands(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const double *point, const double *normal, shx_strand_id *out_ids);
 
 // ---- Sampling ------------------------------------------------------------------------------------------------------
 

@@ -228,6 +228,13 @@ fn elements_change_under_way() {
 }
 
 #[test]
+fn strands_are_posed_from_c() {
+    let path = program("posing");
+    run(&mut Command::new(&path));
+    run(&mut valgrind(&path));
+}
+
+#[test]
 fn rule_1_two_copies_in_one_process() {
     let first = build().join("lib/libsuperhelix.so");
     let second = build().join("libsuperhelix_copy.so");

@@ -14,6 +14,8 @@ use superhelix::capi::{
     fit_curves::{shx_fit_curves, shx_fit_options, shx_fitted_strand},
     friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
     hair::{shx_hair, shx_hair_strand, shx_sliders},
+    materials::shx_material,
+    pose_def::{shx_brush, shx_element_change, shx_pose_options},
     sampling::shx_sample_def,
     settings::shx_settings,
     settle::{shx_settle_def, shx_settle_report},
@@ -75,6 +77,10 @@ fn every_size_and_offset_is_as_published() {
         shx_sliders: 64 { struct_size: 0, reserved0: 4, curliness: 8, stiffness: 16, discipline: 24, weight: 32, combing_ease: 40, reserved: 48 }
         shx_hair_strand: 88 { radius: 0, density: 16, youngs_modulus: 24, poisson_ratio: 32, internal_friction: 40, viscosity: 48, air_drag: 56, root_turn: 64, friction_along: 72, friction_against: 80 }
         shx_curve_data: 184 { struct_size: 0, up: 4, strand_count: 8, point_counts: 16, points: 24, velocities: 56, thickness: 88, transparency: 96, colors: 104, held: 112, strand_thickness: 120, strand_uvs: 128, metres_per_unit: 136, tfx_version: 144, reserved0: 148, reserved: 152 }
+        shx_pose_options: 80 { struct_size: 0, keep_tip_direction: 4, keep_out: 8, reserved0: 12, natural_pull: 16, clearance: 24, movable: 32, movable_count: 40, reserved: 48 }
+        shx_brush: 88 { struct_size: 0, reserved0: 4, centre: 8, radius: 32, falloff: 40, movement: 48, reserved: 72 }
+        shx_element_change: 48 { struct_size: 0, element: 4, twist: 8, bend: 16, stretch: 32, keep_curvature: 40, reserved: 44 }
+        shx_material: 72 { struct_size: 0, reserved0: 4, radius: 8, density: 24, youngs_modulus: 32, poisson_ratio: 40, internal_friction: 48, viscosity: 56, air_drag: 64 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

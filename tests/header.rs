@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 32] = [
+const SOURCES: [&str; 35] = [
     "version",
     "errors",
     "types",
@@ -20,6 +20,9 @@ const SOURCES: [&str; 32] = [
     "level_of_detail",
     "settle",
     "restyling",
+    "materials",
+    "pose_def",
+    "posing",
     "sampling",
     "body_def",
     "bodies",
@@ -40,7 +43,7 @@ const SOURCES: [&str; 32] = [
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 44] = [
+const SECTIONS: [(&str, &str); 47] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -69,6 +72,9 @@ const SECTIONS: [(&str, &str); 44] = [
     ("SHX_API shx_result shx_solver_set_element_count(", "Level of detail"),
     ("SHX_API shx_result shx_settle_def_init(", "Static rest"),
     ("SHX_API shx_result shx_solver_take_natural_shapes(", "Shapes taken as they are"),
+    ("SHX_API shx_result shx_material_init(", "Materials"),
+    ("SHX_API shx_result shx_pose_options_init(", "How strands are posed"),
+    ("SHX_API shx_result shx_solver_drag_strands(", "Posing"),
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
     ("SHX_API shx_result shx_body_def_init(", "Bodies"),
     ("SHX_API shx_result shx_contact_options_init(", "Contact"),

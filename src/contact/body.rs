@@ -151,11 +151,7 @@ impl Body {
         self.way.begin(h);
         let Some(bending) = &mut self.bending else {
             // A shape shared with a body that deforms, as it was in the middle of its way.
-            if self.def.shape.mesh().is_some_and(Mesh::is_moving)
-                && let Some(mesh) = Arc::make_mut(&mut self.def.shape).deforming_mut()
-            {
-                mesh.rest();
-            }
+            self.rest();
             return;
         };
         if bending.duration == 0.0 {
@@ -181,6 +177,22 @@ impl Body {
             mask,
             ..BodyAt::new(index, &self.def.shape, self.way.pose, self.way.after(h), self.def.thickness)
         }
+    }
+
+    /// Ends what a mesh remembers of the last substep's way.
+    pub(crate) fn rest(&mut self) {
+        if self.def.shape.mesh().is_some_and(Mesh::is_moving)
+            && let Some(mesh) = Arc::make_mut(&mut self.def.shape).deforming_mut()
+        {
+            mesh.rest();
+        }
+    }
+
+    /// The body where it is now, at rest; a mesh as [`Body::rest`] leaves it.
+    pub(crate) fn still(&self, index: u32) -> BodyAt<'_> {
+        let BodyDef { friction, viscous_friction, group, mask, thickness, .. } = self.def;
+        let pose = self.def.pose;
+        BodyAt { friction, viscous_friction, group, mask, ..BodyAt::new(index, &self.def.shape, pose, pose, thickness) }
     }
 
     /// Counts the `h` seconds of a substep.

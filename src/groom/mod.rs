@@ -4,6 +4,7 @@ pub mod fit;
 pub mod hair_parameters;
 pub mod hair_type;
 pub mod polyline;
+pub mod pose;
 pub mod rest_shape;
 pub use crate::math::spline;
 pub mod stability;

@@ -112,6 +112,14 @@ impl Constraint {
         }
     }
 
+    /// Where the other end of a tie holds a strand, m.
+    pub fn tied(&self, strand: StrandId) -> Option<f64> {
+        match self.def.hold {
+            Hold::Tie { other, arclength } if other == strand => Some(arclength),
+            _ => None,
+        }
+    }
+
     /// Empties the report of the last substep.
     pub fn begin_report(&mut self) {
         if self.state.status != ConstraintStatus::Released {

@@ -116,11 +116,22 @@ impl Solver {
 
     /// Puts a strand into a shape, with rates (`None`: at rest relative to its root).
     pub(super) fn put(&mut self, index: usize, curvatures: Vec<[f64; 3]>, rates: Option<Vec<[f64; 3]>>) {
+        self.put_with(index, curvatures, rates, &mut Kinematics::default());
+    }
+
+    /// The same; `kinematics` is scratch.
+    pub(super) fn put_with(
+        &mut self,
+        index: usize,
+        curvatures: Vec<[f64; 3]>,
+        rates: Option<Vec<[f64; 3]>>,
+        kinematics: &mut Kinematics<f64>,
+    ) {
         let strand = &mut self.strands[index];
         strand.state.rates = rates.unwrap_or_else(|| vec![[0.0; 3]; curvatures.len()]);
         strand.state.curvatures = curvatures;
         strand.state.velocities_from_rates(&strand.model, &self.rules);
         strand.fared = Fared::well();
-        strand.update_energies(self.options.gravity, &self.rules, &mut Kinematics::default());
+        strand.update_energies(self.options.gravity, &self.rules, kinematics);
     }
 }

@@ -8,7 +8,10 @@ mod editing;
 mod holding;
 pub mod id;
 mod level_of_detail;
+mod materials;
+mod mirroring;
 mod population;
+mod posing;
 mod reading;
 pub mod report;
 mod restyling;
@@ -19,11 +22,13 @@ mod snapshot;
 mod stepping;
 mod strand;
 mod touching;
+mod trimming;
 mod workers;
 
 use nalgebra::Vector3;
 
 pub use bulk_sampling::{SampleSink, Tile, Wanted};
+pub use materials::Stiffening;
 pub use sampling::Sample;
 pub use snapshot::SNAPSHOT_VERSION;
 pub use stepping::SHORTEST_STEP;

@@ -52,7 +52,7 @@ impl Solver {
 
     /// Room for as many more strands. Grows by an eighth at least, so that adding one by one is not slow; not by the double, as a list of
     /// its own would: most of a solver's memory is here.
-    fn make_room(&mut self, more: usize) {
+    pub(super) fn make_room(&mut self, more: usize) {
         let (length, capacity) = (self.strands.len(), self.strands.capacity());
         if length + more > capacity {
             self.strands.reserve_exact((length + more).max(capacity + capacity / 8) - length);

@@ -399,5 +399,44 @@ AT(shx_curve_data, metres_per_unit, 136);
 AT(shx_curve_data, tfx_version, 144);
 AT(shx_curve_data, reserved0, 148);
 AT(shx_curve_data, reserved, 152);
+SIZE(shx_pose_options, 80);
+AT(shx_pose_options, struct_size, 0);
+AT(shx_pose_options, keep_tip_direction, 4);
+AT(shx_pose_options, keep_out, 8);
+AT(shx_pose_options, reserved0, 12);
+AT(shx_pose_options, natural_pull, 16);
+AT(shx_pose_options, clearance, 24);
+AT(shx_pose_options, movable, 32);
+AT(shx_pose_options, movable_count, 40);
+AT(shx_pose_options, reserved, 48);
+
+SIZE(shx_brush, 88);
+AT(shx_brush, struct_size, 0);
+AT(shx_brush, reserved0, 4);
+AT(shx_brush, centre, 8);
+AT(shx_brush, radius, 32);
+AT(shx_brush, falloff, 40);
+AT(shx_brush, movement, 48);
+AT(shx_brush, reserved, 72);
+
+SIZE(shx_element_change, 48);
+AT(shx_element_change, struct_size, 0);
+AT(shx_element_change, element, 4);
+AT(shx_element_change, twist, 8);
+AT(shx_element_change, bend, 16);
+AT(shx_element_change, stretch, 32);
+AT(shx_element_change, keep_curvature, 40);
+AT(shx_element_change, reserved, 44);
+
+SIZE(shx_material, 72);
+AT(shx_material, struct_size, 0);
+AT(shx_material, reserved0, 4);
+AT(shx_material, radius, 8);
+AT(shx_material, density, 24);
+AT(shx_material, youngs_modulus, 32);
+AT(shx_material, poisson_ratio, 40);
+AT(shx_material, internal_friction, 48);
+AT(shx_material, viscosity, 56);
+AT(shx_material, air_drag, 64);
 
 int main(void) { return 0; }

@@ -14,6 +14,7 @@ mod fit_curves;
 mod friction_fit;
 mod hair;
 mod level_of_detail;
+mod posing;
 mod restyling;
 mod roots;
 mod sampling;
@@ -43,6 +44,9 @@ use superhelix::capi::fit_curves::*;
 use superhelix::capi::friction_fit::*;
 use superhelix::capi::hair::*;
 use superhelix::capi::level_of_detail::*;
+use superhelix::capi::materials::*;
+use superhelix::capi::pose_def::*;
+use superhelix::capi::posing::*;
 use superhelix::capi::restyling::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
@@ -157,6 +161,7 @@ fn table() -> Vec<Case> {
         shape::cases,
         settle::cases,
         restyling::cases,
+        posing::cases,
         level_of_detail::cases,
         suggest::cases,
         sampling::cases,

@@ -14,9 +14,10 @@ use superhelix::workers::Workers;
 
 use crate::failure::Failure;
 use crate::fit_scene;
-use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_length, definition};
+use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_length, check_stiffening, definition};
 use crate::material_arguments::MaterialArguments;
 use crate::picture::view::Up;
+use crate::rest_arguments::StiffeningArguments;
 use crate::simulate::{not_negative, positive};
 
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
@@ -61,6 +62,8 @@ pub struct FitArguments {
     /// For --out: natural shape of the strands.
     #[arg(long, value_enum, value_name = "SHAPE", default_value_t = NaturalShape::SagFree)]
     natural: NaturalShape,
+    #[command(flatten)]
+    stiffening: StiffeningArguments,
     #[command(flatten)]
     material: MaterialArguments,
     /// The answer as JSON.
@@ -135,6 +138,7 @@ struct Answer {
 
 /// Runs the command.
 pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
+    check_stiffening(arguments.natural, &arguments.stiffening)?;
     let material = arguments.material.material()?;
     let curves = Curves::read(&arguments.groom)?;
     let scale = arguments.scale.unwrap_or(1.0);
@@ -202,6 +206,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
             elements: 0,
             material,
             natural: arguments.natural,
+            stiffening: arguments.stiffening.stiffening(),
             gravity: arguments.up.gravity(),
             quadrature_tolerance: superhelix::math::quadrature::DEFAULT_TOLERANCE,
         };

@@ -30,7 +30,8 @@ pub fn write(path: &Path, strands: &[StrandDef], gravity: Vector3<f64>) -> Resul
     file.commit()
 }
 
-fn one(strand: &StrandDef) -> Value {
+/// A strand as an object of a scene file.
+pub fn one(strand: &StrandDef) -> Value {
     let material = &strand.material;
     let [x, y, z]: [f64; 3] = strand.root.origin.into();
     let mut value = json!({

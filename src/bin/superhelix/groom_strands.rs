@@ -6,10 +6,13 @@ use rayon::prelude::*;
 use serde::Serialize;
 use superhelix::error::Error;
 use superhelix::groom::fit::{Fit, FitOptions, fit_polyline, natural_under_gravity_with};
+use superhelix::groom::stability::stability_under_gravity;
 use superhelix::rod::material::Material;
+use superhelix::solver::Stiffening;
 use superhelix::solver::definition::StrandDef;
 
 use crate::failure::Failure;
+use crate::rest_arguments::StiffeningArguments;
 
 /// What a strand's natural shape is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -29,6 +32,8 @@ pub struct StrandRecipe {
     pub material: Material,
     /// Natural shape.
     pub natural: NaturalShape,
+    /// By what strands that hang unstably are made stiffer, and how far from the border they are to be then; for sag-free ones.
+    pub stiffening: Option<(Stiffening, f64)>,
     /// Gravity, m/s².
     pub gravity: Vector3<f64>,
     /// That of the solver, so that the balance is exact there.
@@ -95,6 +100,14 @@ fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Res
     Ok(GroomStrand { index, definition, fit_error })
 }
 
+/// Strands whose natural shape is the drawn one hang in another, which is not known yet.
+pub fn check_stiffening(natural: NaturalShape, stiffening: &StiffeningArguments) -> Result<(), Failure> {
+    if natural == NaturalShape::AsDrawn && stiffening.stiffening().is_some() {
+        return Err(Failure::Other("--stiffen needs --natural sag-free: it is rest that takes stiffness".into()));
+    }
+    Ok(())
+}
+
 /// A strand that is not longer than wide cannot be simulated.
 pub fn check_length(length: f64, material: &Material) -> Result<(), String> {
     let width = 2.0 * material.radius[0].max(material.radius[1]);
@@ -114,6 +127,10 @@ pub fn definition(fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, Error> {
         ..StrandDef::straight(1.0, 1)
     };
     if recipe.natural == NaturalShape::SagFree {
+        if let Some((by, margin)) = recipe.stiffening {
+            let stability = stability_under_gravity(&definition, &fit.curvatures, recipe.gravity)?;
+            definition.material = by.applied(&definition.material, by.scale(&stability, margin)?);
+        }
         definition.natural =
             natural_under_gravity_with(&definition, &fit.curvatures, recipe.gravity, recipe.quadrature_tolerance)?;
         definition.initial = Some(fit.curvatures);

@@ -263,6 +263,11 @@ impl<'a> Node<'a> {
         whole.filter(|whole| range.contains(whole)).ok_or_else(expected)
     }
 
+    /// true or false.
+    pub fn truth(&self) -> Result<bool, Complaint> {
+        self.value.as_bool().ok_or_else(|| self.complain("true or false"))
+    }
+
     /// A list of exactly `N` numbers.
     pub fn numbers<const N: usize>(&self) -> Result<[f64; N], Complaint> {
         let items = self.list().map_err(|_| self.complain(format!("a list of {N} numbers")))?;

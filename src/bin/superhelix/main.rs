@@ -17,9 +17,11 @@ mod json;
 mod lock;
 mod material_arguments;
 mod picture;
+mod pose;
 mod progress;
 mod report;
 mod resolution;
+mod rest_arguments;
 mod result;
 mod run;
 mod scene;
@@ -53,6 +55,7 @@ enum Command {
     Convert(convert::ConvertArguments),
     Lock(Box<lock::LockArguments>),
     Bake(bake::BakeArguments),
+    Pose(pose::PoseArguments),
     Picture(picture::PictureArguments),
     Settings(settings::SettingsArguments),
     Fit(Box<fit::FitArguments>),
@@ -87,6 +90,7 @@ fn main() -> ExitCode {
         Command::Convert(arguments) => convert::run(arguments),
         Command::Lock(arguments) => lock::run(arguments),
         Command::Bake(arguments) => bake::run(arguments),
+        Command::Pose(arguments) => pose::run(arguments),
         Command::Picture(arguments) => picture::run(arguments),
         Command::Settings(arguments) => settings::run(arguments),
         Command::Fit(arguments) => fit::run(arguments),

@@ -15,6 +15,7 @@ use crate::failure::Failure;
 use crate::progress;
 use crate::report::Report;
 use crate::resolution;
+use crate::rest_arguments::RestArguments;
 use crate::result::RunResult;
 use crate::scene::{self, Scene};
 use crate::settled;
@@ -31,6 +32,8 @@ pub struct RunArguments {
     /// Where the result goes: JSON. Written whole or not at all.
     #[arg(long, value_name = "RESULT.json")]
     out: PathBuf,
+    #[command(flatten)]
+    rest: RestArguments,
     /// Start the strands at rest in their static equilibrium under the scene's gravity, searched for from their initial shapes.
     #[arg(long)]
     settle: bool,
@@ -42,7 +45,8 @@ pub struct RunArguments {
 /// Runs the command.
 pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let path = &arguments.scene;
-    let scene = scene::load(path)?;
+    let mut scene = scene::load(path)?;
+    arguments.rest.apply(&mut scene, path)?;
 
     // The solver has the last word on what it can do: its complaints about the scene are the scene's.
     let complain = |error: superhelix::error::Error| match error {

@@ -30,6 +30,7 @@ use crate::picture::view::{Face, Up};
 use crate::picture::{self, spread};
 use crate::report::Report;
 use crate::resolution::Shapes;
+use crate::rest_arguments::StiffeningArguments;
 use crate::settings::preset;
 use crate::simulate_body::{BodyArguments, HeadBody};
 use crate::simulate_report::{FitReport, SimulateReport};
@@ -82,6 +83,8 @@ pub struct SimulateArguments {
     /// Natural shape of the strands.
     #[arg(long, value_enum, value_name = "SHAPE", default_value_t = NaturalShape::SagFree)]
     natural: NaturalShape,
+    #[command(flatten)]
+    stiffening: StiffeningArguments,
     /// Start the strands at rest in their static equilibrium under gravity, searched for from the groom's shape.
     #[arg(long)]
     settle: bool,
@@ -216,6 +219,7 @@ fn precision(text: &str) -> Result<Precision, String> {
 /// Runs the command.
 pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let begun = Instant::now();
+    groom_strands::check_stiffening(arguments.natural, &arguments.stiffening)?;
     let (motion, duration) = read_motion(arguments)?;
     let curves = Curves::read(&arguments.groom)?;
     arguments.up.check_groom(&arguments.groom, &curves)?;
@@ -226,6 +230,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         elements: fineness.elements as usize,
         material: arguments.material.material()?,
         natural: arguments.natural,
+        stiffening: arguments.stiffening.stiffening(),
         gravity: arguments.up.gravity(),
         quadrature_tolerance: fineness.step.quadrature_tolerance,
     };

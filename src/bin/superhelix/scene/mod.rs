@@ -8,6 +8,8 @@ mod hair;
 pub mod options;
 pub mod outputs;
 mod pose;
+mod posed;
+pub mod posing;
 mod strands;
 mod words;
 
@@ -25,6 +27,7 @@ use attachments::Attachment;
 use colliders::Collider;
 pub use options::{INTEGRATORS, LINEAR_SOLVERS, PRECISIONS};
 pub use outputs::{Output, Request};
+pub use posed::apply as pose;
 pub use strands::SceneStrand;
 pub use words::in_words_of_the_scene;
 
@@ -49,13 +52,17 @@ pub struct Scene {
     pub outputs: Vec<Request>,
 }
 
-/// Reads a scene file.
+/// Reads a scene file; its strands are posed already.
 pub fn load(path: &Path) -> Result<Scene, Failure> {
-    let bytes = fs::read(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
-    let text =
-        String::from_utf8(bytes).map_err(|error| Failure::BadScene(format!("{}: is not UTF-8: {error}", path.display())))?;
+    let text = read_text(path)?;
     let directory = path.parent().unwrap_or(Path::new(""));
     parse(&text, directory).map_err(|complaint| Failure::scene(path, &complaint))
+}
+
+/// The text of a scene file.
+pub fn read_text(path: &Path) -> Result<String, Failure> {
+    let bytes = fs::read(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
+    String::from_utf8(bytes).map_err(|error| Failure::BadScene(format!("{}: is not UTF-8: {error}", path.display())))
 }
 
 /// Reads a scene from its text; `directory` is where the files are that it names.
@@ -85,6 +92,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         "attachments",
         "hair_contact",
         "contact",
+        "posing",
         "samples",
         "output",
     ])?;
@@ -117,7 +125,10 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
     touching.give(&mut strands, given, &colliders)?;
     let attachments = scene.or("attachments", Vec::new(), |list| attachments::read(list, &strands))?;
     let outputs = outputs::read(&scene)?;
-    Ok(Scene { options, time_step, duration: seconds, output_interval, strands, colliders, attachments, outputs })
+    let posing = scene.or("posing", Vec::new(), posing::read)?;
+    let mut scene = Scene { options, time_step, duration: seconds, output_interval, strands, colliders, attachments, outputs };
+    posed::apply(&mut scene, &posing)?;
+    Ok(scene)
 }
 
 /// A time that a step can last.

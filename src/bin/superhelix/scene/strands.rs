@@ -21,6 +21,8 @@ pub struct SceneStrand {
     pub motion: Option<PoseSpline>,
     /// What it is to contact, where there is anything to touch.
     pub contact: Option<StrandContact>,
+    /// Of which of the file's strands it is the image, if it is one.
+    pub image_of: Option<usize>,
 }
 
 /// Reads one strand, but for its contact.
@@ -85,7 +87,7 @@ pub fn read(node: &Node) -> Result<SceneStrand, Complaint> {
         (definition.root_velocity, definition.root_angular_velocity) = motion.velocity(0.0);
     }
     definition.check(&node.key).map_err(in_words_of_the_scene)?;
-    Ok(SceneStrand { definition, motion, contact: None })
+    Ok(SceneStrand { definition, motion, contact: None, image_of: None })
 }
 
 /// `elements` and `length`, or `element_lengths` in place of both.

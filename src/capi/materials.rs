@@ -1,0 +1,135 @@
+//! Materials of living strands.
+
+use std::mem::size_of;
+
+use super::buffers::strand_ids;
+use super::errors::shx_result;
+use super::guard::{read, shx_solver, write};
+use super::types::shx_strand_id;
+use super::versioned::{Versioned, VersionedOutput, definitions, initialise};
+use crate::error::{Error, Result};
+use crate::rod::material::Material;
+use crate::solver::id::StrandId;
+
+/// Section and material of a strand, as shx_strand_def has them. Fill with shx_material_init, then change what you need.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_material {
+    /// Set by shx_material_init.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// Semi-axes of the section along n1 and n2, m; above zero. Default 50e-6, 50e-6.
+    pub radius: [f64; 2],
+    /// Density, kg/m^3; above zero. Default 1300.
+    pub density: f64,
+    /// Young's modulus, Pa; above zero. Default 2e9.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio; above -1, at most 0.5. Default 0.48.
+    pub poisson_ratio: f64,
+    /// Internal friction gamma, kg m^3/s; zero or above. Default 0.
+    pub internal_friction: f64,
+    /// Kelvin-Voigt time mu, s; zero or above. Default 0.
+    pub viscosity: f64,
+    /// Air drag nu, kg/(m s); zero or above. Default 0.
+    pub air_drag: f64,
+}
+
+const _: () = assert!(size_of::<shx_material>() == 72);
+
+// SAFETY: repr(C), a u32 first, no padding (asserted above), integers and doubles only.
+unsafe impl Versioned for shx_material {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self::of(&Material::default())
+    }
+}
+
+impl shx_material {
+    fn of(material: &Material) -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved0: 0,
+            radius: material.radius,
+            density: material.density,
+            youngs_modulus: material.youngs_modulus,
+            poisson_ratio: material.poisson_ratio,
+            internal_friction: material.internal_friction,
+            viscosity: material.viscosity,
+            air_drag: material.air_drag,
+        }
+    }
+
+    fn material(&self, argument: &str) -> Result<Material> {
+        if self.reserved0 != 0 {
+            return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
+        }
+        let material = Material {
+            radius: self.radius,
+            density: self.density,
+            youngs_modulus: self.youngs_modulus,
+            poisson_ratio: self.poisson_ratio,
+            internal_friction: self.internal_friction,
+            viscosity: self.viscosity,
+            air_drag: self.air_drag,
+        };
+        material.check(argument)?;
+        Ok(material)
+    }
+}
+
+/// Fills a material with the defaults. size is sizeof(shx_material).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_material_init(material: *mut shx_material, size: usize) -> shx_result {
+    // SAFETY: the caller says that material holds size bytes.
+    unsafe { initialise("shx_material_init", "material", material, size) }
+}
+
+/// Changes sections and materials of count living strands: from then on they are as strands that were made so. Material i begins i *
+/// def_stride bytes after the first (def_stride: sizeof(shx_material)); def_count is count, or 1: one for all. Shapes, natural shapes,
+/// velocities and freedoms stay, and so do the radii of contact (shx_solver_set_contact). A strand that hung at rest does so no more:
+/// shx_solver_take_rest_shapes makes its shape one of rest again.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names
+/// "defs[3].density"). Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_materials(
+    solver: *mut shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    defs: *const shx_material,
+    def_stride: usize,
+    def_count: usize,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and def_count structures.
+    unsafe {
+        write("shx_solver_set_materials", solver, |core, _| {
+            let ids = strand_ids(ids, count)?;
+            if def_count != count && def_count != 1 {
+                return Err(Error::invalid("def_count", def_count, format!("{count}, one a strand, or 1 for all")));
+            }
+            let read = |def: &shx_material, argument: &str| def.material(argument);
+            let materials = definitions("shx_material", defs, def_stride, def_count, read)?;
+            core.set_materials(&ids, &materials)
+        })
+    }
+}
+
+/// The section and material that a strand has now, into out_material, which shx_material_init has filled.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_material(
+    solver: *const shx_solver,
+    id: shx_strand_id,
+    out_material: *mut shx_material,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for a material of the size that it states.
+    unsafe {
+        read("shx_solver_get_material", solver, |core| {
+            let place = VersionedOutput::new("out_material", out_material)?;
+            place.write(&shx_material::of(core.material(StrandId::from_bits(id.bits))?));
+            Ok(())
+        })
+    }
+}

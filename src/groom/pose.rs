@@ -1,0 +1,199 @@
+//! Strands posed by hand: dragged by a point, brushed, bent and turned element by element, cut, grown, mirrored (`docs/posing.md`).
+//!
+//! A pose is a strand's root, element lengths and curvatures. Whatever is done to it, it stays a Super-Helix: elements do not stretch
+//! unless told to, and frames stay proper.
+
+mod brush;
+mod drag;
+mod element;
+mod elimination;
+mod mirror;
+mod search;
+mod springs;
+mod trim;
+
+use nalgebra::Vector3;
+
+pub use brush::{Brush, Brushed};
+pub use drag::{DragTarget, Dragged, PoseScratch};
+pub use element::ElementChange;
+pub use mirror::{Plane, mirrored};
+pub use trim::Growth;
+
+pub(crate) use brush::check_brush;
+pub(crate) use drag::check_target;
+pub(crate) use element::check_applied;
+pub(crate) use trim::{check_cut, cut_lengths};
+
+use crate::contact::body::BodyAt;
+use crate::contact::strand_body::Span;
+use crate::error::{Error, Result, check_finite, check_not_negative, check_positive};
+use crate::math::frame::Frame;
+use crate::math::vector::Vec3;
+use crate::rod::definition::{MAX_ELEMENTS, check_rows};
+use crate::rod::freedoms::Freedoms;
+use crate::rod::kinematics::{ElementState, element_state};
+use crate::rod::segment;
+use crate::step::state::rotation_matrix;
+
+/// A strand's shape: where its root is, how long its elements are, how they curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StrandShape {
+    /// The root's pose in the world.
+    pub root: Frame,
+    /// Lengths from root to tip, m; at least one, each above zero.
+    pub element_lengths: Vec<f64>,
+    /// Curvatures (twist, κ1, κ2), rad/m, a row an element.
+    pub curvatures: Vec<[f64; 3]>,
+}
+
+/// How strands are posed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PoseOptions {
+    /// Which elements may change: one an element, strand after strand where there are many; `None`: all. The others keep their curvatures to
+    /// the bit.
+    pub movable: Option<Vec<bool>>,
+    /// The shape to stay near: 0 the present one, 1 the natural one, between them a mixture. 0 to 1.
+    pub natural_pull: f64,
+    /// The strand's direction at its tip stays what it is.
+    pub keep_tip_direction: bool,
+    /// The strand is kept out of bodies; one that begins in a body is taken out of it.
+    pub keep_out: bool,
+    /// How far strands stay from bodies, beyond both thicknesses, m; zero or above.
+    pub clearance: f64,
+}
+
+impl Default for PoseOptions {
+    fn default() -> Self {
+        Self { movable: None, natural_pull: 0.0, keep_tip_direction: false, keep_out: true, clearance: 0.0 }
+    }
+}
+
+impl PoseOptions {
+    /// Checks every value for strands of `elements` elements together; `argument` is the name put before the field in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first value out of range.
+    pub fn check(&self, argument: &str, elements: usize) -> Result<()> {
+        // Of many strands: all elements together.
+        if let Some(movable) = &self.movable
+            && movable.len() != elements
+        {
+            return Err(Error::invalid(
+                format!("{argument}.movable (count)"),
+                movable.len(),
+                format!("{elements}, one an element"),
+            ));
+        }
+        if !(0.0..=1.0).contains(&self.natural_pull) {
+            return Err(Error::invalid(format!("{argument}.natural_pull"), self.natural_pull, "0 to 1"));
+        }
+        check_not_negative(|| format!("{argument}.clearance"), self.clearance)
+    }
+}
+
+/// What is about a strand that is posed, and what it is like.
+#[derive(Debug, Clone, Copy)]
+pub struct Surroundings<'a> {
+    /// Bodies to keep out of.
+    pub bodies: &'a [BodyAt<'a>],
+    /// How far from the centreline the strand begins for them, m; zero or above.
+    pub radius: f64,
+    /// The first so many metres from the root may be in bodies; zero or above.
+    pub exempt: f64,
+    /// Natural curvatures, a row an element, for [`PoseOptions::natural_pull`]; `None`: the present ones.
+    pub natural: Option<&'a [[f64; 3]]>,
+    /// Curvatures that may change at all.
+    pub freedoms: Freedoms,
+    /// What it costs to change twist, κ1 and κ2, in proportion; above zero. Those of a strand's stiffness bend it as it would bend.
+    pub charge: [f64; 3],
+}
+
+impl Default for Surroundings<'_> {
+    fn default() -> Self {
+        Self { bodies: &[], radius: 0.0, exempt: 0.0, natural: None, freedoms: Freedoms::ALL, charge: [1.0; 3] }
+    }
+}
+
+impl<'a> Surroundings<'a> {
+    fn check(&self, argument: &str, shape: &StrandShape) -> Result<()> {
+        check_not_negative(|| format!("{argument}.radius"), self.radius)?;
+        check_not_negative(|| format!("{argument}.exempt"), self.exempt)?;
+        if let Some(natural) = self.natural {
+            check_rows(format_args!("{argument}.natural"), natural, shape.curvatures.len())?;
+        }
+        (0..3).try_for_each(|axis| check_positive(|| format!("{argument}.charge[{axis}]"), self.charge[axis]))
+    }
+
+    fn obstacles(&self, options: &PoseOptions) -> Option<search::Obstacles<'a>> {
+        let (bodies, distance, span) = (self.bodies, self.radius + options.clearance, Span { exempt: self.exempt });
+        (options.keep_out && !bodies.is_empty()).then_some(search::Obstacles { bodies, span, distance })
+    }
+}
+
+impl StrandShape {
+    /// Checks counts and numbers; `argument` is the name put before the field in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first value out of range.
+    pub fn check(&self, argument: &str) -> Result<()> {
+        let count = self.element_lengths.len();
+        if count == 0 || count > MAX_ELEMENTS {
+            return Err(Error::invalid(format!("{argument}.element_lengths (count)"), count, format!("1 to {MAX_ELEMENTS}")));
+        }
+        for (element, length) in self.element_lengths.iter().enumerate() {
+            check_positive(|| format!("{argument}.element_lengths[{element}]"), *length)?;
+        }
+        check_positive(|| format!("{argument}.length"), self.length())?;
+        check_rows(format_args!("{argument}.curvatures"), &self.curvatures, count)?;
+        (0..3).try_for_each(|axis| check_finite(|| format!("{argument}.root.origin[{axis}]"), self.root.origin[axis]))
+    }
+
+    /// The strand's length, m.
+    pub fn length(&self) -> f64 {
+        self.element_lengths.iter().sum()
+    }
+
+    /// The pose of the material cross-section at an arclength from the root, m; beyond the ends, the elements there go on.
+    pub fn frame_at(&self, arclength: f64) -> Frame {
+        let (index, s) = self.station(arclength);
+        let (mut frame, mut origin) = (rotation_matrix(&self.root), Vec3::<f64>::zero());
+        let state = |k: usize, frame, origin| element_state(Vec3(self.curvatures[k]), self.element_lengths[k], frame, origin);
+        for k in 0..index {
+            let element: ElementState<f64> = state(k, frame, origin);
+            (frame, origin) = (element.frame_right(), element.origin_right());
+        }
+        let element = state(index, frame, origin);
+        let s = if index + 1 == self.curvatures.len() {
+            s.max(arclength - self.element_lengths[..index].iter().sum::<f64>())
+        } else {
+            s
+        };
+        let point = element.point(s);
+        let theta = element.kappa.scale(s);
+        let rotation = frame.mul(&segment::frame(theta, theta.norm_squared(), &point.c));
+        let rotation = nalgebra::Rotation3::from_matrix_unchecked(rotation.into());
+        Frame {
+            origin: self.root.origin + Vector3::from(point.position),
+            rotation: nalgebra::UnitQuaternion::from_rotation_matrix(&rotation),
+        }
+    }
+
+    /// The element that holds an arclength, and how far on it that is.
+    fn station(&self, arclength: f64) -> (usize, f64) {
+        let mut rest = arclength;
+        let last = self.element_lengths.len() - 1;
+        for (element, length) in self.element_lengths[..last].iter().enumerate() {
+            if rest <= *length {
+                return (element, rest);
+            }
+            rest -= length;
+        }
+        (last, rest.min(self.element_lengths[last]))
+    }
+
+    /// The unit tangent at the tip, world axes.
+    fn tip_direction(&self) -> Vec3<f64> {
+        (self.frame_at(self.length()).rotation * Vector3::x()).into()
+    }
+}

@@ -1,0 +1,150 @@
+//! A brush that takes along what lies in it.
+
+use nalgebra::Vector3;
+
+use super::drag::{HARD, leave_bodies, prepare};
+use super::search::{End, Pull, Task, Weights};
+use super::{PoseOptions, PoseScratch, StrandShape, Surroundings};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::{Result, check_finite, check_not_negative, check_positive};
+use crate::math::vector::Vec3;
+use crate::rod::kinematics::element_states;
+use crate::step::state::rotation_matrix;
+
+/// A ball that is moved, and with it what lies in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Brush {
+    /// Where it is before it moves, world, m.
+    pub centre: Vector3<f64>,
+    /// m; above zero.
+    pub radius: f64,
+    /// How it grows weaker away from its centre: a point at distance d is to follow by the share (1 − d²/radius²)^falloff of the movement.
+    /// Zero or above; 0: all of the ball alike.
+    pub falloff: f64,
+    /// Where it goes, m.
+    pub movement: Vector3<f64>,
+}
+
+/// What came of a brush on one strand.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Brushed {
+    /// Whether it lies in the brush. If not, nothing was changed.
+    pub touched: bool,
+    /// Root mean square distance of its points in the brush from where they were to go, m.
+    pub distance: f64,
+    /// How deep it is still in a body, m.
+    pub depth: f64,
+    /// Iterations.
+    pub iterations: u32,
+}
+
+/// W: what the brush takes along against bending.
+const PULL: f64 = 1e4;
+/// When its search ends.
+const END: End = End { most: 12, gain: 1e-2, turn: f64::INFINITY, near: 0.0 };
+/// Points of an element that are looked at: so many a brush's radius, and at least and at most so many.
+const A_RADIUS: f64 = 4.0;
+const LEAST: f64 = 3.0;
+const MOST: f64 = 16.0;
+
+impl Brush {
+    /// By which share of the movement a point is to follow; nothing outside.
+    fn share(&self, at: Vector3<f64>) -> Option<f64> {
+        let rest = 1.0 - (at - self.centre).norm_squared() / (self.radius * self.radius);
+        (rest > 0.0).then(|| if self.falloff == 0.0 { 1.0 } else { rest.powf(self.falloff) })
+    }
+}
+
+impl StrandShape {
+    /// Moves a brush over the strand, its root held: the points that lie in it follow as far as the strand's lengths and its bending let them,
+    /// by least squares. A strand that has no point in the brush is left alone to the bit.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a shape, a brush or options that cannot be used; the shape is as it was then.
+    pub fn brush(
+        &mut self,
+        brush: &Brush,
+        options: &PoseOptions,
+        surroundings: &Surroundings,
+        scratch: &mut PoseScratch,
+    ) -> Result<Brushed> {
+        self.check("shape")?;
+        options.check("options", self.curvatures.len())?;
+        surroundings.check("surroundings", self)?;
+        check_brush("brush", brush)?;
+        Ok(self.brush_checked(brush, options, options.movable.as_deref(), surroundings, scratch))
+    }
+
+    /// The same of what has been checked; `movable` is this strand's part of the options'.
+    pub(crate) fn brush_checked(
+        &mut self,
+        brush: &Brush,
+        options: &PoseOptions,
+        movable: Option<&[bool]>,
+        surroundings: &Surroundings,
+        scratch: &mut PoseScratch,
+    ) -> Brushed {
+        let length = self.length();
+        if (self.root.origin - brush.centre).norm() > length + brush.radius || !self.follow(brush, length, scratch) {
+            return Brushed::default();
+        }
+        prepare(self, options.natural_pull, movable, surroundings, scratch);
+        let PoseScratch { search, free, anchor, pulls, rows, elements: _ } = scratch;
+        let mut task = Task {
+            root: rotation_matrix(&self.root),
+            origin: self.root.origin,
+            lengths: &self.element_lengths,
+            length,
+            free,
+            charge: surroundings.charge,
+            anchor,
+            pulls,
+            tip: options.keep_tip_direction.then(|| self.tip_direction()),
+            obstacles: surroundings.obstacles(options),
+        };
+        rows.clone_from(&self.curvatures);
+        search.begin(&task, rows);
+        search.descend(&task, rows, Weights { pull: PULL, hard: HARD }, &END);
+        let whole: f64 = task.pulls.iter().map(|pull| pull.weight).sum();
+        let distance = (search.state.distance / whole).sqrt();
+        leave_bodies(&mut task, search, rows);
+        self.curvatures.copy_from_slice(rows);
+        Brushed { touched: true, distance, depth: search.state.depth, iterations: search.iterations }
+    }
+
+    /// The pulls on the points that lie in the brush; whether there are any.
+    fn follow(&self, brush: &Brush, length: f64, scratch: &mut PoseScratch) -> bool {
+        let PoseScratch { pulls, elements, .. } = scratch;
+        element_states(rotation_matrix(&self.root), self.element_lengths.iter().copied(), &self.curvatures, elements);
+        pulls.clear();
+        for (index, element) in elements.iter().enumerate() {
+            let middle = self.root.origin + 0.5 * Vector3::from(element.origin_left + element.origin_right());
+            if (middle - brush.centre).norm() > 0.5 * element.length + brush.radius {
+                continue;
+            }
+            let count = (A_RADIUS * element.length / brush.radius).ceil().clamp(LEAST, MOST);
+            for k in 0..count as usize {
+                let s = (k as f64 + 0.5) / count * element.length;
+                let at = element.point(s).position;
+                if let Some(share) = brush.share(self.root.origin + Vector3::from(at)) {
+                    let target = at + Vec3::from(brush.movement).scale(share);
+                    pulls.push(Pull { element: index, s, target, weight: share * element.length / (count * length) });
+                }
+            }
+        }
+        // A share that rounds to nothing pulls at nothing.
+        pulls.retain(|pull| pull.weight > 0.0);
+        !pulls.is_empty()
+    }
+}
+
+/// Checks every value.
+pub(crate) fn check_brush(argument: &str, brush: &Brush) -> Result<()> {
+    for axis in 0..3 {
+        check_finite(|| format!("{argument}.centre[{axis}]"), brush.centre[axis])?;
+        check_finite(|| format!("{argument}.movement[{axis}]"), brush.movement[axis])?;
+    }
+    check_positive(|| format!("{argument}.radius"), brush.radius)?;
+    check_not_negative(|| format!("{argument}.falloff"), brush.falloff)
+}

@@ -1,0 +1,232 @@
+//! One strand dragged by a point: document 004, section 4.3, with the linear-time Jacobian.
+
+use nalgebra::Vector3;
+
+use super::search::{End, Obstacles, Pull, Search, Task, Weights};
+use super::{PoseOptions, StrandShape, Surroundings};
+use crate::error::{Error, Result, check_finite};
+use crate::math::vector::Vec3;
+use crate::rod::kinematics::ElementState;
+use crate::step::state::rotation_matrix;
+
+/// Which point goes where.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DragTarget {
+    /// Arclength of the point from the root, m; above 0, at most the strand's length.
+    pub arclength: f64,
+    /// Where it is to be, world, m.
+    pub position: Vector3<f64>,
+}
+
+/// What came of a drag.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dragged {
+    /// How far the point is from its target now, m. A target that lies within a body counts as the place of its surface nearest to it.
+    pub distance: f64,
+    /// How deep the strand is still in a body, m: 0 but where what may change does not suffice.
+    pub depth: f64,
+    /// Iterations.
+    pub iterations: u32,
+}
+
+/// Memory that is used again from strand to strand.
+#[derive(Default)]
+pub struct PoseScratch {
+    pub(super) search: Search,
+    pub(super) free: Vec<[bool; 3]>,
+    pub(super) anchor: Vec<[f64; 3]>,
+    pub(super) pulls: Vec<Pull>,
+    pub(super) rows: Vec<[f64; 3]>,
+    pub(super) elements: Vec<ElementState<f64>>,
+}
+
+impl std::fmt::Debug for PoseScratch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PoseScratch").finish_non_exhaustive()
+    }
+}
+
+/// H: a body or a direction gives way by less than 10⁻⁸ of the length to what bends a strand by some turns.
+pub(super) const HARD: f64 = 1e9;
+/// W, from a shape near the one to stay near to one that is where it should be.
+const FIRST: [f64; 2] = [1e3, 1e5];
+const LAST: f64 = 1e9;
+/// When a search with one of the first ends; the length is multiplied by `near`.
+const ROUGH: End = End { most: 20, gain: 3e-2, turn: f64::INFINITY, near: 0.0 };
+/// When one with the last ends.
+const FINE: End = End { most: 100, gain: 1e-4, turn: 1e-7, near: 1e-7 };
+/// A target is reached that is nearer than this share of the length.
+const REACHED: f64 = 1e-6;
+/// A body is left that is no deeper than this share of the length.
+const LEFT: f64 = 1e-8;
+/// When a search out of bodies ends.
+const LEAVING: End = End { most: 40, gain: 1e-6, turn: 1e-7, near: 0.0 };
+
+impl StrandShape {
+    /// Drags a point of the strand to a target, its root held: of the shapes that bring it there, one near the one to stay near
+    /// ([`PoseOptions::natural_pull`]), by Levenberg and Marquardt's method on the curvatures. Lengths do not change. A target out of reach is
+    /// approached as far as what may change allows.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a shape, a target or options that cannot be used; the shape is as it was then.
+    pub fn drag(
+        &mut self,
+        target: &DragTarget,
+        options: &PoseOptions,
+        surroundings: &Surroundings,
+        scratch: &mut PoseScratch,
+    ) -> Result<Dragged> {
+        self.check("shape")?;
+        options.check("options", self.curvatures.len())?;
+        surroundings.check("surroundings", self)?;
+        check_target("target", target, self.length())?;
+        Ok(self.drag_checked(target, options, options.movable.as_deref(), surroundings, scratch))
+    }
+
+    /// The same of what has been checked; `movable` is this strand's part of the options'.
+    pub(crate) fn drag_checked(
+        &mut self,
+        target: &DragTarget,
+        options: &PoseOptions,
+        movable: Option<&[bool]>,
+        surroundings: &Surroundings,
+        scratch: &mut PoseScratch,
+    ) -> Dragged {
+        let length = self.length();
+        let (element, s) = self.station(target.arclength);
+        let obstacles = surroundings.obstacles(options);
+        let to = obstacles.map_or(target.position, |obstacles| outside(target.position, target.arclength, &obstacles));
+        prepare(self, options.natural_pull, movable, surroundings, scratch);
+        let PoseScratch { search, free, anchor, pulls, rows, elements: _ } = scratch;
+        pulls.clear();
+        pulls.push(Pull { element, s, target: Vec3::from(to - self.root.origin), weight: 1.0 });
+        let root = rotation_matrix(&self.root);
+        let mut task = Task {
+            root,
+            origin: self.root.origin,
+            lengths: &self.element_lengths,
+            length,
+            free,
+            charge: surroundings.charge,
+            anchor,
+            pulls,
+            tip: options.keep_tip_direction.then(|| self.tip_direction()),
+            obstacles,
+        };
+        rows.clone_from(&self.curvatures);
+        search.begin(&task, rows);
+        for pull in FIRST {
+            search.descend(&task, rows, Weights { pull, hard: HARD }, &ROUGH);
+        }
+        let (weights, fine) = (Weights { pull: LAST, hard: HARD }, End { near: FINE.near * length, ..FINE });
+        search.descend(&task, rows, weights, &fine);
+        if search.state.distance > (REACHED * length).powi(2) {
+            task.unlock(search, rows, weights, &fine);
+        }
+        leave_bodies(&mut task, search, rows);
+        self.curvatures.copy_from_slice(rows);
+        let distance = (to - self.root.origin - Vector3::from(search.state.elements[element].point(s).position)).norm();
+        Dragged { distance, depth: search.state.depth, iterations: search.iterations }
+    }
+}
+
+/// The curvatures that may change, and the shape to stay near.
+pub(super) fn prepare(
+    shape: &StrandShape,
+    share: f64,
+    movable: Option<&[bool]>,
+    surroundings: &Surroundings,
+    scratch: &mut PoseScratch,
+) {
+    let PoseScratch { free, anchor, .. } = scratch;
+    free.clear();
+    anchor.clear();
+    for (element, row) in shape.curvatures.iter().enumerate() {
+        let may = movable.is_none_or(|movable| movable[element]);
+        free.push(std::array::from_fn(|axis| may && surroundings.freedoms.contains(axis)));
+        let natural = surroundings.natural.map_or(row, |natural| &natural[element]);
+        anchor.push(std::array::from_fn(|axis| row[axis] + share * (natural[axis] - row[axis])));
+    }
+}
+
+/// Takes what is still within a body out of it, at the cost of all else.
+pub(super) fn leave_bodies(task: &mut Task, search: &mut Search, rows: &mut Vec<[f64; 3]>) {
+    if task.obstacles.is_none() || search.state.depth <= LEFT * task.length {
+        return;
+    }
+    let anchor = rows.clone();
+    let mut task = Task { anchor: &anchor, pulls: &[], tip: None, ..*task };
+    task.pulls = &[];
+    search.descend(&task, rows, Weights { pull: 0.0, hard: HARD }, &LEAVING);
+}
+
+impl Task<'_> {
+    /// A strand that is pulled or pushed along itself where it is straight does not know to which side to bend: it is bent a little, and
+    /// searches again.
+    fn unlock(&self, search: &mut Search, rows: &mut Vec<[f64; 3]>, weights: Weights, end: &End) {
+        let Some(pull) = self.pulls.first() else { return };
+        let first = self.free.iter().position(|free| free.iter().any(|free| *free));
+        let Some(first) = first.filter(|first| *first <= pull.element) else { return };
+        let elements = &search.state.elements;
+        let (from, at) = (elements[first].origin_left, elements[pull.element].point(pull.s).position);
+        let along: f64 = self.lengths[first..pull.element].iter().sum::<f64>() + pull.s;
+        let (now, wanted) = ((at - from).norm_squared().sqrt(), (pull.target - from).norm_squared().sqrt());
+        // Only where the arc is nearly its chord, and the chord has to become shorter.
+        if now < along * (1.0 - 1e-4) || wanted > now * (1.0 - 1e-6) {
+            return;
+        }
+        let stiffer = self.charge[1] > self.charge[2];
+        let share = (1.0 - wanted / along).clamp(0.0, 0.5);
+        let bend = (24.0 * share).sqrt() / along;
+        let before = (search.state.cost, rows.clone());
+        for (row, free) in rows[first..=pull.element].iter_mut().zip(&self.free[first..=pull.element]) {
+            let axis = match (free[1], free[2]) {
+                (true, true) => 1 + usize::from(stiffer),
+                (true, false) => 1,
+                (false, true) => 2,
+                (false, false) => continue,
+            };
+            row[axis] += bend;
+        }
+        search.descend(self, rows, weights, end);
+        if search.state.cost >= before.0 {
+            *rows = before.1;
+            search.descend(self, rows, weights, &End { most: 0, ..*end });
+        }
+    }
+}
+
+/// A target as far out of the bodies as the strand is to stay.
+fn outside(mut target: Vector3<f64>, arclength: f64, obstacles: &Obstacles) -> Vector3<f64> {
+    if arclength <= obstacles.span.exempt {
+        return target;
+    }
+    // Out of one, into another: some rounds.
+    for _ in 0..4 {
+        let mut moved = false;
+        for body in obstacles.bodies {
+            let thickness = obstacles.distance + body.thickness;
+            if let Some(surface) = body.closest_at_end(target, thickness) {
+                target += body.to_world(&surface.normal) * (thickness - surface.distance);
+                moved = true;
+            }
+        }
+        if !moved {
+            break;
+        }
+    }
+    target
+}
+
+/// Checks a target on a strand of that length.
+pub(crate) fn check_target(argument: &str, target: &DragTarget, length: f64) -> Result<()> {
+    let DragTarget { arclength, position } = target;
+    if !(*arclength > 0.0 && *arclength <= length * (1.0 + 1e-9)) {
+        let expected = format!("above 0, at most the strand's length, {length} m");
+        return Err(Error::invalid(format!("{argument}.arclength"), arclength, expected));
+    }
+    for axis in 0..3 {
+        check_finite(|| format!("{argument}.position[{axis}]"), position[axis])?;
+    }
+    Ok(())
+}

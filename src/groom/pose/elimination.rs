@@ -1,0 +1,281 @@
+//! A step of Levenberg and Marquardt's method on one strand's curvatures, in linear time.
+//!
+//! Elements are eliminated from tip to root as in [`crate::chain::elimination`], whose symbols are used. Springs sit at any arclength, are as
+//! stiff along one direction as wanted (a body pushes along its normal alone), and may hold a direction; curvatures that may not change
+//! take no part, to the bit.
+
+use crate::chain::pivot::factorise;
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::ElementState;
+use crate::rod::segment::{self, CurvatureForm};
+
+use super::springs::Spring;
+
+/// What pulls at a strand: all that is minimised, to second order.
+pub(super) struct Model<'a> {
+    pub elements: &'a [ElementState<f64>],
+    /// By element.
+    pub springs: &'a [Spring],
+    /// Stiffness of each curvature of each element.
+    pub stiffness: &'a [[f64; 3]],
+    /// Force on each curvature of each element.
+    pub force: &'a [[f64; 3]],
+    /// Curvatures that may change.
+    pub free: &'a [[bool; 3]],
+    /// Whether the springs' tension counts: Newton's method in place of Gauss and Newton's.
+    pub exact: bool,
+}
+
+/// What lies downstream of a node, as seen there: `[A B; Bᵀ C]`, what pulls, and the force and moment that the tension is of.
+#[derive(Clone, Copy)]
+struct Downstream {
+    a: Mat3<f64>,
+    b: Mat3<f64>,
+    c: Mat3<f64>,
+    moment: Vec3<f64>,
+    force: Vec3<f64>,
+    tension_moment: Vec3<f64>,
+    tension_force: Vec3<f64>,
+}
+
+/// What the way from root to tip needs of an element.
+#[derive(Clone, Copy)]
+struct Eliminated {
+    factor: [[f64; 3]; 3],
+    coupling: [[f64; 6]; 3],
+    reduced: [f64; 3],
+    psi: Mat3<f64>,
+    jacobian: Mat3<f64>,
+}
+
+/// A step: the changes of the curvatures, and how each element's left end is turned and moved by them, in its own axes.
+#[derive(Debug, Default)]
+pub(super) struct Step {
+    pub rows: Vec<[f64; 3]>,
+    pub left: Vec<(Vec3<f64>, Vec3<f64>)>,
+    /// By how much the quadratic model falls.
+    pub gain: f64,
+    /// The largest rotation of an element's end, rad.
+    pub turn: f64,
+}
+
+/// Memory of the elimination.
+#[derive(Default)]
+pub(super) struct Elimination {
+    done: Vec<Eliminated>,
+}
+
+impl Elimination {
+    /// The step from a state.
+    pub fn solve(&mut self, model: &Model, step: &mut Step) {
+        let zero = Mat3::<f64>::zero();
+        let nothing = Vec3::<f64>::zero();
+        let mut down = Downstream {
+            a: zero,
+            b: zero,
+            c: zero,
+            moment: nothing,
+            force: nothing,
+            tension_moment: nothing,
+            tension_force: nothing,
+        };
+        self.done.clear();
+        let mut springs = model.springs;
+        for index in (0..model.elements.len()).rev() {
+            let (before, own) = springs.split_at(springs.partition_point(|spring| spring.element < index));
+            springs = before;
+            let (done, left) = eliminate(&down, model, own, index);
+            self.done.push(done);
+            down = if index > 0 { left.turned(&model.elements[index - 1].turn) } else { left };
+        }
+        self.substitute(model, step);
+    }
+
+    /// From root to tip; the root does not move.
+    fn substitute(&self, model: &Model, step: &mut Step) {
+        step.rows.clear();
+        step.left.clear();
+        (step.gain, step.turn) = (0.0, 0.0);
+        let (mut psi, mut rho) = (Vec3::<f64>::zero(), Vec3::<f64>::zero());
+        for (element, done) in model.elements.iter().zip(self.done.iter().rev()) {
+            step.left.push((psi, rho));
+            let mut delta = [0.0; 3];
+            for i in (0..3).rev() {
+                let mut value = done.reduced[i];
+                for axis in 0..3 {
+                    value -= done.coupling[i][axis] * psi.0[axis] + done.coupling[i][axis + 3] * rho.0[axis];
+                }
+                for k in i + 1..3 {
+                    value -= done.factor[k][i] * delta[k];
+                }
+                delta[i] = value * done.factor[i][i];
+                // The model falls by half the squares that the elimination completes.
+                step.gain += 0.5 * done.reduced[i] * done.reduced[i];
+            }
+            let change = Vec3(delta);
+            let next_psi = psi + done.psi.apply(change);
+            let next_rho = rho + psi.cross(element.end) + done.jacobian.apply(change);
+            step.turn = step.turn.max(next_psi.norm_squared());
+            step.rows.push(delta);
+            psi = element.turn.apply_transposed(next_psi);
+            rho = element.turn.apply_transposed(next_rho);
+        }
+        step.turn = step.turn.sqrt();
+    }
+}
+
+impl Downstream {
+    /// In the axes of the frame that `turn` starts from.
+    fn turned(&self, turn: &Mat3<f64>) -> Self {
+        let congruent = |m: &Mat3<f64>| turn.mul(m).mul_transposed(turn);
+        Self {
+            a: congruent(&self.a),
+            b: congruent(&self.b),
+            c: congruent(&self.c),
+            moment: turn.apply(self.moment),
+            force: turn.apply(self.force),
+            tension_moment: turn.apply(self.tension_moment),
+            tension_force: turn.apply(self.tension_force),
+        }
+    }
+
+    /// The same, acting at a point that lies at −x from here.
+    fn moved(&self, x: Vec3<f64>) -> Self {
+        let sc = self.c.crossed_from_left(x);
+        let s_bt = self.b.transpose().crossed_from_left(x);
+        Self {
+            // A + S Bᵀ + (S Bᵀ)ᵀ + S C Sᵀ, S = [x]×.
+            a: self.a.add(&s_bt).add(&s_bt.transpose()).sub(&sc.mul(&Mat3::cross(x))),
+            b: self.b.add(&sc),
+            c: self.c,
+            moment: self.moment + x.cross(self.force),
+            force: self.force,
+            tension_moment: self.tension_moment + x.cross(self.tension_force),
+            tension_force: self.tension_force,
+        }
+    }
+
+    /// Adds −sym(f xᵀ) + (f·x) I to A: the tension of force f at place x.
+    fn add_tension(&mut self, f: Vec3<f64>, x: Vec3<f64>) {
+        let along = f.dot(x);
+        for i in 0..3 {
+            for j in 0..3 {
+                self.a.0[i][j] -= 0.5 * (f.0[i] * x.0[j] + f.0[j] * x.0[i]);
+            }
+            self.a.0[i][i] += along;
+        }
+    }
+
+    /// Kept symmetric: without it rounding grows along the strand.
+    fn symmetrise(&mut self) {
+        for m in [&mut self.a, &mut self.c] {
+            for i in 0..3 {
+                for j in 0..i {
+                    let middle = 0.5 * (m.0[i][j] + m.0[j][i]);
+                    (m.0[i][j], m.0[j][i]) = (middle, middle);
+                }
+            }
+        }
+    }
+}
+
+fn eliminate(right: &Downstream, model: &Model, springs: &[Spring], index: usize) -> (Eliminated, Downstream) {
+    let element = &model.elements[index];
+    let (kappa, length, end) = (element.kappa, element.length, element.end);
+    let theta = kappa.scale(length);
+    let z = element.kappa_squared * (length * length);
+    let psi = segment::mean_frame(theta, z, &element.c).scale(length);
+    let jacobian = segment::chord_gradient(theta, z, &element.c).scale(length * length);
+
+    // What is downstream, through δκ.
+    let y_psi = right.a.mul(&psi).add(&right.b.mul(&jacobian));
+    let y_rho = right.b.transposed_mul(&psi).add(&right.c.mul(&jacobian));
+    let mut kk = psi.transposed_mul(&y_psi).add(&jacobian.transposed_mul(&y_rho));
+    let mut psi_k = y_psi.add(&y_rho.crossed_from_left(end));
+    let mut rho_k = y_rho;
+    let mut pull = psi.apply_transposed(right.moment) + jacobian.apply_transposed(right.force);
+    let mut left = right.moved(end);
+    let mut form = CurvatureForm::zero();
+    if model.exact {
+        let (f, m) = (right.tension_force, right.tension_moment);
+        left.add_tension(f, end);
+        psi_k = psi_k.add(&jacobian.crossed_from_left(f)).add(&psi.crossed_from_left(m.scale(0.5)));
+        form.subtract_force(f, kappa, length, element.kappa_squared, &element.c);
+        form.subtract_moment(m, kappa, length, element.kappa_squared, &element.c);
+    }
+
+    for spring in springs {
+        let (g, j, x, f) = (&spring.stiffness, &spring.jacobian, spring.local, spring.force);
+        let gj = g.mul(j);
+        let sg = g.crossed_from_left(x);
+        left.a = left.a.sub(&sg.mul(&Mat3::cross(x)));
+        left.b = left.b.add(&sg);
+        left.c = left.c.add(g);
+        psi_k = psi_k.add(&gj.crossed_from_left(x));
+        rho_k = rho_k.add(&gj);
+        kk = kk.add(&j.transposed_mul(&gj));
+        pull += j.apply_transposed(f);
+        left.moment += x.cross(f);
+        left.force += f;
+        if model.exact {
+            left.add_tension(f, x);
+            psi_k = psi_k.add(&j.crossed_from_left(f));
+            form.subtract_force(f, kappa, spring.s, element.kappa_squared, &spring.c);
+            left.tension_moment += x.cross(f);
+            left.tension_force += f;
+        }
+        if let Some(turning) = &spring.turning {
+            let qp = turning.stiffness.mul(&turning.psi);
+            left.a = left.a.add(&turning.stiffness);
+            psi_k = psi_k.add(&qp);
+            kk = kk.add(&turning.psi.transposed_mul(&qp));
+            pull += turning.psi.apply_transposed(turning.moment);
+            left.moment += turning.moment;
+        }
+    }
+
+    if model.exact {
+        kk = kk.add(&form.matrix(kappa));
+    }
+    let (own, force, free) = (&model.stiffness[index], &model.force[index], &model.free[index]);
+    let mut pivot = [[0.0; 3]; 3];
+    let mut smallest = f64::INFINITY;
+    for i in 0..3 {
+        for k in 0..3 {
+            if free[i] && free[k] {
+                pivot[i][k] = 0.5 * (kk.0[i][k] + kk.0[k][i]);
+            }
+        }
+        pivot[i][i] += if free[i] { own[i] } else { 1.0 };
+        smallest = smallest.min(if free[i] { own[i] } else { 1.0 });
+    }
+    let (factor, _) = factorise(&pivot, smallest);
+    let mut done = Eliminated { factor, coupling: [[0.0; 6]; 3], reduced: [0.0; 3], psi, jacobian };
+    for i in (0..3).filter(|i| free[*i]) {
+        let ([a, b, c], [d, e, f]) = (psi_k.column(i).0, rho_k.column(i).0);
+        let mut row = [a, b, c, d, e, f];
+        let mut value = pull.0[i] + force[i];
+        for k in 0..i {
+            for column in 0..6 {
+                row[column] -= factor[i][k] * done.coupling[k][column];
+            }
+            value -= factor[i][k] * done.reduced[k];
+        }
+        done.coupling[i] = row.map(|x| x * factor[i][i]);
+        done.reduced[i] = value * factor[i][i];
+    }
+    for i in 0..3 {
+        let (w, y) = (&done.coupling[i], done.reduced[i]);
+        for row in 0..3 {
+            for column in 0..3 {
+                left.a.0[row][column] -= w[row] * w[column];
+                left.b.0[row][column] -= w[row] * w[column + 3];
+                left.c.0[row][column] -= w[row + 3] * w[column + 3];
+            }
+            left.moment.0[row] -= w[row] * y;
+            left.force.0[row] -= w[row + 3] * y;
+        }
+    }
+    left.symmetrise();
+    (done, left)
+}

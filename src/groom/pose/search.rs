@@ -1,0 +1,396 @@
+//! Levenberg and Marquardt's method on a strand's curvatures.
+//!
+//! Minimised is, in units of length squared,
+//!
+//! ```text
+//! ½ L³ Σ ℓ cᵢ (κᵢ − κᵢ*)² + ½ W Σ w |r − t|² + ½ H L² φ² + ½ H Σ min(gap, 0)²,
+//! ```
+//!
+//! κ* the shape to stay near, c the strand's relative stiffness, t targets of material points, φ the tip's angle to its wanted direction,
+//! gap the distance to a body. W grows until what can be reached is reached.
+
+use nalgebra::Vector3;
+
+use super::elimination::{Elimination, Model, Step};
+use super::springs::Spring;
+use crate::contact::body::BodyAt;
+use crate::contact::strand_body::{self, PathBounds, Span};
+use crate::contact::touch::{StrandCurve, StrandPath, Touch};
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::{ElementState, element_states};
+
+/// A material point and where it is to go.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pull {
+    pub element: usize,
+    /// Arclength from the element's left end.
+    pub s: f64,
+    /// Relative to the root's origin, world axes.
+    pub target: Vec3<f64>,
+    pub weight: f64,
+}
+
+/// Bodies that a strand is kept out of.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Obstacles<'a> {
+    pub bodies: &'a [BodyAt<'a>],
+    /// The first metres that are left out.
+    pub span: Span,
+    /// How far the centreline stays from the bodies' surfaces.
+    pub distance: f64,
+}
+
+/// What is asked of one strand.
+#[derive(Debug)]
+pub(super) struct Task<'a> {
+    pub root: Mat3<f64>,
+    pub origin: Vector3<f64>,
+    pub lengths: &'a [f64],
+    /// L.
+    pub length: f64,
+    /// Curvatures that may change.
+    pub free: &'a [[bool; 3]],
+    /// c.
+    pub charge: [f64; 3],
+    /// κ*.
+    pub anchor: &'a [[f64; 3]],
+    /// By element and arclength.
+    pub pulls: &'a [Pull],
+    /// The tip's direction.
+    pub tip: Option<Vec3<f64>>,
+    pub obstacles: Option<Obstacles<'a>>,
+}
+
+/// W and H.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Weights {
+    pub pull: f64,
+    pub hard: f64,
+}
+
+/// When a search ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End {
+    /// Iterations at most.
+    pub most: u32,
+    /// An iteration that gains less of the cost than this is the last,
+    pub gain: f64,
+    /// if it also turns no frame by more than this, rad;
+    pub turn: f64,
+    /// and one after which all is nearer to where it should be than this, m.
+    pub near: f64,
+}
+
+/// A strand in one shape.
+#[derive(Debug, Default)]
+pub(super) struct State {
+    pub elements: Vec<ElementState<f64>>,
+    pub touches: Vec<Touch>,
+    /// All that is minimised.
+    pub cost: f64,
+    /// Σ w |r − t|².
+    pub distance: f64,
+    /// What is neither bending nor pulls, m².
+    pub hard: f64,
+    /// The deepest place in a body, m.
+    pub depth: f64,
+}
+
+/// No frame turns by more than this in an iteration, rad.
+const TURN_LIMIT: f64 = 0.6;
+/// How often an iteration damps more before it gives up.
+const TRIALS: usize = 12;
+/// By how much damping grows where a step fails, and falls where one does well.
+const MORE: f64 = 10.0;
+const LESS: f64 = 0.2;
+/// A gain of less than this share is none.
+const ROUNDING: f64 = 1e-14;
+/// The first damping.
+const LEAST_DAMPING: f64 = 1e-2;
+/// The same in units of the pulling force times the length.
+const PULLED: f64 = 1e-3;
+/// A step so many times too long is held back by damping, not shortened: its direction says nothing.
+const FAR: f64 = 2.0;
+/// Touches that are nearer than this share of the strand's length may be met by a step.
+const NEAR: f64 = 0.05;
+/// Rounds in which touches that a step would go through are put in its way.
+const ROUNDS: usize = 4;
+/// Gauss and Newton's method gives way to Newton's where an iteration gains less than this share.
+const SLOW: f64 = 0.3;
+
+/// Memory of searches.
+#[derive(Default)]
+pub(super) struct Search {
+    pub state: State,
+    trial: State,
+    rows: Vec<[f64; 3]>,
+    start: Vec<ElementState<f64>>,
+    springs: Vec<Spring>,
+    stiffness: Vec<[f64; 3]>,
+    force: Vec<[f64; 3]>,
+    in_the_way: Vec<bool>,
+    bounds: PathBounds,
+    touching: strand_body::Scratch,
+    elimination: Elimination,
+    step: Step,
+    /// Iterations since [`Search::begin`].
+    pub iterations: u32,
+    damping: f64,
+}
+
+impl Search {
+    /// Begins with a strand in its present shape: bodies are met on the way from there.
+    pub fn begin(&mut self, task: &Task, rows: &[[f64; 3]]) {
+        element_states(task.root, task.lengths.iter().copied(), rows, &mut self.start);
+        self.iterations = 0;
+    }
+
+    /// Brings `state` to a shape.
+    fn place(&mut self, task: &Task, rows: &[[f64; 3]], weights: Weights) {
+        let state = &mut self.trial;
+        element_states(task.root, task.lengths.iter().copied(), rows, &mut state.elements);
+        let mut bent = 0.0;
+        for (element, row) in rows.iter().enumerate() {
+            for axis in 0..3 {
+                let off = row[axis] - task.anchor[element][axis];
+                bent += task.lengths[element] * task.charge[axis] * off * off;
+            }
+        }
+        state.distance = 0.0;
+        for pull in task.pulls {
+            let at = state.elements[pull.element].point(pull.s).position;
+            state.distance += pull.weight * (pull.target - at).norm_squared();
+        }
+        let mut hard = 0.0;
+        if let (Some(direction), Some(last)) = (task.tip, state.elements.last()) {
+            let spring = Spring::at(last, state.elements.len() - 1, last.length);
+            let (_, angle) = spring.turned(last, direction, 1.0);
+            hard += (task.length * angle).powi(2);
+        }
+        state.touches.clear();
+        state.depth = 0.0;
+        if let Some(obstacles) = &task.obstacles {
+            let curve = |elements| StrandCurve { origin: task.origin, elements };
+            let path = StrandPath { index: 0, start: curve(&self.start), now: curve(&state.elements) };
+            self.bounds.update(&path);
+            let (span, distance, within) = (obstacles.span, obstacles.distance, NEAR * task.length);
+            for body in obstacles.bodies {
+                let scratch = &mut self.touching;
+                strand_body::touches(&path, &self.bounds, span, distance, body, within, scratch, &mut state.touches);
+            }
+            state.touches.sort_by(|a, b| (a.place.element.cmp(&b.place.element)).then(a.place.s.total_cmp(&b.place.s)));
+            for touch in &state.touches {
+                let depth = (-touch.gap).max(0.0);
+                state.depth = state.depth.max(depth);
+                hard += depth * depth;
+            }
+        }
+        state.hard = hard;
+        state.cost = 0.5 * (task.length.powi(3) * bent + weights.pull * state.distance + weights.hard * hard);
+    }
+
+    /// Goes downhill from `rows`, which is left at the best shape found.
+    pub fn descend(&mut self, task: &Task, rows: &mut Vec<[f64; 3]>, weights: Weights, end: &End) {
+        self.place(task, rows, weights);
+        std::mem::swap(&mut self.state, &mut self.trial);
+        self.damping = 0.0;
+        let mut exact = false;
+        for _ in 0..end.most {
+            self.iterations += 1;
+            let (mut gained, mut turned) = (0.0, 0.0);
+            // What pulls holds back, where it does, as much as a stiffness of about this.
+            let scale = LEAST_DAMPING + PULLED * weights.pull * self.state.distance.sqrt() / task.length;
+            for _ in 0..TRIALS {
+                self.direction(task, rows, weights, exact);
+                if self.step.gain <= ROUNDING * self.state.cost {
+                    break;
+                }
+                if exact && self.step.turn > FAR * TURN_LIMIT {
+                    self.damping = (MORE * self.damping).max(scale);
+                    continue;
+                }
+                let share = if self.step.turn > TURN_LIMIT { TURN_LIMIT / self.step.turn } else { 1.0 };
+                self.advance(task, rows, share);
+                let next = std::mem::take(&mut self.rows);
+                self.place(task, &next, weights);
+                self.rows = next;
+                let fall = self.state.cost - self.trial.cost;
+                if fall > 0.0 {
+                    gained = fall / self.state.cost;
+                    // A step that is held back says nothing of how far there is to go.
+                    turned = if self.damping < scale { self.step.turn } else { f64::INFINITY };
+                    let ratio = fall / (self.step.gain * share * (2.0 - share));
+                    if ratio > 0.5 {
+                        self.damping = if self.damping > 1e-3 * scale { LESS * self.damping } else { 0.0 };
+                    } else if ratio < 0.1 {
+                        self.damping = (10.0 * self.damping).max(LEAST_DAMPING);
+                    }
+                    std::mem::swap(&mut self.state, &mut self.trial);
+                    std::mem::swap(rows, &mut self.rows);
+                    break;
+                }
+                self.damping = (MORE * self.damping).max(scale);
+            }
+            let near = self.state.distance + self.state.hard < end.near * end.near;
+            if near || gained < ROUNDING || gained < end.gain && turned < end.turn {
+                break;
+            }
+            exact = gained < SLOW;
+        }
+    }
+
+    /// The step from the present state. Touches that it would go through are put in its way.
+    fn direction(&mut self, task: &Task, rows: &[[f64; 3]], weights: Weights, exact: bool) {
+        self.in_the_way.clear();
+        self.in_the_way.extend(self.state.touches.iter().map(|touch| touch.gap < 0.0));
+        self.model(task, rows);
+        for _ in 0..ROUNDS {
+            self.springs.clear();
+            springs(task, &self.state, weights, &self.in_the_way, &mut self.springs);
+            let model = Model {
+                elements: &self.state.elements,
+                springs: &self.springs,
+                stiffness: &self.stiffness,
+                force: &self.force,
+                free: task.free,
+                exact,
+            };
+            self.elimination.solve(&model, &mut self.step);
+            let mut met = false;
+            for (touch, in_the_way) in self.state.touches.iter().zip(&mut self.in_the_way) {
+                if !*in_the_way && touch.gap + moved(&self.state, &self.step, touch) < 0.0 {
+                    (*in_the_way, met) = (true, true);
+                }
+            }
+            if !met {
+                break;
+            }
+        }
+    }
+
+    /// Springs of the curvatures themselves.
+    fn model(&mut self, task: &Task, rows: &[[f64; 3]]) {
+        self.stiffness.clear();
+        self.force.clear();
+        let unit = task.length.powi(3);
+        for (element, row) in rows.iter().enumerate() {
+            let own = task.charge.map(|charge| unit * task.lengths[element] * charge);
+            self.force.push(std::array::from_fn(|axis| own[axis] * (task.anchor[element][axis] - row[axis])));
+            self.stiffness.push(own.map(|own| own + self.damping * unit * task.lengths[element]));
+        }
+    }
+
+    /// `self.rows` is `rows` after a share of the step.
+    fn advance(&mut self, task: &Task, rows: &[[f64; 3]], share: f64) {
+        self.rows.clear();
+        for (element, row) in rows.iter().enumerate() {
+            let change = &self.step.rows[element];
+            let free = &task.free[element];
+            self.rows.push(std::array::from_fn(|axis| if free[axis] { row[axis] + share * change[axis] } else { row[axis] }));
+        }
+    }
+}
+
+/// How far the step takes a touching place from its body.
+fn moved(state: &State, step: &Step, touch: &Touch) -> f64 {
+    let index = touch.place.element as usize;
+    let element = &state.elements[index];
+    let place = Spring::at(element, index, touch.place.s);
+    let (psi, rho) = step.left[index];
+    let way = rho + psi.cross(place.local) + place.jacobian.apply(Vec3(step.rows[index]));
+    element.frame_left.apply(way).dot(touch.normal.into())
+}
+
+/// The springs of a state, by element.
+fn springs(task: &Task, state: &State, weights: Weights, in_the_way: &[bool], out: &mut Vec<Spring>) {
+    let mut touches = state.touches.iter().zip(in_the_way).filter(|(_, in_the_way)| **in_the_way).peekable();
+    let mut pulls = task.pulls.iter().peekable();
+    let last = state.elements.len() - 1;
+    for (index, element) in state.elements.iter().enumerate() {
+        while let Some(pull) = pulls.next_if(|pull| pull.element == index) {
+            let off = pull.target - element.point(pull.s).position;
+            out.push(Spring::at(element, index, pull.s).pulled(element, off, weights.pull * pull.weight));
+        }
+        while let Some((touch, _)) = touches.next_if(|(touch, _)| touch.place.element as usize == index) {
+            let place = Spring::at(element, index, touch.place.s);
+            out.push(place.pushed(element, touch.normal.into(), -touch.gap, weights.hard));
+        }
+        if index == last
+            && let Some(direction) = task.tip
+        {
+            let stiffness = weights.hard * task.length * task.length;
+            out.push(Spring::at(element, index, element.length).turned(element, direction, stiffness).0);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::shape::Shape;
+    use crate::math::frame::Frame;
+
+    /// What pulls at the curvatures, and how stiff they are, against differences of all that is minimised: two points, a direction, a body that
+    /// the strand is in, and springs to another shape at once.
+    #[test]
+    fn forces_and_stiffness_are_the_derivatives_of_the_cost() {
+        let lengths = [0.05, 0.03, 0.06, 0.04];
+        let rows = [[3.0, 12.0, -4.0], [-8.0, 6.0, 9.0], [1.0, -15.0, 2.0], [5.0, 0.0, 11.0]];
+        let free = [[true; 3], [true, true, false], [true; 3], [false, true, true]];
+        let sphere = Shape::new_sphere(0.03).unwrap();
+        let root = Frame::default();
+        let origin = Vector3::new(0.1, 0.2, 0.3);
+        let pose = Frame { origin: origin + Vector3::new(0.055, 0.012, 0.0), ..root };
+        let bodies = [BodyAt::new(0, &sphere, pose, pose, 0.0)];
+        let pulls = [
+            Pull { element: 1, s: 0.02, target: Vec3([0.05, 0.03, 0.01]), weight: 0.7 },
+            Pull { element: 3, s: 0.04, target: Vec3([0.02, 0.1, -0.05]), weight: 1.0 },
+        ];
+        let task = Task {
+            root: Mat3::identity(),
+            origin,
+            lengths: &lengths,
+            length: 0.18,
+            free: &free,
+            charge: [0.7, 1.0, 1.5],
+            anchor: &[[0.0; 3]; 4],
+            pulls: &pulls,
+            tip: Some(Vec3([0.6, 0.0, 0.8])),
+            obstacles: Some(Obstacles { bodies: &bodies, span: Span::default(), distance: 1e-4 }),
+        };
+        let weights = Weights { pull: 30.0, hard: 20.0 };
+        let mut search = Search::default();
+        search.begin(&task, &rows);
+        search.place(&task, &rows, weights);
+        std::mem::swap(&mut search.state, &mut search.trial);
+        assert!(search.state.depth > 1e-3, "the strand is in the sphere: {}", search.state.depth);
+        search.direction(&task, &rows, weights, true);
+        // With all damping the step is the force over the damping.
+        let mut force = [[0.0; 3]; 4];
+        search.damping = 1e9;
+        search.direction(&task, &rows, weights, true);
+        let unit = task.length.powi(3) * search.damping;
+        for (element, row) in search.step.rows.iter().enumerate() {
+            force[element] = row.map(|change| change * unit * lengths[element]);
+        }
+        let largest = force.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+        for element in 0..4 {
+            for axis in 0..3 {
+                if !free[element][axis] {
+                    assert_eq!(force[element][axis], 0.0);
+                    continue;
+                }
+                let step = 1e-4 / lengths[element];
+                let mut cost = |step: f64| {
+                    let mut moved = rows;
+                    moved[element][axis] += step;
+                    search.place(&task, &moved, weights);
+                    search.trial.cost
+                };
+                let slope = (cost(step) - cost(-step)) / (2.0 * step);
+                let off = (force[element][axis] + slope).abs();
+                assert!(off < 2e-6 * largest, "{element} {axis}: {} {slope}", force[element][axis]);
+            }
+        }
+    }
+}

@@ -1,0 +1,116 @@
+//! Strands cut and grown.
+
+use super::StrandShape;
+use crate::error::{Error, Result, check_finite, check_positive};
+use crate::rod::definition::MAX_ELEMENTS;
+
+/// How a strand grows at its tip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Growth {
+    /// By how much, m; above zero.
+    pub length: f64,
+    /// How many elements are added, all equally long. 0: the last one becomes longer.
+    pub elements: usize,
+    /// Curvatures of the added elements, rad/m; `None`: those of the last one, so that the helix goes on. Not for 0 elements.
+    pub curvatures: Option<[f64; 3]>,
+}
+
+impl Growth {
+    /// Checks every value for a strand of `count` elements; `argument` is the name put before the field in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first value out of range.
+    pub fn check(&self, argument: &str, count: usize) -> Result<()> {
+        check_positive(|| format!("{argument}.length"), self.length)?;
+        if self.elements > MAX_ELEMENTS - count {
+            let expected = format!("0 to {}: a strand has at most {MAX_ELEMENTS}", MAX_ELEMENTS - count);
+            return Err(Error::invalid(format!("{argument}.elements"), self.elements, expected));
+        }
+        if let Some(row) = &self.curvatures {
+            if self.elements == 0 {
+                let expected = "none, since the last element goes on (elements is 0)";
+                return Err(Error::invalid(format!("{argument}.curvatures"), format!("{row:?}"), expected));
+            }
+            (0..3).try_for_each(|axis| check_finite(|| format!("{argument}.curvatures[{axis}]"), row[axis]))?;
+        }
+        if self.elements > 0 && !(self.length / self.elements as f64).is_normal() {
+            return Err(Error::invalid(format!("{argument}.length"), self.length, "more: the elements would have no length"));
+        }
+        Ok(())
+    }
+
+    /// Lengths after it.
+    pub(crate) fn lengths(&self, lengths: &[f64]) -> Vec<f64> {
+        let mut out = lengths.to_vec();
+        match (self.elements, out.last_mut()) {
+            (0, Some(last)) => *last += self.length,
+            (count, _) => out.resize(lengths.len() + count, self.length / count as f64),
+        }
+        out
+    }
+
+    /// Rows after it.
+    pub(crate) fn rows(&self, rows: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let mut out = rows.to_vec();
+        let last = rows.last().copied().unwrap_or_default();
+        out.resize(rows.len() + self.elements, self.curvatures.unwrap_or(last));
+        out
+    }
+}
+
+/// A cut that is nearer to an element's end than this share of its length is at that end.
+const SLIVER: f64 = 1e-12;
+
+/// The lengths of what is left of elements when they are cut at an arclength, above zero and at most their sum.
+pub(crate) fn cut_lengths(lengths: &[f64], arclength: f64) -> Vec<f64> {
+    let mut rest = arclength;
+    let mut out = Vec::new();
+    for length in lengths {
+        if rest >= length * (1.0 - SLIVER) {
+            out.push(*length);
+            rest = (rest - length).max(0.0);
+        } else {
+            // A sliver is left out, but never the only element.
+            if rest > SLIVER * length || out.is_empty() {
+                out.push(rest);
+            }
+            break;
+        }
+    }
+    out
+}
+
+impl StrandShape {
+    /// Cuts the strand at an arclength from the root (m): what is left keeps its shape exactly. The element that is cut is shorter, of the same
+    /// helix. Returns how many elements are left. Cutting at the strand's length changes nothing.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a shape that cannot be used or an arclength that is not above zero and at most the length.
+    pub fn cut(&mut self, arclength: f64) -> Result<usize> {
+        self.check("shape")?;
+        check_cut("arclength", arclength, self.length())?;
+        self.element_lengths = cut_lengths(&self.element_lengths, arclength);
+        self.curvatures.truncate(self.element_lengths.len());
+        Ok(self.element_lengths.len())
+    }
+
+    /// Lets the strand grow at its tip; what was there keeps its shape.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a shape that cannot be used or a growth out of range.
+    pub fn grow(&mut self, growth: &Growth) -> Result<()> {
+        self.check("shape")?;
+        growth.check("growth", self.curvatures.len())?;
+        self.element_lengths = growth.lengths(&self.element_lengths);
+        self.curvatures = growth.rows(&self.curvatures);
+        Ok(())
+    }
+}
+
+/// Checks where a strand of that length is to be cut.
+pub(crate) fn check_cut(argument: &str, arclength: f64, length: f64) -> Result<()> {
+    if arclength > 0.0 && arclength <= length * (1.0 + 1e-9) {
+        return Ok(());
+    }
+    Err(Error::invalid(argument, arclength, format!("above zero, at most the strand's length, {length} m")))
+}

@@ -1,0 +1,109 @@
+//! Materials of living strands: read, changed, made as stiff as a shape needs.
+
+use super::Solver;
+use super::id::StrandId;
+use crate::error::{Error, Result};
+use crate::groom::stability::Stability;
+use crate::rod::kinematics::Kinematics;
+use crate::rod::material::Material;
+use crate::rod::strand::StrandModel;
+
+/// What is changed of a material to make it stiffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stiffening {
+    /// Young's modulus, Poisson's ratio as it is.
+    YoungsModulus,
+    /// Both semi-axes, and with them the weight.
+    Radius,
+}
+
+impl Stiffening {
+    /// The factor that a strand needs, see [`Stability::youngs_scale`].
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a margin out of range.
+    pub fn scale(self, stability: &Stability, margin: f64) -> Result<f64> {
+        match self {
+            Self::YoungsModulus => stability.youngs_scale(margin),
+            Self::Radius => stability.radius_scale(margin),
+        }
+    }
+
+    /// A material with that factor.
+    #[must_use]
+    pub fn applied(self, material: &Material, scale: f64) -> Material {
+        match self {
+            Self::YoungsModulus => Material { youngs_modulus: material.youngs_modulus * scale, ..*material },
+            Self::Radius => Material { radius: material.radius.map(|radius| radius * scale), ..*material },
+        }
+    }
+}
+
+impl Solver {
+    /// A strand's section and material.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn material(&self, id: StrandId) -> Result<&Material> {
+        Ok(&self.strand("id", id)?.model.material)
+    }
+
+    /// Changes sections and materials of living strands, one for each or one for all: from then on they are as strands that were made so. Shapes,
+    /// natural shapes, velocities and freedoms stay, and so do the radii of contact ([`Solver::set_contact`]); energies are those of the new
+    /// material. A strand that hung at rest does so no more: [`Solver::take_rest_shapes`] makes its shape one of rest again.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `materials[i].field`, or for a count that is neither 1 nor that of
+    /// the strands. Then nothing has changed.
+    pub fn set_materials(&mut self, ids: &[StrandId], materials: &[Material]) -> Result<()> {
+        if materials.len() != ids.len() && materials.len() != 1 {
+            let expected = format!("{}, one a strand, or 1 for all", ids.len());
+            return Err(Error::invalid("materials (count)", materials.len(), expected));
+        }
+        for (k, material) in materials.iter().enumerate() {
+            // Named only where it is wrong: a name for each would cost more than the checks.
+            material.check("materials").or_else(|_| material.check(&format!("materials[{k}]")))?;
+        }
+        let indices = self.indices(ids)?;
+        let (gravity, mut kinematics) = (self.options.gravity, Kinematics::default());
+        for (k, index) in indices.into_iter().enumerate() {
+            let material = &materials[if materials.len() == 1 { 0 } else { k }];
+            let strand = &mut self.strands[index];
+            let section = self.sections.of(material, strand.model.freedoms);
+            strand.model = StrandModel::of_section(strand.model.lengths.to_vec(), strand.model.natural.to_vec(), section);
+            strand.update_energies(gravity, &self.rules, &mut kinematics);
+        }
+        Ok(())
+    }
+
+    /// Makes strands that would not rest stably in their present shapes as much stiffer as that takes, and no more, and takes the shapes as rest
+    /// shapes ([`Solver::take_rest_shapes`], of all strands named). Afterwards the smallest eigenvalue of the static Hessian against the elastic
+    /// stiffness is at least `margin` (0 to less than 1; at 0 a strand stands on the very border). The factors, 1 or above, come in the order of
+    /// `ids`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for a margin out of range, an identifier given twice, or a strand for
+    /// which no finite stiffness does. Then nothing has changed.
+    pub fn stiffen(&mut self, ids: &[StrandId], by: Stiffening, margin: f64) -> Result<Vec<f64>> {
+        let indices = self.indices(ids)?;
+        self.check_once(ids, &indices)?;
+        let scales = self.shape_stability(ids)?.iter().map(|found| by.scale(found, margin)).collect::<Result<Vec<f64>>>()?;
+        let stiffer = |(index, scale): (&usize, &f64)| by.applied(&self.strands[*index].model.material, *scale);
+        let materials: Vec<Material> = indices.iter().zip(&scales).map(stiffer).collect();
+        for (k, material) in materials.iter().enumerate() {
+            if material.check("material").is_err() {
+                let expected = "one that a finite stiffness holds up";
+                return Err(Error::invalid(format!("ids[{k}]"), "a strand whose weight is too much for its stiffness", expected));
+            }
+        }
+        let before: Vec<Material> = indices.iter().map(|index| self.strands[*index].model.material).collect();
+        if !ids.is_empty() {
+            self.set_materials(ids, &materials)?;
+            if let Err(error) = self.take_rest_shapes(ids) {
+                self.set_materials(ids, &before)?;
+                return Err(error);
+            }
+        }
+        Ok(scales)
+    }
+}
