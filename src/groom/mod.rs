@@ -2,6 +2,7 @@
 
 pub mod fit;
 pub mod polyline;
+pub mod render_hair;
 pub mod rest_shape;
 pub mod spline;
 pub mod stability;
