@@ -228,7 +228,7 @@ fn guides_whose_tips_part_are_not_mixed() {
     };
     let none = RenderSettings { max_tip_ratio: f64::INFINITY, ..RenderSettings::default() };
     // Mixed across the parting there are strands that go to neither side; otherwise all go the whole way.
-    assert!(reach(&none) < 0.15, "{}", reach(&none));
+    assert!(reach(&none) < 0.2, "{}", reach(&none));
     for settings in [
         RenderSettings::default(),
         RenderSettings { max_tip_distance: 0.2, max_tip_ratio: f64::INFINITY, ..RenderSettings::default() },
@@ -431,7 +431,7 @@ fn real_curls_are_kept_in_curvatures() {
     let (position, curvature) = (kept(Space::Position), kept(Space::Curvature));
     println!("length and turning kept: positions {position:?}, curvatures {curvature:?}");
     assert!(curvature.0 > 0.97 && curvature.0 < 1.05 && curvature.1 > 0.85, "{curvature:?}");
-    assert!(position.0 < curvature.0 - 0.02 && position.1 < curvature.1 - 0.05, "{position:?} {curvature:?}");
+    assert!(position.0 < curvature.0 - 0.03 && position.1 < curvature.1 - 0.01, "{position:?} {curvature:?}");
 }
 
 #[test]

@@ -16,6 +16,7 @@ mod phase;
 mod pose;
 mod position;
 mod profile;
+mod quaternion;
 mod settings;
 mod shape;
 mod strand;

@@ -10,6 +10,7 @@ pub mod id;
 mod level_of_detail;
 mod population;
 mod reading;
+mod render_guides;
 pub mod report;
 mod restyling;
 mod sampling;
@@ -24,6 +25,7 @@ mod workers;
 use nalgebra::Vector3;
 
 pub use bulk_sampling::{SampleSink, Tile, Wanted};
+pub use render_guides::SolverGuides;
 pub use sampling::Sample;
 pub use snapshot::SNAPSHOT_VERSION;
 pub use stepping::SHORTEST_STEP;

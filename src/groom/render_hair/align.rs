@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::phase::{argument, nearest_turn, phasor};
+use super::phase::{argument, phasor};
 use super::settings::MOST_GUIDES;
 use super::shape::{BEND, CURL, N1, PLACE, Reference, Shape, carried};
 use super::strand::RenderCurl;
@@ -28,46 +28,38 @@ fn bend(reference: &Reference, shape: &Shape, guide: u32, first: usize, k: usize
     [f64::from(rows[first * reference.stride + k]), f64::from(rows[(first + 1) * reference.stride + k])]
 }
 
-/// How the bends of a strand's guides are mixed: as they are, in frames that are like each other at the root, or with the curls' phases taken off
-/// and the curls in step, whichever leaves more of them.
+/// How the bends of a strand's guides are mixed: as they are, in frames that are like the first guide's at the root; or with the curls' phases
+/// taken off, in frames whose n1 is where the curl bends to, so that the root of a strand between two curls is on the curl between them.
+/// Whichever leaves more of the bends.
 pub(super) fn align(reference: &Reference, shape: &Shape, followed: &Followed) -> RenderCurl {
-    let mut turns = [[1.0, 0.0]; MOST_GUIDES];
     let mut plain = [[1.0, 0.0]; MOST_GUIDES];
-    let mut starts = [0.0; MOST_GUIDES];
+    let mut curled = [[1.0, 0.0]; MOST_GUIDES];
     let (first_way, first_n1) = first_edge(reference, shape, followed.guides[0]);
     for k in 0..followed.count {
         let guide = followed.guides[k];
         let (way, n1) = first_edge(reference, shape, guide);
         let like = carried(first_n1, first_way, way);
-        let delta = argument([like.dot(&n1), like.dot(&way.cross(&n1))]);
-        turns[k] = phasor(delta);
-        plain[k] = phasor(-delta);
+        plain[k] = phasor(argument([like.dot(&n1), like.dot(&way.cross(&n1))]));
         let sum = (0..reference.points).fold([0.0; 2], |sum, j| {
             let value = bend(reference, shape, guide, CURL, j);
             [sum[0] + value[0], sum[1] + value[1]]
         });
-        // The curl's phase at the root, in the frame that is like the first guide's, within half a turn of the first guide's.
-        starts[k] = nearest_turn(argument(sum) - delta, starts[0]);
+        curled[k] = phasor(argument(sum));
     }
-    let start: f64 = (0..followed.count).map(|k| followed.weights[k] * starts[k]).sum();
-    let mut curled = [[1.0, 0.0]; MOST_GUIDES];
-    for k in 0..followed.count {
-        curled[k] = phasor(start - starts[k] - argument(turns[k]));
-    }
-    let left = |phasors: &[[f64; 2]; MOST_GUIDES], row: usize| -> f64 {
+    let left = |turns: &[[f64; 2]; MOST_GUIDES], row: usize| -> f64 {
         (0..reference.points)
             .map(|j| {
                 let mut sum = [0.0; 2];
                 for k in 0..followed.count {
-                    let (b, p, w) = (bend(reference, shape, followed.guides[k], row, j), phasors[k], followed.weights[k]);
-                    sum[0] += w * (p[0] * b[0] - p[1] * b[1]);
-                    sum[1] += w * (p[0] * b[1] + p[1] * b[0]);
+                    let (b, t, w) = (bend(reference, shape, followed.guides[k], row, j), turns[k], followed.weights[k]);
+                    sum[0] += w * (t[0] * b[0] + t[1] * b[1]);
+                    sum[1] += w * (t[0] * b[1] - t[1] * b[0]);
                 }
                 (sum[0] * sum[0] + sum[1] * sum[1]).sqrt()
             })
             .sum()
     };
     let in_step = left(&curled, CURL) > WORTH_WHILE * left(&plain, BEND);
-    let singles = |list: [[f64; 2]; MOST_GUIDES]| list.map(|[x, y]| [x as f32, y as f32]);
-    RenderCurl { turns: singles(turns), phasors: singles(if in_step { curled } else { plain }), curled: in_step }
+    let turns = if in_step { curled } else { plain };
+    RenderCurl { turns: turns.map(|[x, y]| [x as f32, y as f32]), curled: in_step }
 }

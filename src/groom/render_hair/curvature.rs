@@ -1,6 +1,7 @@
 //! Strands mixed from their guides' lengths and bends: worked out from the root to the tip, sixteen strands side by side.
 
 use super::RenderHair;
+use super::quaternion::quaternion;
 use super::settings::MOST_GUIDES;
 use super::shape::{BEND, CURL, LENGTH, N1, PLACE, Reference, Shape};
 use super::strand::{RenderCurl, RenderStrand};
@@ -130,7 +131,7 @@ pub(super) fn bend(hair: &RenderHair, shape: &Shape, strands: &[RenderStrand], c
     }
 }
 
-/// The frame on a strand's first edge.
+/// The frame on a strand's first edge: the mean of its guides' as rotations.
 #[inline(always)]
 fn start(
     reference: &Reference,
@@ -140,8 +141,7 @@ fn start(
     lane: usize,
     frames: &mut [[Lanes; 3]; 3],
 ) {
-    let (mut tangent, mut n1) = ([0.0; 3], [0.0; 3]);
-    let mut own = ([0.0; 3], [0.0; 3]);
+    let (mut first, mut sum) = ([0.0, 0.0, 0.0, 1.0], [0.0; 4]);
     for k in 0..MOST_GUIDES {
         let weight = strand.weights[k];
         if weight == 0.0 && k > 0 {
@@ -149,38 +149,31 @@ fn start(
         }
         let rows = &shape.rows[strand.guides[k] as usize * reference.size()..][..reference.size()];
         let way = first_way(reference, rows);
-        let across = [0, 1, 2].map(|axis| rows[(N1 + axis) * reference.stride]);
-        let beside = cross(way, across);
+        let n1 = [0, 1, 2].map(|axis| rows[(N1 + axis) * reference.stride]);
+        let n2 = cross(way, n1);
         let [cosine, sine] = curl.turns[k];
-        let turned = [0, 1, 2].map(|axis| cosine * across[axis] + sine * beside[axis]);
+        let across = [0, 1, 2].map(|axis| cosine * n1[axis] + sine * n2[axis]);
+        let q = quaternion(way, across, cross(way, across));
         if k == 0 {
-            own = (way, turned);
+            first = q;
         }
+        // A rotation is two quaternions: the one on the first guide's side.
+        let side = q[0] * first[0] + q[1] * first[1] + q[2] * first[2] + q[3] * first[3];
+        let weight = if side < 0.0 { -weight } else { weight };
+        (0..4).for_each(|number| sum[number] += weight * q[number]);
+    }
+    let squared = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2] + sum[3] * sum[3];
+    // All are on the first's side, so the sum is at least its share; with nothing of it left the first counts.
+    let [x, y, z, w] = if squared > 1e-6 { sum.map(|value| value / squared.sqrt()) } else { first };
+    let columns = [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
+        [2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)],
+        [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ];
+    for column in 0..3 {
         for axis in 0..3 {
-            tangent[axis] += weight * way[axis];
-            n1[axis] += weight * turned[axis];
+            frames[column][axis][lane] = columns[column][axis];
         }
-    }
-    // Guides that leave in opposite directions have no mean: then the first's counts.
-    let mut along = unit(tangent);
-    if dot(tangent, tangent) < 1e-6 {
-        (along, n1) = own;
-    }
-    let part = dot(n1, along);
-    let mut across = [0, 1, 2].map(|axis| n1[axis] - part * along[axis]);
-    if dot(across, across) < 1e-6 {
-        let part = dot(own.1, along);
-        across = [0, 1, 2].map(|axis| own.1[axis] - part * along[axis]);
-    }
-    if dot(across, across) < 1e-6 {
-        across = cross(along, own.0);
-    }
-    let across = unit(across);
-    let beside = cross(along, across);
-    for axis in 0..3 {
-        frames[0][axis][lane] = along[axis];
-        frames[1][axis][lane] = across[axis];
-        frames[2][axis][lane] = beside[axis];
     }
 }
 
@@ -198,15 +191,15 @@ fn mix_bends(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, curl: &Ren
     lengths.fill(0.0);
     let row = if curl.curled { CURL } else { BEND };
     for guide in 0..hair.settings.guides_per_strand {
-        let (weight, [p, q]) = (strand.weights[guide], curl.phasors[guide]);
+        let (weight, [cosine, sine]) = (strand.weights[guide], curl.turns[guide]);
         let own = if guide == 0 { 1.0 } else { 0.0 };
         let rows = &shape.rows[strand.guides[guide] as usize * size..][..size];
         let (g1, g2) = (&rows[row * stride..][..stride], &rows[(row + 1) * stride..][..stride]);
         let length = &rows[LENGTH * stride..][..stride];
         for k in 0..stride {
             let w = weight * (1.0 - gathered[k]) + own * gathered[k];
-            b1[k] += w * (p * g1[k] - q * g2[k]);
-            b2[k] += w * (p * g2[k] + q * g1[k]);
+            b1[k] += w * (cosine * g1[k] + sine * g2[k]);
+            b2[k] += w * (cosine * g2[k] - sine * g1[k]);
             lengths[k] += w * length[k];
         }
     }

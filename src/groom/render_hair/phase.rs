@@ -36,7 +36,7 @@ pub(super) fn argument([x, y]: Complex) -> f64 {
 }
 
 /// An angle taken to within half a turn of another.
-pub(super) fn nearest_turn(angle: f64, to: f64) -> f64 {
+fn nearest_turn(angle: f64, to: f64) -> f64 {
     angle - std::f64::consts::TAU * ((angle - to) / std::f64::consts::TAU).round()
 }
 

@@ -27,10 +27,8 @@ pub(super) struct RenderStrand {
 /// What curvatures are mixed by, beside that.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RenderCurl {
-    /// How each guide's frame is turned about its first edge into one that is like the first guide's: cosine and sine.
+    /// How each guide's frame on its first edge is turned about that edge, and its bends with it, before they are mixed: cosine and sine.
     pub turns: [[f32; 2]; MOST_GUIDES],
-    /// How each guide's bends are turned before they are mixed.
-    pub phasors: [[f32; 2]; MOST_GUIDES],
     /// Whether the bends are mixed with the curls' phases taken off.
     pub curled: bool,
 }

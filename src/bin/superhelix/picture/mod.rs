@@ -142,7 +142,7 @@ pub fn spread(length: usize, count: usize) -> Vec<usize> {
 }
 
 /// The frames to draw from: those of a directory in the order of their numbers, or the files as given.
-fn list_frames(inputs: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+pub fn list_frames(inputs: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
     match inputs {
         [directory] if directory.is_dir() => list_directory(directory),
         files => {
