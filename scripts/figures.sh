@@ -31,3 +31,4 @@ build/venv/bin/python docs/figures/plot.py
 build/venv/bin/python docs/figures/plot_performance.py
 build/venv/bin/python docs/figures/plot_validation.py
 build/venv/bin/python docs/figures/plot_single_precision.py
+scripts/render_hair.sh

@@ -12,7 +12,9 @@ use superhelix::capi::{
     fit::shx_fit,
     fit_curves::{shx_fit_curves, shx_fit_options, shx_fitted_strand},
     friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
+    render_def::{shx_render_guides, shx_render_settings, shx_render_view},
     sampling::shx_sample_def,
+    scalp::{shx_follicle, shx_scalp_def, shx_scatter_def},
     settings::shx_settings,
     settle::{shx_settle_def, shx_settle_report},
     solver::shx_step_report,
@@ -69,6 +71,12 @@ fn every_size_and_offset_is_as_published() {
         shx_contact: 152 { strand: 0, arclength: 8, partner: 16, feature: 20, body: 24, other: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }
         shx_constraint_def: 120 { struct_size: 0, hold: 4, strand: 8, arclength: 16, other: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112 }
         shx_constraint_state: 72 { status: 0, reserved: 4, arclength: 8, error: 16, force: 24, torque: 48 }
+        shx_render_settings: 184 { struct_size: 0, points_per_strand: 4, space: 8, guides_per_strand: 12, curliness: 16, measure_curliness: 24, wisps_per_guide: 28, max_tip_distance: 32, max_tip_ratio: 40, wisp_profile: 48, frizz: 72, frizz_waves: 80, radius: 88, tip_radius: 96, taper_from: 104, radius_variation: 112, seed: 120, worker_count: 128, reserved0: 132, parallel_for: 136, parallel_for_user: 144, reserved: 152 }
+        shx_render_guides: 184 { struct_size: 0, reserved0: 4, guide_count: 8, points: 16, point_counts: 48, roots: 56, velocities: 88, root_angular_velocities: 120, reserved: 152 }
+        shx_render_view: 160 { struct_size: 0, reserved0: 4, first: 8, count: 16, origin: 24, before: 48, seconds: 56, roots: 64, roots_before: 96, reserved: 128 }
+        shx_follicle: 24 { triangle: 0, reserved: 4, shares: 8 }
+        shx_scalp_def: 120 { struct_size: 0, reserved0: 4, vertices: 8, triangles: 40, triangle_count: 48, uvs: 56, reference: 64, reserved: 88 }
+        shx_scatter_def: 88 { struct_size: 0, reserved0: 4, count: 8, spacing: 16, density: 24, density_width: 32, density_height: 40, seed: 48, reserved: 56 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 29] = [
+const SOURCES: [&str; 32] = [
     "version",
     "errors",
     "types",
@@ -34,10 +34,13 @@ const SOURCES: [&str; 29] = [
     "friction_fit",
     "suggest",
     "curves",
+    "scalp",
+    "render_def",
+    "render_hair",
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 39] = [
+const SECTIONS: [(&str, &str); 42] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -52,6 +55,7 @@ const SECTIONS: [(&str, &str); 39] = [
     ("#define SHX_SPLINE_CATMULL_ROM ", "Kinds of splines"),
     ("#define SHX_PRESET_PREVIEW ", "Presets and measured scenes"),
     ("#define SHX_OBSERVABLE_SPAN ", "Fitting friction"),
+    ("#define SHX_SPACE_POSITION ", "Mixing guides"),
     ("typedef struct shx_curves ", "Handles"),
     ("typedef int32_t shx_result;", "Plain data, host hooks, definitions"),
     ("SHX_API uint32_t shx_version(", "Version"),
@@ -77,6 +81,8 @@ const SECTIONS: [(&str, &str); 39] = [
     ("SHX_API shx_result shx_friction_def_init(", "Fitting friction to recorded curves"),
     ("SHX_API shx_result shx_suggest_def_init(", "Choosing the number of elements"),
     ("SHX_API shx_result shx_curves_read(", "Groom files and caches"),
+    ("SHX_API shx_result shx_scalp_def_init(", "Follicles on a scalp"),
+    ("SHX_API shx_result shx_render_settings_init(", "Render hair"),
 ];
 
 fn root() -> PathBuf {

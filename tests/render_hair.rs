@@ -11,6 +11,7 @@ use superhelix::groom::render_hair::{
     GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, measured_curliness,
     resampled,
 };
+use superhelix::math::lanes::InstructionSet;
 use superhelix::workers::Workers;
 
 /// What a strand's points were.
@@ -77,7 +78,7 @@ fn groom(name: &str, scale: f64, every: usize, points: usize) -> Vec<Vector3<f64
     let strands: Vec<_> = curves.strands().step_by(every).collect();
     let counts: Vec<u32> = strands.iter().map(|strand| strand.len() as u32).collect();
     let all: Vec<_> = strands.iter().flat_map(|strand| strand.iter()).map(|p| Vector3::from(p.map(f64::from)) * scale).collect();
-    resampled(&all, &counts, None, points).expect("curves").0
+    resampled(&all, &counts, None, points).expect("curves").points
 }
 
 fn sintel() -> Vec<Vector3<f64>> {
@@ -315,7 +316,7 @@ fn velocities_are_those_of_the_motion() {
 }
 
 #[test]
-fn the_bits_do_not_depend_on_who_works_nor_on_the_parts() {
+fn the_bits_do_not_depend_on_who_works_nor_on_the_parts_nor_on_the_machine() {
     let guides = sintel();
     let roots = roots_among(&guides, 16, 1000);
     for space in [Space::Position, Space::Curvature] {
@@ -324,6 +325,12 @@ fn the_bits_do_not_depend_on_who_works_nor_on_the_parts() {
         for threads in [2, 3] {
             let several = RenderSettings { workers: Workers::Pool(threads), ..settings.clone() };
             assert!(evaluate_all(&several, &guides, &roots) == one);
+        }
+        for set in [InstructionSet::Scalar, InstructionSet::Avx2, InstructionSet::Avx512] {
+            if set <= InstructionSet::detected() {
+                let narrow = RenderSettings { instruction_set: Some(set), ..settings.clone() };
+                assert!(evaluate_all(&narrow, &guides, &roots) == one, "{set:?}");
+            }
         }
         let pose = bind(&settings, &GuideSamples::at_rest(&guides), &roots);
         for (first, count) in [(0, 1), (7, 45), (128, 300), (999, 1), (1000, 0)] {
@@ -484,14 +491,14 @@ fn roots_go_where_the_host_says() {
 fn curves_are_resampled_uniformly_and_their_curls_measured() {
     let corner = [Vector3::zeros(), Vector3::new(1.0, 0.0, 0.0), Vector3::new(1.0, 0.0, 0.0), Vector3::new(1.0, 2.0, 0.0)];
     let values: Vec<_> = corner.iter().map(|p| p * 2.0).collect();
-    let (points, doubled) = resampled(&corner, &[4], Some(&values), 7).expect("a curve");
-    for (k, point) in points.iter().enumerate() {
+    let uniform = resampled(&corner, &[4], Some(&values), 7).expect("a curve");
+    for (k, point) in uniform.points.iter().enumerate() {
         let s = 0.5 * k as f64;
         let wanted = if s < 1.0 { Vector3::new(s, 0.0, 0.0) } else { Vector3::new(1.0, s - 1.0, 0.0) };
         assert!((point - wanted).norm() < 1e-15);
-        assert!((doubled.as_ref().expect("values")[k] - 2.0 * wanted).norm() < 1e-15);
+        assert!((uniform.values.as_ref().expect("values")[k] - 2.0 * wanted).norm() < 1e-15);
     }
-    let (still, _) = resampled(&[Vector3::x(); 3], &[3], None, 4).expect("a curve without length");
+    let still = resampled(&[Vector3::x(); 3], &[3], None, 4).expect("a curve without length").points;
     assert_eq!(still, [Vector3::x(); 4]);
     assert_eq!(measured_curliness(&[Vector3::zeros(), Vector3::x(), Vector3::x() * 3.0]), 0.0);
     assert_eq!(measured_curliness(&curls(&[0.0], 0.01, 4.0, 64)), 1.0);

@@ -159,6 +159,7 @@ impl shx_render_settings {
             } else {
                 Workers::Serial
             },
+            instruction_set: None,
         };
         settings.check("settings.")?;
         Ok(settings)
@@ -303,7 +304,8 @@ impl OwnedGuides {
                 roots = Some((0..count).map(|index| reader.rotation("guides.roots", index)).collect::<Result<_>>()?);
             }
             if let Some(counts) = counts {
-                (points, velocities) = resampled(&points, counts, velocities.as_deref(), per_strand)?;
+                let uniform = resampled(&points, counts, velocities.as_deref(), per_strand)?;
+                (points, velocities) = (uniform.points, uniform.values);
             }
             Ok(Self { points, roots, velocities, spins })
         }

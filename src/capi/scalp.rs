@@ -228,7 +228,7 @@ pub unsafe extern "C" fn shx_scalp_scatter(
         let distance = Places::optional("out_least_distance", "out_least_distance", out_least_distance, 1)?;
         let amount = match (def.count, def.spacing) {
             (0, spacing) => Amount::Spacing(spacing),
-            (count, spacing) if spacing == 0.0 => Amount::Count(count),
+            (count, 0.0) => Amount::Count(count),
             (_, spacing) => return Err(Error::invalid("def.spacing", spacing, "0 with a count")),
         };
         let density = if def.density.is_null() {

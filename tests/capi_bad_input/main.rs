@@ -11,9 +11,11 @@ mod fit;
 mod fit_curves;
 mod friction_fit;
 mod level_of_detail;
+mod render_hair;
 mod restyling;
 mod roots;
 mod sampling;
+mod scalp;
 mod scene;
 mod settings;
 mod settle;
@@ -162,6 +164,8 @@ fn table() -> Vec<Case> {
         settings::cases,
         friction_fit::cases,
         curves::cases,
+        render_hair::cases,
+        scalp::cases,
     ] {
         add(&mut cases);
     }

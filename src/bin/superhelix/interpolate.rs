@@ -168,7 +168,7 @@ impl InterpolateArguments {
         let counts: Vec<u32> = strands.iter().map(|strand| strand.len() as u32).collect();
         let all = strands.iter().flat_map(|strand| strand.iter());
         let all: Vec<_> = all.map(|point| Vector3::from(point.map(f64::from)) * self.scale).collect();
-        Ok(resampled(&all, &counts, None, points).map_err(|error| Failure::file(path, error))?.0)
+        Ok(resampled(&all, &counts, None, points).map_err(|error| Failure::file(path, error))?.points)
     }
 
     fn places(&self, guides: &[Vector3<f64>]) -> Result<Vec<Vector3<f64>>, Failure> {

@@ -143,7 +143,7 @@ impl RenderPose {
             .step_by(TILE)
             .map(|first| (first, TILE.min(view.first + view.count - first)))
             .collect();
-        let set = InstructionSet::detected();
+        let set = hair.settings.instruction_set.unwrap_or_else(InstructionSet::detected);
         hair.crew.for_each_task(&mut tiles, 1, usize::MAX, |tiles, scratch| {
             for (first, count) in tiles {
                 let tile = TileWork { pose: self, view, earlier, first: *first, count: *count, scratch, sink };

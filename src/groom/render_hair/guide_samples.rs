@@ -66,8 +66,17 @@ fn vectors(name: &str, list: &[Vector3<f64>], needed: usize) -> Result<()> {
     Ok(())
 }
 
+/// Polylines at uniform places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Resampled {
+    /// The places, curve after curve.
+    pub points: Vec<Vector3<f64>>,
+    /// What the curves' points had, there.
+    pub values: Option<Vec<Vector3<f64>>>,
+}
+
 /// Polylines of any number of points at `per_strand` places each, uniform in arclength: guides from a cache. `counts` are the points of each
-/// curve, at least one. Gives the new points, and `values` (of the points: velocities, say) at the same places. A curve without length has
+/// curve, at least one. `values` (of the points: velocities, say) are taken along. A curve without length has
 /// all its points at its root.
 ///
 /// # Errors
@@ -77,7 +86,7 @@ pub fn resampled(
     counts: &[u32],
     values: Option<&[Vector3<f64>]>,
     per_strand: usize,
-) -> Result<(Vec<Vector3<f64>>, Option<Vec<Vector3<f64>>>)> {
+) -> Result<Resampled> {
     if per_strand < 2 {
         return Err(Error::invalid("per_strand", per_strand, "2 or more: root and tip"));
     }
@@ -120,5 +129,5 @@ pub fn resampled(
         }
         first += count;
     }
-    Ok((out, out_values))
+    Ok(Resampled { points: out, values: out_values })
 }

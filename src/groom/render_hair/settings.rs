@@ -1,6 +1,7 @@
 //! What render strands are to look like.
 
 use crate::error::{Error, Result, check_finite, check_not_negative};
+use crate::math::lanes::InstructionSet;
 use crate::workers::Workers;
 
 /// Most guides that a render strand follows.
@@ -60,6 +61,8 @@ pub struct RenderSettings {
     pub seed: u64,
     /// Who evaluates.
     pub workers: Workers,
+    /// Vector instructions to use; none: the best that the machine has. The results' bits do not depend on it.
+    pub instruction_set: Option<InstructionSet>,
 }
 
 impl Default for RenderSettings {
@@ -82,6 +85,7 @@ impl Default for RenderSettings {
             radius_variation: 0.1,
             seed: 0,
             workers: Workers::Serial,
+            instruction_set: None,
         }
     }
 }
@@ -90,7 +94,7 @@ impl RenderSettings {
     /// Checks every field; `outer` is put before its name in the message.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] naming the field.
+    /// [`Error::InvalidArgument`] naming the field; [`Error::Unsupported`] for instructions that the machine does not have.
     pub fn check(&self, outer: &str) -> Result<()> {
         let within = |name: &str, value: f64, low: f64, high: f64| {
             if (low..=high).contains(&value) {
@@ -133,6 +137,15 @@ impl RenderSettings {
             return Err(Error::invalid(format!("{outer}taper_from"), self.taper_from, "0 to less than 1"));
         }
         within("radius_variation", self.radius_variation, 0.0, 1.0)?;
+        if let Some(set) = self.instruction_set
+            && set > InstructionSet::detected()
+        {
+            return Err(Error::Unsupported {
+                argument: format!("{outer}instruction_set"),
+                value: set.name().into(),
+                hint: format!("this machine has {}", InstructionSet::detected().name()),
+            });
+        }
         self.workers.check(outer.trim_end_matches('.'))
     }
 }
