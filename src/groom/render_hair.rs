@@ -11,6 +11,7 @@
 mod align;
 mod curvature;
 mod evaluate;
+mod frames;
 mod guide_samples;
 mod phase;
 mod pose;

@@ -32,21 +32,22 @@ fn bend(reference: &Reference, shape: &Shape, guide: u32, first: usize, k: usize
 /// taken off, in frames whose n1 is where the curl bends to, so that the root of a strand between two curls is on the curl between them.
 /// Whichever leaves more of the bends.
 pub(super) fn align(reference: &Reference, shape: &Shape, followed: &Followed) -> RenderCurl {
-    let mut plain = [[1.0, 0.0]; MOST_GUIDES];
-    let mut curled = [[1.0, 0.0]; MOST_GUIDES];
+    let mut plain = [0.0; MOST_GUIDES];
+    let mut curled = [0.0; MOST_GUIDES];
     let (first_way, first_n1) = first_edge(reference, shape, followed.guides[0]);
     for k in 0..followed.count {
         let guide = followed.guides[k];
         let (way, n1) = first_edge(reference, shape, guide);
         let like = carried(first_n1, first_way, way);
-        plain[k] = phasor(argument([like.dot(&n1), like.dot(&way.cross(&n1))]));
+        plain[k] = argument([like.dot(&n1), like.dot(&way.cross(&n1))]);
         let sum = (0..reference.points).fold([0.0; 2], |sum, j| {
             let value = bend(reference, shape, guide, CURL, j);
             [sum[0] + value[0], sum[1] + value[1]]
         });
-        curled[k] = phasor(argument(sum));
+        curled[k] = argument(sum);
     }
-    let left = |turns: &[[f64; 2]; MOST_GUIDES], row: usize| -> f64 {
+    let left = |angles: &[f64; MOST_GUIDES], row: usize| -> f64 {
+        let turns = angles.map(phasor);
         (0..reference.points)
             .map(|j| {
                 let mut sum = [0.0; 2];
@@ -60,6 +61,7 @@ pub(super) fn align(reference: &Reference, shape: &Shape, followed: &Followed) -
             .sum()
     };
     let in_step = left(&curled, CURL) > WORTH_WHILE * left(&plain, BEND);
-    let turns = if in_step { curled } else { plain };
-    RenderCurl { turns: turns.map(|[x, y]| [x as f32, y as f32]), curled: in_step }
+    let angles = if in_step { curled } else { plain };
+    let phasors = |share: f64| angles.map(|angle| phasor(share * angle).map(|value| value as f32));
+    RenderCurl { turns: phasors(1.0), halves: phasors(0.5), curled: in_step }
 }

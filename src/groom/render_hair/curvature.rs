@@ -1,11 +1,8 @@
 //! Strands mixed from their guides' lengths and bends: worked out from the root to the tip, sixteen strands side by side.
 
 use super::RenderHair;
-use super::quaternion::quaternion;
-use super::settings::MOST_GUIDES;
-use super::shape::{BEND, CURL, LENGTH, N1, PLACE, Reference, Shape};
+use super::shape::{BEND, CURL, LENGTH, Shape};
 use super::strand::{RenderCurl, RenderStrand};
-use crate::math::trigonometry::sine_cosine;
 
 /// Strands that go side by side.
 pub(super) const WIDTH: usize = 16;
@@ -18,6 +15,8 @@ pub(super) struct Room {
     rows: Vec<f32>,
     /// The same of all: a point after the other, its three numbers, each for all strands.
     bends: Vec<[Lanes; 3]>,
+    /// Places as they come: a point after the other, its three numbers, each for all strands.
+    walked: Vec<[Lanes; 3]>,
     /// Places from the root: three rows a strand.
     pub places: Vec<f32>,
 }
@@ -55,34 +54,14 @@ fn turning(squared: f32) -> (f32, f32) {
     (sine, cosine)
 }
 
-/// The direction of a guide's first edge: of its first point that is not the root's.
+/// Sine and cosine, to 2e-7 for some hundreds of turns.
 #[inline(always)]
-fn first_way(reference: &Reference, rows: &[f32]) -> [f32; 3] {
-    let stride = reference.stride;
-    let at = |k: usize| [0, 1, 2].map(|axis| rows[(PLACE + axis) * stride + k]);
-    let mut k = 1;
-    while k + 1 < reference.points && at(k) == [0.0; 3] {
-        k += 1;
-    }
-    unit(at(k))
-}
-
-#[inline(always)]
-fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline(always)]
-fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-#[inline(always)]
-fn unit(a: [f32; 3]) -> [f32; 3] {
-    let squared = dot(a, a);
-    // What has no direction gets none: its strand has no length either.
-    let factor = if squared > 0.0 { 1.0 / squared.sqrt() } else { 0.0 };
-    a.map(|value| value * factor)
+fn sine_cosine(angle: f32) -> (f32, f32) {
+    // Whole turns off, 2π in two parts; adding and taking away 1.5·2²³ rounds.
+    let turns = (angle * std::f32::consts::FRAC_1_PI * 0.5 + 12_582_912.0) - 12_582_912.0;
+    let rest = (angle - turns * 6.281_25) - turns * 1.935_307_2e-3;
+    let (sine, cosine) = turning(rest * rest);
+    (rest * sine, 1.0 - rest * rest * cosine)
 }
 
 /// Works out the places of up to [`WIDTH`] strands from their roots.
@@ -92,40 +71,55 @@ pub(super) fn bend(hair: &RenderHair, shape: &Shape, strands: &[RenderStrand], c
     let (stride, points) = (reference.stride, reference.points);
     room.rows.resize(3 * stride, 0.0);
     room.bends.resize(stride, [[0.0; WIDTH]; 3]);
+    room.walked.resize(stride, [[0.0; WIDTH]; 3]);
     room.places.resize(3 * stride * WIDTH, 0.0);
     // Tangent, n1 and n2 on the edge at hand.
     let mut frames = [[[0.0_f32; WIDTH]; 3]; 3];
     for (lane, (strand, curl)) in strands.iter().zip(curls).enumerate() {
-        start(reference, shape, strand, curl, lane, &mut frames);
+        start(shape, strand, curl, hair.settings.guides_per_strand, lane, &mut frames);
         mix_bends(hair, shape, strand, curl, &mut room.rows);
-        for k in 0..points {
-            for row in 0..3 {
-                room.bends[k][row][lane] = room.rows[row * stride + k];
+        for row in 0..3 {
+            for (bends, value) in room.bends.iter_mut().zip(&room.rows[row * stride..][..stride]) {
+                bends[row][lane] = *value;
             }
         }
     }
     let mut place = [[0.0_f32; WIDTH]; 3];
     for k in 1..points {
+        let [b1, b2, lengths] = &room.bends[k - 1];
         if k > 1 {
-            let [b1, b2, _] = &room.bends[k - 1];
+            // The frame times I + s [ω]× + c [ω]×², ω = (0, b1, b2) in it.
+            let (mut s, mut c, mut d) = ([0.0; WIDTH], [0.0; WIDTH], [0.0; WIDTH]);
             for lane in 0..WIDTH {
-                let (b1, b2) = (b1[lane], b2[lane]);
-                let (s, c) = turning(b1 * b1 + b2 * b2);
-                for axis in 0..3 {
-                    let (t, m, n) = (frames[0][axis][lane], frames[1][axis][lane], frames[2][axis][lane]);
-                    frames[0][axis][lane] = t + (s * (b2 * m - b1 * n) - c * (b1 * b1 + b2 * b2) * t);
-                    frames[1][axis][lane] = m + (c * b2 * (b1 * n - b2 * m) - s * b2 * t);
-                    frames[2][axis][lane] = n + (c * b1 * (b2 * m - b1 * n) + s * b1 * t);
+                let squared = b1[lane] * b1[lane] + b2[lane] * b2[lane];
+                (s[lane], c[lane]) = turning(squared);
+                d[lane] = c[lane] * squared;
+            }
+            for axis in 0..3 {
+                let (t, m, n) = (frames[0][axis], frames[1][axis], frames[2][axis]);
+                let (mut t_new, mut m_new, mut n_new) = (t, m, n);
+                for lane in 0..WIDTH {
+                    let w = b2[lane] * m[lane] - b1[lane] * n[lane];
+                    let u = c[lane] * w + s[lane] * t[lane];
+                    t_new[lane] = t[lane] + (s[lane] * w - d[lane] * t[lane]);
+                    m_new[lane] = m[lane] - b2[lane] * u;
+                    n_new[lane] = n[lane] + b1[lane] * u;
                 }
+                (frames[0][axis], frames[1][axis], frames[2][axis]) = (t_new, m_new, n_new);
             }
         }
-        let lengths = &room.bends[k - 1][2];
         for axis in 0..3 {
             for lane in 0..WIDTH {
                 place[axis][lane] += lengths[lane] * frames[0][axis][lane];
             }
-            for lane in 0..strands.len() {
-                room.places[(3 * lane + axis) * stride + k] = place[axis][lane];
+        }
+        room.walked[k] = place;
+    }
+    for lane in 0..strands.len() {
+        for axis in 0..3 {
+            let row = &mut room.places[(3 * lane + axis) * stride..][..points];
+            for (value, walked) in row.iter_mut().zip(&room.walked[..points]) {
+                *value = walked[axis][lane];
             }
         }
     }
@@ -133,38 +127,25 @@ pub(super) fn bend(hair: &RenderHair, shape: &Shape, strands: &[RenderStrand], c
 
 /// The frame on a strand's first edge: the mean of its guides' as rotations.
 #[inline(always)]
-fn start(
-    reference: &Reference,
-    shape: &Shape,
-    strand: &RenderStrand,
-    curl: &RenderCurl,
-    lane: usize,
-    frames: &mut [[Lanes; 3]; 3],
-) {
+fn start(shape: &Shape, strand: &RenderStrand, curl: &RenderCurl, guides: usize, lane: usize, frames: &mut [[Lanes; 3]; 3]) {
     let (mut first, mut sum) = ([0.0, 0.0, 0.0, 1.0], [0.0; 4]);
-    for k in 0..MOST_GUIDES {
-        let weight = strand.weights[k];
-        if weight == 0.0 && k > 0 {
-            continue;
-        }
-        let rows = &shape.rows[strand.guides[k] as usize * reference.size()..][..reference.size()];
-        let way = first_way(reference, rows);
-        let n1 = [0, 1, 2].map(|axis| rows[(N1 + axis) * reference.stride]);
-        let n2 = cross(way, n1);
-        let [cosine, sine] = curl.turns[k];
-        let across = [0, 1, 2].map(|axis| cosine * n1[axis] + sine * n2[axis]);
-        let q = quaternion(way, across, cross(way, across));
+    for k in 0..guides {
+        let [x, y, z, w] = shape.starts[strand.guides[k] as usize];
+        // The guide's frame, turned about its edge.
+        let [cosine, sine] = curl.halves[k];
+        let q = [w * sine + x * cosine, y * cosine + z * sine, z * cosine - y * sine, w * cosine - x * sine];
         if k == 0 {
             first = q;
         }
         // A rotation is two quaternions: the one on the first guide's side.
         let side = q[0] * first[0] + q[1] * first[1] + q[2] * first[2] + q[3] * first[3];
-        let weight = if side < 0.0 { -weight } else { weight };
+        let weight = if side < 0.0 { -strand.weights[k] } else { strand.weights[k] };
         (0..4).for_each(|number| sum[number] += weight * q[number]);
     }
     let squared = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2] + sum[3] * sum[3];
     // All are on the first's side, so the sum is at least its share; with nothing of it left the first counts.
-    let [x, y, z, w] = if squared > 1e-6 { sum.map(|value| value / squared.sqrt()) } else { first };
+    let factor = 1.0 / squared.sqrt();
+    let [x, y, z, w] = if squared > 1e-6 { sum.map(|value| value * factor) } else { first };
     let columns = [
         [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
         [2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)],

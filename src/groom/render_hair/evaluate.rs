@@ -3,11 +3,11 @@
 use nalgebra::Vector3;
 
 use super::curvature::{self, WIDTH};
+use super::frames::frames;
 use super::pose::{RenderPose, VELOCITY_STEP};
 use super::position::{Roots, mix};
-use super::quaternion::quaternion;
 use super::settings::MOST_GUIDES;
-use super::shape::{N1, Shape};
+use super::shape::Shape;
 use super::strand::RenderStrand;
 use crate::error::{Error, Result, check_finite, check_positive};
 use crate::math::lane::Kernel;
@@ -89,6 +89,7 @@ pub(super) struct Scratch {
     now: Vec<f32>,
     before: Vec<f32>,
     rotations: Vec<f32>,
+    room: Vec<f32>,
     bends: curvature::Room,
     bends_before: curvature::Room,
 }
@@ -207,7 +208,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
         let Self { pose, view, earlier, first, count, scratch, sink } = self;
         let hair = &**pose.hair();
         let (stride, points) = (hair.reference.stride, hair.reference.points);
-        let Scratch { now, before, rotations, bends, bends_before } = scratch;
+        let Scratch { now, before, rotations, room, bends, bends_before } = scratch;
         now.resize(3 * stride, 0.0);
         before.resize(3 * stride, 0.0);
         rotations.resize(4 * stride, 0.0);
@@ -245,7 +246,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                 }
                 if view.rotations {
                     let rows = &pose.now.rows[strand.guides[0] as usize * hair.reference.size()..][..hair.reference.size()];
-                    frames(stride, points, rows, now, rotations);
+                    frames(stride, points, rows, now, room, rotations);
                 }
                 let part = |k: usize| k * stride..k * stride + points;
                 let none: &[f32] = &[];
@@ -289,40 +290,5 @@ fn roots(shape: &Shape, strand: &RenderStrand, own: Vector3<f64>, origin: Vector
     Roots {
         own: [0, 1, 2].map(|axis| (own[axis] - origin[axis]) as f32),
         first: [0, 1, 2].map(|axis| (first[axis] - origin[axis]) as f32),
-    }
-}
-
-/// Frames from a strand's points: the tangent by differences, n1 as near as can be to that of its first guide.
-#[inline(always)]
-fn frames(stride: usize, points: usize, guide: &[f32], places: &[f32], out: &mut [f32]) {
-    let place = |k: usize| [places[k], places[stride + k], places[2 * stride + k]];
-    for k in 0..points {
-        let (after, before) = (place((k + 1).min(points - 1)), place(k.max(1) - 1));
-        let mut t = [after[0] - before[0], after[1] - before[1], after[2] - before[2]];
-        let squared = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
-        let factor = if squared > 0.0 { 1.0 / squared.sqrt() } else { 0.0 };
-        t = t.map(|value| value * factor);
-        let n = [guide[N1 * stride + k], guide[(N1 + 1) * stride + k], guide[(N1 + 2) * stride + k]];
-        if squared <= 0.0 {
-            // Doubled points: any direction across n1.
-            t = if n[0].abs() < 0.7 { [0.0, n[2], -n[1]] } else { [-n[2], 0.0, n[0]] };
-            let size = 1.0 / (t[0] * t[0] + t[1] * t[1] + t[2] * t[2]).sqrt();
-            t = t.map(|value| value * size);
-        }
-        let along = n[0] * t[0] + n[1] * t[1] + n[2] * t[2];
-        let mut m = [n[0] - along * t[0], n[1] - along * t[1], n[2] - along * t[2]];
-        let mut size = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
-        if size < 1e-8 {
-            // The strand runs along the guide's n1.
-            m = if t[0].abs() < 0.7 { [0.0, t[2], -t[1]] } else { [-t[2], 0.0, t[0]] };
-            size = m[0] * m[0] + m[1] * m[1] + m[2] * m[2];
-        }
-        let factor = 1.0 / size.sqrt();
-        m = m.map(|value| value * factor);
-        let b = [t[1] * m[2] - t[2] * m[1], t[2] * m[0] - t[0] * m[2], t[0] * m[1] - t[1] * m[0]];
-        let q = quaternion(t, m, b);
-        for (row, value) in q.iter().enumerate() {
-            out[row * stride + k] = *value;
-        }
     }
 }

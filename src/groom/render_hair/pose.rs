@@ -74,7 +74,9 @@ impl RenderPose {
 
     /// Bytes that the pose holds, the map not among them.
     pub fn memory_usage(&self) -> u64 {
-        let of = |shape: &Shape| 4 * shape.rows.capacity() + 24 * shape.origins.capacity() + 36 * shape.turns.capacity();
+        let of = |shape: &Shape| {
+            4 * shape.rows.capacity() + 16 * shape.starts.capacity() + 24 * shape.origins.capacity() + 36 * shape.turns.capacity()
+        };
         (size_of::<Self>() + of(&self.now) + self.before.as_ref().map_or(0, of)) as u64
     }
 }

@@ -6,6 +6,7 @@
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use super::guide_samples::GuideSamples;
+use super::quaternion::quaternion;
 use crate::groom::polyline::Polyline;
 use crate::math::rotation::arc_tangent;
 use crate::math::trigonometry::sine_cosine;
@@ -75,6 +76,8 @@ pub(super) struct Shape {
     /// How the follicles are turned: columns of rotation matrices.
     pub turns: Vec<[[f32; 3]; 3]>,
     pub rows: Vec<f32>,
+    /// Quaternions of the frames on the guides' first edges, where curvatures are mixed.
+    pub starts: Vec<[f32; 4]>,
 }
 
 fn first_direction(guide: &[Vector3<f64>]) -> Option<Vector3<f64>> {
@@ -144,6 +147,7 @@ impl Shape {
         self.origins.clear();
         self.turns.clear();
         self.rows.clear();
+        self.starts.clear();
         self.rows.resize(reference.guides * reference.size(), 0.0);
         let mut room = Vec::new();
         for (guide, rotation) in rotations.iter().enumerate() {
@@ -153,12 +157,15 @@ impl Shape {
             self.turns.push([0, 1, 2].map(|column| [0, 1, 2].map(|row| matrix[(row, column)] as f32)));
             let phases = reference.phases.get(guide * reference.stride..(guide + 1) * reference.stride);
             let rows = &mut self.rows[guide * reference.size()..(guide + 1) * reference.size()];
-            fill(reference, points, rotation, phases, rows, &mut room);
+            let start = fill(reference, points, rotation, phases, rows, &mut room);
+            if reference.curved {
+                self.starts.push(start);
+            }
         }
     }
 }
 
-/// Fills the rows of a guide.
+/// Fills the rows of a guide, and gives the rotation of its first edge's frame.
 fn fill(
     reference: &Reference,
     points: &[Vector3<f64>],
@@ -166,7 +173,7 @@ fn fill(
     phases: Option<&[f32]>,
     rows: &mut [f32],
     edges: &mut Vec<Vector3<f64>>,
-) {
+) -> [f32; 4] {
     let (stride, last) = (reference.stride, points.len() - 1);
     let mut put = |row: usize, k: usize, vector: Vector3<f64>| {
         (0..3).for_each(|axis| rows[(row + axis) * stride + k] = vector[axis] as f32);
@@ -181,6 +188,8 @@ fn fill(
     let mut tangent = edges[0];
     let mut n1 = across(carried(rotation * Vector3::y(), rotation * Vector3::x(), tangent), tangent);
     let start = n1;
+    let single = |v: Vector3<f64>| -> [f32; 3] { v.map(|value| value as f32).into() };
+    let first_frame = quaternion(single(tangent), single(n1), single(tangent.cross(&n1)));
     for k in 0..=last {
         let next = if k == 0 {
             edges[0]
@@ -196,7 +205,7 @@ fn fill(
         put(N2, k, tangent.cross(&n1));
     }
     if !reference.curved {
-        return;
+        return first_frame;
     }
     let mut n1 = start;
     for k in 0..last {
@@ -215,6 +224,7 @@ fn fill(
         }
         n1 = across(carried(n1, edges[k - 1], edges[k]), edges[k]);
     }
+    first_frame
 }
 
 #[cfg(test)]

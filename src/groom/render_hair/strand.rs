@@ -29,6 +29,8 @@ pub(super) struct RenderStrand {
 pub(super) struct RenderCurl {
     /// How each guide's frame on its first edge is turned about that edge, and its bends with it, before they are mixed: cosine and sine.
     pub turns: [[f32; 2]; MOST_GUIDES],
+    /// Cosine and sine of half of that.
+    pub halves: [[f32; 2]; MOST_GUIDES],
     /// Whether the bends are mixed with the curls' phases taken off.
     pub curled: bool,
 }
