@@ -82,10 +82,11 @@ fn no_two_are_nearer_than_the_spacing_and_there_is_no_room_for_more() {
     let (nearest, _) = nearness(&scalp, &follicles);
     assert!(nearest >= spacing * (1.0 - 1e-6), "{nearest}");
     assert!((least / nearest - 1.0).abs() < 1e-6, "{least} {nearest}");
-    // A maximal set of disks has at least half the packing of the closest (0.1²·2/(√3 r²) = 721): random packings have 0.7 of it.
+    // Of the closest packing (0.1²·2/(√3 r²) = 721) one that leaves no room has a third or more; disks that come at random one after the other end
+    // at 0.6 (0.547 of the area against 0.907), of these few candidates at a half.
     let closest = 0.01 * 2.0 / (3.0_f64.sqrt() * spacing * spacing);
     assert!(
-        follicles.len() as f64 > 0.62 * closest && (follicles.len() as f64) < closest * 1.1,
+        follicles.len() as f64 > 0.54 * closest && (follicles.len() as f64) < closest * 1.1,
         "{} of {closest}",
         follicles.len()
     );
