@@ -257,7 +257,7 @@ fn a_solvers_strands_carry_render_hair_with_them() {
             for axis in 0..3 {
                 let speed = (point[axis] - before[axis]) / 1e-4;
                 fastest = fastest.max(speed.abs());
-                // f32 over 0.1 ms: 2e-8/1e-4; half of the acceleration over it, some 200 m/s²; that over a millisecond, below.
+                // f32 over 0.1 ms: 2e-8/1e-4; half of the acceleration over it, some 200 m/s².
                 assert!((speed - speeds[index][axis]).abs() < 0.1, "{} {speed} {}", index % POINTS, speeds[index][axis]);
             }
         }

@@ -44,7 +44,7 @@ def turned(points, angle):
     return np.stack([cosine * points[..., 0] - sine * points[..., 2], points[..., 1], sine * points[..., 0] + cosine * points[..., 2]], -1)
 
 
-def panel(axes, strands, mesh, title, angle):
+def panel(axes, strands, mesh, title, angle, limits):
     strands, mesh = turned(strands, angle), turned(mesh, angle)
     normals = np.cross(mesh[:, 1] - mesh[:, 0], mesh[:, 2] - mesh[:, 0])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True) + 1e-12
@@ -74,9 +74,8 @@ def panel(axes, strands, mesh, title, angle):
         chosen = chosen[np.argsort(depth_of_hair[chosen])]
         if len(chosen):
             axes.add_collection(LineCollection(pieces[chosen][:, :, :2], colors=colours[chosen], linewidths=0.22))
-    low, high = strands[..., :2].min((0, 1)), strands[..., :2].max((0, 1))
-    axes.set_xlim(low[0] - 0.5, high[0] + 0.5)
-    axes.set_ylim(low[1] - 0.5, high[1] + 0.5)
+    axes.set_xlim(limits[0] - 0.5, limits[1] + 0.5)
+    axes.set_ylim(limits[2] - 0.5, limits[3] + 0.5)
     axes.set_aspect("equal")
     axes.axis("off")
     axes.set_title(title, fontsize=9)
@@ -84,11 +83,14 @@ def panel(axes, strands, mesh, title, angle):
 
 def picture(directory):
     mesh = bust()
-    figure, axes = plt.subplots(1, 5, figsize=(13.5, 4.6))
+    angle = np.radians(-35)
+    seen = turned(hair(Path(directory) / "a.hair"), angle)[..., :2]
+    low, high = seen.min((0, 1)), seen.max((0, 1))
+    figure, axes = plt.subplots(1, 5, figsize=(13.5, 4.4))
     for place, name, title in zip(axes, "abcde", [
             "(a) smoothly interpolated", "(b) interpolated near the roots,\nclumpy near the tips", "(c) disjoint locks",
             "(d) with the criterion on tips", "(d) without it"]):
-        panel(place, hair(Path(directory) / f"{name}.hair"), mesh, title, np.radians(-35))
+        panel(place, hair(Path(directory) / f"{name}.hair"), mesh, title, angle, (low[0] - 1.5, high[0] + 1.5, low[1], high[1]))
     save(figure, "render_hair.png")
 
 

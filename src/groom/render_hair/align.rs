@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::phase::{argument, phasor};
 use super::settings::MOST_GUIDES;
-use super::shape::{BEND, CURL, N1, PLACE, Reference, Shape, carried};
+use super::shape::{BEND, CURL, N1, N2, PLACE, Reference, Shape, carried};
 use super::strand::RenderCurl;
 use super::weights::Followed;
 
@@ -18,7 +18,7 @@ fn first_edge(reference: &Reference, shape: &Shape, guide: u32) -> (Vector3<f64>
     let n1 = at(N1, 0);
     // Doubled points: any direction across n1 is as good.
     let ahead =
-        (1..reference.points).map(|k| at(PLACE, k)).find(|place| place.norm() > 0.0).unwrap_or_else(|| n1.cross(&at(6, 0)));
+        (1..reference.points).map(|k| at(PLACE, k)).find(|place| place.norm() > 0.0).unwrap_or_else(|| n1.cross(&at(N2, 0)));
     (ahead.normalize(), n1)
 }
 
