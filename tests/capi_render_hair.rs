@@ -168,8 +168,9 @@ fn curves_of_any_number_of_points_are_sampled() {
         let (x, y) = ((guide % 6) as f64 * 0.01, (guide / 6) as f64 * 0.01);
         [x + 0.05 * s * x / 0.06, y - 0.02 * s, (0.1 + 0.001 * guide as f64) * s]
     };
+    let roots = places(200);
     let straight: Vec<_> =
-        (0..points.len()).map(|item| line(item / POINTS, (item % POINTS) as f64 / (POINTS - 1) as f64)).collect();
+        (0..30 * POINTS).map(|item| line(item / POINTS, (item % POINTS) as f64 / (POINTS - 1) as f64)).collect();
     let even = Made::new(&settings(SHX_SPACE_POSITION), &guides(&straight), &roots);
     let (mut uneven, mut counts) = (Vec::new(), Vec::new());
     for guide in 0..30 {
