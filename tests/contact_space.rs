@@ -36,7 +36,8 @@ fn end(strand: u32, point: u32) -> End {
 
 fn solve(space: &ContactSpace, tolerance: f64) -> (Vec<Vector3<f64>>, Report) {
     let mut forces = vec![Vector3::zeros(); space.touches().len()];
-    let report = GaussSeidel::default().solve(space, &Settings { tolerance, max_sweeps: 5000 }, &mut forces);
+    let report =
+        GaussSeidel::default().solve(space, &Settings { tolerance, max_sweeps: 5000, ..Settings::default() }, &mut forces);
     (forces, report)
 }
 

@@ -34,7 +34,7 @@ fn main() {
             for tolerance in [1e-3, 1e-6] {
                 forces.copy_from_slice(&begin);
                 let start = Instant::now();
-                let report = solver.solve(&space, &Settings { tolerance, max_sweeps: 3000 }, &mut forces);
+                let report = solver.solve(&space, &Settings { tolerance, max_sweeps: 3000, ..Settings::default() }, &mut forces);
                 let time = start.elapsed().as_secs_f64();
                 let active = forces.iter().filter(|f| f.norm() > 0.0).count();
                 println!(

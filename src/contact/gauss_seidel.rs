@@ -1,6 +1,6 @@
 //! The contact-space problem solved by nonsmooth block Gauss–Seidel: touch after touch, each by its law's exact solve
 //! (Daviet, Bertails-Descoubes and Boissieux 2011, without their change of variables), accelerated (`conjugate.rs`); small problems,
-//! and blocks where that is slow, by Newton's iteration on all their touches at once (`block_newton.rs`).
+//! and patches of large ones where that is slow, by Newton's iteration on all their touches at once (`block_newton.rs`).
 
 use nalgebra::Vector3;
 
@@ -8,6 +8,7 @@ use super::block_newton::BlockNewton;
 use super::bonds::DependentBond;
 use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
+use super::patch::Patches;
 use super::system::System;
 
 /// When to stop.
@@ -17,11 +18,13 @@ pub struct Settings {
     pub tolerance: f64,
     /// Most sweeps over all touches.
     pub max_sweeps: u32,
+    /// The least scales of force (N) and length (m): those of a larger problem that this one is part of, else zero.
+    pub least: [f64; 2],
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-6, max_sweeps: 2000 }
+        Self { tolerance: 1e-6, max_sweeps: 2000, least: [0.0; 2] }
     }
 }
 
@@ -42,18 +45,25 @@ pub struct Report {
 
 /// Looks at the residual in which it must halve.
 const PATIENCE: u32 = 10;
-/// Problems of at most so many touches are taken whole by Newton's iteration first.
+/// Problems of at most so many touches are taken whole by Newton's iteration first (its price grows with their cube: 400 take a second).
 const WHOLE: usize = 100;
-/// And so many where they are one block's, or where sweeps are slow.
-const RESCUE: usize = 400;
+/// So many where they are one block's, of which hardly any press,
+const ONE_BLOCK: usize = 400;
+/// and so many where sweeps are slow.
+const RESCUE: usize = 150;
 /// Sweeps between looks at the residual, of several blocks: the first time, and later.
 const FIRST_ROUND: u32 = 5;
 const ROUND: u32 = 20;
-/// A round that leaves more than this part of the residual is slow: blocks are solved in turn, each with its neighbours as they are.
+/// A round that leaves more than this part of the residual is slow: then it is for a few touches, and so many patches of so many around the
+/// worst are solved, each with its neighbours as they are (`patch.rs`).
 const SLOW: f64 = 0.5;
-/// That is of use only near the solution: elsewhere a visit to a block, of the price of some twenty sweeps of it, is soon undone by others.
+const PATCHES: usize = 8;
+const PATCH: usize = 40;
+/// That is of use only near the solution: elsewhere a patch, of the price of some sweeps, is soon undone by others.
 const NEAR: f64 = 0.1;
-/// The residual, as a part of what is asked for, and the part of its own residual that a visit to a block may leave.
+/// So many looks more than it is such a round counts for patience.
+const DEAR: u32 = 3;
+/// The residual, as a part of what is asked for, and the part of its own residual that a patch may leave.
 const AIM: f64 = 0.3;
 const PART: f64 = 0.1;
 
@@ -65,6 +75,7 @@ pub struct GaussSeidel {
     forces: Vec<Vector3<f64>>,
     newton: BlockNewton,
     conjugate: Conjugate,
+    patches: Patches,
     rows: Vec<u32>,
 }
 
@@ -82,13 +93,13 @@ impl GaussSeidel {
             }
         }
         let mut report = Report::default();
-        let most = if system.blocks() == 1 { RESCUE } else { WHOLE };
-        let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= RESCUE);
+        let most = if system.blocks() == 1 { ONE_BLOCK } else { WHOLE };
+        let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= most.max(RESCUE));
         let mut last = f64::INFINITY;
         let (mut best, mut since) = (f64::INFINITY, 0);
         self.conjugate.restart(system, &self.forces);
         loop {
-            scales(system, &self.forces, &mut report);
+            scales(system, &self.forces, settings.least, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
             if report.residual <= settings.tolerance || report.sweeps >= settings.max_sweeps {
                 break;
@@ -102,21 +113,23 @@ impl GaussSeidel {
             }
             let slow = report.residual > SLOW * last;
             last = report.residual;
+            let mut patched = false;
             let moved = if (whole && report.sweeps == 0) || (rescue && slow) {
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
                 report.sweeps += 1;
                 self.newton.solve(space, system, &mut self.forces, &self.rows, &report, settings.tolerance, 0.0)
             } else if slow && report.residual < NEAR {
-                for block in 0..system.blocks() {
-                    self.rows.clear();
-                    self.rows.extend_from_slice(system.rows_of(block));
-                    if self.rows.len() > RESCUE {
-                        continue;
+                self.patches.begin(space, system, &self.forces, &report);
+                for _ in 0..PATCHES {
+                    if !self.patches.next(system, &self.forces, settings.tolerance, PATCH, &mut self.rows) {
+                        break;
                     }
                     self.newton.solve(space, system, &mut self.forces, &self.rows, &report, AIM * settings.tolerance, PART);
                 }
                 report.sweeps += 1;
+                since += DEAR;
+                patched = true;
                 true
             } else {
                 false
@@ -127,7 +140,11 @@ impl GaussSeidel {
                     continue;
                 }
             }
-            let round = if report.sweeps == 0 { FIRST_ROUND } else { ROUND };
+            let round = match report.sweeps {
+                _ if patched => 0,
+                0 => FIRST_ROUND,
+                _ => ROUND,
+            };
             for _ in 0..round {
                 self.conjugate.sweep(space, system, &mut self.forces);
             }
@@ -158,10 +175,10 @@ pub fn sweep(space: &ContactSpace, system: &mut System, forces: &mut [Vector3<f6
     }
 }
 
-/// The scales of force and length.
-pub fn scales(system: &System, forces: &[Vector3<f64>], report: &mut Report) {
-    report.force = forces.iter().fold(0.0, |a: f64, f| a.max(f.norm()));
-    report.length = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.free.norm()));
+/// The scales of force and length, `least` at least.
+pub fn scales(system: &System, forces: &[Vector3<f64>], least: [f64; 2], report: &mut Report) {
+    report.force = forces.iter().fold(least[0], |a: f64, f| a.max(f.norm()));
+    report.length = system.rows.iter().fold(least[1], |a: f64, row| a.max(row.free.norm()));
     if report.length == 0.0 {
         report.length = 1.0;
     }

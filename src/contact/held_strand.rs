@@ -49,10 +49,10 @@ pub struct HeldStrand {
     pub begins_again: bool,
     /// Whether its island's iteration has ended well, and nothing new holds it since.
     pub settled: bool,
+    /// Whether it is at its end under the joints' forces: it stays where it is, while others go on, until these have changed.
+    pub resting: bool,
     /// How far an element may be from where the iteration ends, rad.
     pub residual: f64,
-    /// Whether it has moved since it was last searched for touches.
-    pub moved: bool,
     /// Whether it takes part in contact at all.
     pub touches: bool,
     /// Touches with bodies that were found last.
@@ -82,6 +82,11 @@ impl HeldStrand {
         for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
             strand_body::touches(&path, &self.bounds, Span { exempt }, radius, body, within, scratch, &mut self.found);
         }
+    }
+
+    /// Whether some point of it has gone further than `least` (m) since it was last searched for touches.
+    pub fn has_gone(&self, least: f64) -> bool {
+        self.held.gone > least
     }
 
     /// What it is to other strands.
@@ -122,6 +127,39 @@ impl HeldStrand {
         });
     }
 
+    /// Before an iteration: whether this strand need not take part in it.
+    fn choose_rest(&mut self, island: &Island) {
+        let joint = |end: &Attachment| &island.joints[end.joint as usize];
+        self.resting = if island.is_constrained() {
+            // Constraints are to hold to the last digit.
+            false
+        } else if self.resting {
+            !self.attachments.iter().any(|end| joint(end).standing.wakes[usize::from(end.second)])
+        } else {
+            island.iterations > 0
+                && self.residual <= island.rest
+                && self.attachments.iter().all(|end| joint(end).standing.holds && joint(end).standing.miss <= island.rest_miss)
+        };
+    }
+
+    /// How far an attached point of a resting strand goes from where it is when the joints that `has_part` is true of have the forces
+    /// `of_joint` (on the joints' first ends), by the linear model of its last iteration.
+    pub fn given_way(&self, point: u32, has_part: &[bool], of_joint: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
+        let row = &self.held.delassus.blocks[point as usize * self.attachments.len()..][..self.attachments.len()];
+        let mut sum = Vector3::zeros();
+        for ((end, block), taken) in self.attachments.iter().zip(row).zip(&self.forces) {
+            let joint = end.joint as usize;
+            if has_part[joint] {
+                let force = of_joint(joint);
+                let change = if end.second { -force } else { force } - Vector3::from(*taken);
+                for (k, row) in block.iter().enumerate() {
+                    sum[k] += row[0] * change.x + row[1] * change.y + row[2] * change.z;
+                }
+            }
+        }
+        sum
+    }
+
     fn pull(&mut self, island: &Island) {
         self.forces.clear();
         self.forces.extend(self.attachments.iter().map(|attachment| {
@@ -132,7 +170,11 @@ impl HeldStrand {
 
     /// First half of a Newton iteration; the joints' forces are the last iteration's.
     pub fn linearise(&mut self, island: &Island) {
+        self.choose_rest(island);
         self.sort(island);
+        if self.resting {
+            return;
+        }
         self.stations.clear();
         self.stations.extend(self.attachments.iter().map(|attachment| attachment.station));
         self.pull(island);
@@ -141,8 +183,10 @@ impl HeldStrand {
 
     /// Second half, with the joints' new forces.
     pub fn advance(&mut self, setting: &Setting, island: &Island) {
+        if self.resting {
+            return;
+        }
         self.pull(island);
-        self.moved = true;
         self.residual = self.held.advance(setting, &self.forces);
     }
 

@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use super::body::BodyAt;
 use super::contact_space::{ContactSpace, End, SpaceTouch};
 use super::gauss_seidel::{GaussSeidel, Report, Settings};
-use super::held_strand::HeldStrand;
-use super::joint::{Joint, JointKind};
+use super::held_strand::{Attachment, HeldStrand};
+use super::joint::{Joint, JointKind, Standing};
 use super::law::Law;
 use super::law::coefficient::Coefficient;
 use super::law::contact::Friction;
@@ -22,7 +22,7 @@ const BOND_TOLERANCE: f64 = 1e-10;
 const ROUGH: f64 = 1e-4;
 /// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
 const FIRST: f64 = 1e-2;
-const FORCING: f64 = 0.1;
+const FORCING: f64 = 0.3;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 1e-4;
 /// And where constraints have a part, which are to hold to [`BOND_TOLERANCE`].
@@ -38,6 +38,10 @@ const PATIENCE: [u32; 2] = [5, 25];
 const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-9);
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
 const NO_SOLUTION: f64 = 1e4;
+
+/// A strand rests while others go on where it is nearer to the end than this part of what may be left; and until forces that changed would
+/// move it by more than that (an element's length times the angle).
+const REST: f64 = 0.3;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
@@ -80,12 +84,21 @@ pub struct Island {
     pub good_enough: bool,
     /// Not even so: its strands stay as the step found them.
     pub lost: bool,
+    /// How far from the end a strand may be to rest, rad (negative: none may), and its joints' residual.
+    pub rest: f64,
+    /// See `rest`.
+    pub rest_miss: f64,
     /// The least that was left to do, in units of what may be, and the iteration that it was halved in.
     best: (f64, u32),
     space: ContactSpace,
     solver: GaussSeidel,
     forces: Vec<Vector3<f64>>,
     ends: Vec<[End; 2]>,
+    /// The joints that have a part in the present contact problem: a strand at their ends moves.
+    parts: Vec<u32>,
+    has_part: Vec<bool>,
+    /// Whether a strand has such joints.
+    strand_has_part: Vec<bool>,
 }
 
 impl Island {
@@ -95,7 +108,7 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
         (self.done, self.converged, self.relaxed, self.lost, self.good_enough) = (false, false, false, false, false);
-        self.best = (f64::INFINITY, 0);
+        (self.best, self.rest) = ((f64::INFINITY, 0), -1.0);
     }
 
     /// Finds every joint's ends among its strands' attachments, once they are in order.
@@ -115,6 +128,11 @@ impl Island {
         self.done && !self.converged
     }
 
+    /// Whether the joints at these ends hold.
+    pub fn holds(&self, ends: &[Attachment]) -> bool {
+        !self.relaxed && ends.iter().all(|end| self.joints[end.joint as usize].standing.holds)
+    }
+
     /// If its joints were not to be held, a second attempt from the start in which they give way, and touches do not rub: what contradicts
     /// itself, or is out of a strand's reach, is drawn as near as it goes. True if there is to be one.
     pub fn relax(&mut self) -> bool {
@@ -130,6 +148,9 @@ impl Island {
     pub fn refresh(&mut self, strands: &[HeldStrand], bodies: &[BodyAt]) {
         for joint in &mut self.joints {
             let strand = &strands[joint.first.held as usize];
+            if strand.resting {
+                continue;
+            }
             match &mut joint.kind {
                 JointKind::Ring { target, .. } => {
                     let Station { element, s, .. } = joint.first.station;
@@ -186,7 +207,12 @@ impl Island {
     pub fn solve(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> Result<()> {
         self.iterations += 1;
         self.space.reset(step)?;
-        for held in &self.strands {
+        self.choose_parts(strands);
+        for (held, has_part) in self.strands.iter().zip(&self.strand_has_part) {
+            if !has_part {
+                self.space.add_strand(0);
+                continue;
+            }
             let operator = &strands[*held as usize].held.delassus;
             let size = 3 * operator.stations;
             let matrix = self.space.add_strand(operator.stations);
@@ -200,17 +226,26 @@ impl Island {
             }
         }
         self.forces.clear();
-        for joint in 0..self.joints.len() {
+        for index in 0..self.parts.len() {
+            let joint = self.parts[index] as usize;
             let presses = self.joints[joint].presses();
             self.joints[joint].rubs = presses && (self.iterations <= ASKED || self.joints[joint].rubs);
             let (law, mut free) = self.evaluate(joint, strands, options, step);
             let [first, second] = self.ends[joint];
-            let at = |end: End| strands[self.strands[end.strand as usize] as usize].free(end.point);
+            let at = |end: End| {
+                let strand = &strands[self.strands[end.strand as usize] as usize];
+                if strand.resting {
+                    strand.given_way(end.point, &self.has_part, |_| Vector3::zeros())
+                } else {
+                    strand.free(end.point)
+                }
+            };
             free += at(first);
             let second = self.joints[joint].second.map(|_| second);
             if let Some(end) = second {
                 free -= at(end);
             }
+            self.joints[joint].standing.free = free.norm();
             self.space.add_touch(SpaceTouch { first, second, law, free })?;
             self.forces.push(self.joints[joint].force);
         }
@@ -222,16 +257,59 @@ impl Island {
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
         let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
-        let settings = Settings { tolerance, max_sweeps: options.max_sweeps };
+        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, least: self.scales_of_the_rest() };
         self.report = self.solver.solve(&self.space, &settings, &mut self.forces);
         self.sweeps += self.report.sweeps;
-        for (joint, force) in self.joints.iter_mut().zip(&self.forces) {
-            joint.force = *force;
+        for (joint, force) in self.parts.iter().zip(&self.forces) {
+            self.joints[*joint as usize].force = *force;
         }
         Ok(())
     }
 
-    fn is_constrained(&self) -> bool {
+    /// The joints that strands which move have.
+    fn choose_parts(&mut self, strands: &[HeldStrand]) {
+        self.parts.clear();
+        self.has_part.clear();
+        self.strand_has_part.clear();
+        self.strand_has_part.resize(self.strands.len(), false);
+        for (index, (joint, ends)) in self.joints.iter().zip(&self.ends).enumerate() {
+            let moves = |held: u32| !strands[held as usize].resting;
+            let has_part = moves(joint.first.held) || joint.second.is_some_and(|end| moves(end.held));
+            self.has_part.push(has_part);
+            if has_part {
+                self.parts.push(index as u32);
+                self.strand_has_part[ends[0].strand as usize] = true;
+                if joint.second.is_some() {
+                    self.strand_has_part[ends[1].strand as usize] = true;
+                }
+            }
+        }
+    }
+
+    /// The largest force and free displacement of the joints that have no part.
+    fn scales_of_the_rest(&self) -> [f64; 2] {
+        let rest = self.joints.iter().zip(&self.has_part).filter(|(_, has_part)| !**has_part);
+        rest.fold([0.0; 2], |[force, free], (joint, _)| [force.max(joint.force.norm()), free.max(joint.standing.free)])
+    }
+
+    /// Whether the strands at a joint's ends rest and are moved by more than `limit` (a length over an element's) by the forces now. (A joint
+    /// that does not hold may wait for what its resting strand gives way by, however little: then zero.)
+    fn wakes(&self, index: usize, strands: &[HeldStrand], limit: f64) -> [bool; 2] {
+        let ends = if self.joints[index].second.is_some() { 2 } else { 1 };
+        let mut wakes = [false; 2];
+        for (wakes, end) in wakes.iter_mut().zip(&self.ends[index][..ends]) {
+            let strand = &strands[self.strands[end.strand as usize] as usize];
+            if strand.resting {
+                let way = strand.given_way(end.point, &self.has_part, |joint| self.joints[joint].force).norm();
+                let element = strand.length() / strand.held.now().1.len() as f64;
+                *wakes = way.is_nan() || way > limit * element;
+            }
+        }
+        wakes
+    }
+
+    /// Whether constraints have a part in it.
+    pub fn is_constrained(&self) -> bool {
         !self.joints.iter().all(Joint::is_touch)
     }
 
@@ -251,9 +329,26 @@ impl Island {
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
         let mut enough = residual <= GOOD_ENOUGH.0;
+        let mut rested = 0.0_f64;
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
+        (self.rest, self.rest_miss) = if self.is_constrained() {
+            (-1.0, 0.0)
+        } else {
+            let law = match options.model {
+                ContactModel::Coulomb => options.residual,
+                ContactModel::Hard => ROUGH,
+                ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
+            };
+            (REST * tolerance, law)
+        };
         self.residual = 0.0;
         for index in 0..self.joints.len() {
+            if !self.has_part[index] {
+                let Standing { miss, holds, nearly, .. } = self.joints[index].standing;
+                (good, enough) = (good && holds, enough && nearly);
+                rested = rested.max(miss);
+                continue;
+            }
             let (law, u) = self.evaluate(index, strands, options, step);
             let joint = &self.joints[index];
             let miss = law.residual(u, joint.force, step, length, force);
@@ -271,12 +366,17 @@ impl Island {
                     (gap >= -0.5 * options.tolerance && exact, gap >= -GOOD_ENOUGH.1 * options.tolerance)
                 }
             };
-            (good, enough) = (good && holds, enough && nearly);
+            let wakes = self.wakes(index, strands, if holds { REST * tolerance } else { 0.0 });
+            let free = self.joints[index].standing.free;
+            self.joints[index].standing = Standing { miss, holds, nearly, free, wakes };
+            (good, enough) = (good && holds && wakes == [false; 2], enough && nearly);
         }
         let left = (residual / tolerance).max(self.residual / ROUGH);
         if left < 0.5 * self.best.0 {
             self.best = (left, self.iterations);
         }
+        // What rests is told as well, but nobody waits for it.
+        self.residual = self.residual.max(rested);
         let pressing = self.joints.iter().filter(|joint| joint.is_touch()).map(|joint| joint.force.norm()).fold(0.0, f64::max);
         // Constraints may turn a strand right round, a little in every iteration.
         let stuck = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)]

@@ -92,6 +92,26 @@ pub enum JointKind {
     },
 }
 
+/// How a joint stood when it was last looked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Standing {
+    /// The law's residual, see [`Law::residual`].
+    pub miss: f64,
+    /// Whether it holds as exactly as a step's end asks.
+    pub holds: bool,
+    /// Whether it holds nearly enough for an island that does not get on.
+    pub nearly: bool,
+    /// Its free displacement in the last contact problem that it had a part in, m.
+    pub free: f64,
+    /// Whether its force has changed so much that the strand at either end cannot stay where it is.
+    pub wakes: [bool; 2],
+}
+
+impl Standing {
+    /// Before the first look.
+    pub const UNKNOWN: Self = Self { miss: f64::INFINITY, holds: false, nearly: false, free: 0.0, wakes: [true; 2] };
+}
+
 /// A joint of the present step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joint {
@@ -111,6 +131,8 @@ pub struct Joint {
     pub gap: f64,
     /// The surfaces were in each other when the step began: they part, but give way to each other meanwhile (the hard models).
     pub deep: bool,
+    /// How it stood at the last check.
+    pub standing: Standing,
 }
 
 impl Joint {

@@ -21,6 +21,7 @@ pub mod law;
 pub mod nearest;
 pub mod options;
 mod overlooked;
+mod patch;
 pub mod pieces;
 mod rank;
 pub mod segment_distance;

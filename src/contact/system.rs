@@ -125,6 +125,11 @@ impl System {
         &self.block_rows[self.blocks[block] as usize..self.blocks[block + 1] as usize]
     }
 
+    /// The block whose coordinates begin at `base`; it has rows.
+    pub(super) fn block_at(&self, base: usize) -> usize {
+        self.blocks[..self.blocks()].partition_point(|first| self.members[*first as usize].0 < base)
+    }
+
     fn slot(&self, space: &ContactSpace, end: End) -> Slot {
         let block = space.block(end.strand as usize);
         let base = self.bonds.base(end.strand as usize, block.base);

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::Solver;
 use super::id::{self, ConstraintId, StrandId};
 use crate::chain::load::Station;
-use crate::contact::joint::{Joint, JointEnd, JointKind};
+use crate::contact::joint::{Joint, JointEnd, JointKind, Standing};
 use crate::contact::law::bond::BondAxes;
 use crate::contact::nearest::nearest;
 use crate::contact::options::Friction;
@@ -184,6 +184,7 @@ impl Constraint {
                 slip: Vector3::zeros(),
                 gap: 0.0,
                 deep: false,
+                standing: Standing::UNKNOWN,
             });
             part += 1;
         };

@@ -25,8 +25,8 @@ use crate::step::options::Integrator;
 const MOST_SEARCHES: u32 = 8;
 /// The first so many of these searches wait for so many Newton iterations only: most of what a step brings together is seen by then, and need
 /// not wait for the rest to be exact.
-const EARLY: u32 = 2;
-const EARLY_ITERATIONS: u32 = 2;
+const EARLY: u32 = 3;
+const EARLY_ITERATIONS: u32 = 1;
 
 /// What the solver keeps for held strands between substeps.
 #[derive(Debug, Default)]
@@ -188,7 +188,7 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, held);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             if held.begins_again {
-                (held.begins_again, held.first_order, held.moved) = (false, true, true);
+                (held.begins_again, held.first_order, held.resting) = (false, true, false);
                 strand.with_one(|one| held.held.begin(one, scene.setting, h, true));
             }
         });
@@ -201,7 +201,7 @@ impl Holding {
             held.mass = strand.model.length() * strand.model.linear_density;
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            (held.first_order, held.settled, held.moved) = (strand.touched, false, true);
+            (held.first_order, held.settled, held.resting) = (strand.touched, false, false);
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
@@ -336,7 +336,8 @@ impl Holding {
         let setting = scene.setting;
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
             let island = &islands[held.island as usize];
-            held.held.outcome.converged = island.converged;
+            // In an island that has not come to its end most strands may have.
+            held.held.outcome.converged = island.converged || (held.resting && island.holds(&held.attachments));
             held.held.outcome.quarantined |= island.lost;
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;

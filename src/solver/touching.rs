@@ -11,20 +11,25 @@ use crate::chain::load::Station;
 use crate::contact::hair_pairs::{HairPairs, PairOptions};
 use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
-use crate::contact::joint::{Joint, JointEnd, JointKind};
+use crate::contact::joint::{Joint, JointEnd, JointKind, Standing};
 use crate::contact::law::Law;
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
 
-/// Surfaces nearer than this at the present iterate are touches, m; nearer than this share of a wisp's radius for strands.
+/// Surfaces nearer than this at the present iterate are touches, m; nearer than this share of a wisp's radius for strands. (The hard models
+/// ask for most that will touch in the step at its start, each later search is dear; the soft ones count what touches.)
 const NEAR: f64 = 1e-3;
+const NEAR_HARD: f64 = 0.5;
+const NEAR_SOFT: f64 = 0.1;
 /// Pairs of strands are searched anew when one has moved by this share of the largest wisp's radius.
 const MARGIN: f64 = 0.5;
 /// Surfaces are in each other when a step begins where they are so many tolerances deep: more than a step's end leaves.
 const DEEP: f64 = 10.0;
 /// How deep in a body a strand is looked for at a substep's start, m.
 const DEEPEST: f64 = 0.1;
+/// A strand that has gone less than this part of the touches' tolerance since it was searched is not searched again.
+const UNSEEN: f64 = 0.1;
 /// A touch is one that was known if along the strand it is no further from it than this share of the strand's length.
 const SAME: f64 = 0.02;
 
@@ -94,12 +99,13 @@ impl Touching {
     /// other is known.
     pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand]) {
         self.hair.clear();
+        let unseen = UNSEEN * scene.options.tolerance;
         for held in strands.iter_mut() {
             held.found.clear();
         }
         if !scene.bodies.is_empty() {
             scene.crew.for_each(strands, |held, _| {
-                if held.moved {
+                if held.has_gone(unseen) {
                     held.find_bodies(scene.bodies, NEAR);
                 }
             });
@@ -107,7 +113,9 @@ impl Touching {
         if scene.options.hair {
             self.find_hair(scene, strands);
         }
-        strands.iter_mut().for_each(|held| held.moved = false);
+        for held in strands.iter_mut().filter(|held| held.has_gone(unseen)) {
+            held.held.gone = 0.0;
+        }
     }
 
     fn find_hair(&mut self, scene: &Scene, strands: &[HeldStrand]) {
@@ -118,14 +126,15 @@ impl Touching {
             self.of = wisps().map(|(_, held)| held.index).collect();
             self.wisps = wisps().map(|(_, held)| held.wisp()).collect();
             let largest = self.wisps.iter().fold(0.0_f64, |a, wisp| a.max(wisp.radius));
-            let options = PairOptions { activation: NEAR.min(0.25 * largest), margin: MARGIN * largest };
+            let near = if scene.options.model.is_soft() { NEAR_SOFT } else { NEAR_HARD };
+            let options = PairOptions { activation: NEAR.min(near * largest), margin: MARGIN * largest };
             self.ready = self.pairs.set(&self.wisps, &options).is_ok();
         }
         if self.pairs.update(&paths).is_err() {
             self.ready = false;
             return;
         }
-        let moved: Vec<bool> = wisps().map(|(_, held)| held.moved).collect();
+        let moved: Vec<bool> = wisps().map(|(_, held)| held.has_gone(UNSEEN * scene.options.tolerance)).collect();
         // In parts of a fixed size, put together in their order: the same touches whoever finds them.
         let groups: Vec<_> = self.pairs.groups().iter().filter(|pair| moved[pair.a as usize] || moved[pair.b as usize]).collect();
         let parts = groups.len().div_ceil(PART);
@@ -190,7 +199,17 @@ impl Touching {
         let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
         // A force that draws is none of a touch.
         let force = if force.dot(&touch.normal) > 0.0 { force } else { Vector3::zeros() };
-        Joint { first, second, kind, force, rubs: false, slip: Vector3::zeros(), gap: touch.gap, deep }
+        Joint {
+            first,
+            second,
+            kind,
+            force,
+            rubs: false,
+            slip: Vector3::zeros(),
+            gap: touch.gap,
+            deep,
+            standing: Standing::UNKNOWN,
+        }
     }
 
     /// Whether the surfaces of a touch were in each other when the substep began.
@@ -261,6 +280,7 @@ impl Touching {
         }
         for held in strands.iter_mut() {
             held.settled = islands[held.island as usize].converged;
+            held.resting |= held.settled;
         }
         for end in missed.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
             strands[end.held as usize].settled = false;

@@ -48,6 +48,8 @@ pub struct Held {
     /// What forces at the stations add to that.
     pub delassus: Delassus,
     scratch: ResponseScratch,
+    /// How far some point of it has gone at most since this was set to zero, iteration by iteration, m; infinite at a step's begin.
+    pub gone: f64,
     /// How it goes.
     pub outcome: StrandOutcome,
 }
@@ -73,6 +75,7 @@ impl Default for Held {
             free: Vec::new(),
             delassus: Delassus::default(),
             scratch: ResponseScratch::default(),
+            gone: f64::INFINITY,
             outcome: StrandOutcome::default(),
         }
     }
@@ -112,7 +115,7 @@ impl Held {
         iterate.system.point_tension.clear();
         iterate.system.exact = false;
         self.damping = Damping::new(newton::usual_damping(iterate));
-        self.before = None;
+        (self.before, self.gone) = (None, f64::INFINITY);
         self.outcome = StrandOutcome { converged: false, quarantined: !self.potential.0.is_finite(), ..StrandOutcome::default() };
         self.stations.clear();
         self.loads.clear();
@@ -218,6 +221,7 @@ impl Held {
             self.outcome.residual = rotation;
             return rotation;
         };
+        self.gone += farthest(&iterate.kinematics.elements, &iterate.trial.elements);
         std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
         std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
         let promised = 0.5 * (found.descent + self.damping.value * found.rotation_sum);
@@ -270,6 +274,15 @@ impl Held {
         }
         self.outcome
     }
+}
+
+/// How far the elements' ends are from where they were, at most.
+fn farthest(elements: &[ElementState<f64>], were: &[ElementState<f64>]) -> f64 {
+    let tip = |elements: &[ElementState<f64>]| {
+        elements.last().map_or(Vec3::zero(), |last| last.origin_left + last.frame_left.apply(last.end))
+    };
+    let ends = elements.iter().zip(were).map(|(now, then)| (now.origin_left - then.origin_left).norm_squared());
+    ends.fold((tip(elements) - tip(were)).norm_squared(), f64::max).sqrt()
 }
 
 fn position(elements: &[ElementState<f64>], station: &Station) -> Vec3<f64> {
