@@ -35,3 +35,4 @@ build/venv/bin/python docs/figures/plot_validation.py
 build/venv/bin/python docs/figures/plot_single_precision.py
 # The picture needs the points of the locks, which are not committed.
 build/venv/bin/python docs/figures/plot_hair_types.py $([ -f out/hair_types_points.csv ] && echo out/hair_types_points.csv)
+scripts/render_hair.sh

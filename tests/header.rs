@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 35] = [
+const SOURCES: [&str; 38] = [
     "version",
     "errors",
     "types",
@@ -40,10 +40,13 @@ const SOURCES: [&str; 35] = [
     "curve_data",
     "curve_cache",
     "hair",
+    "scalp",
+    "render_def",
+    "render_hair",
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 47] = [
+const SECTIONS: [(&str, &str); 50] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -60,6 +63,7 @@ const SECTIONS: [(&str, &str); 47] = [
     ("#define SHX_OBSERVABLE_SPAN ", "Fitting friction"),
     ("#define SHX_CURVES_THICKNESS ", "What curves have beside points"),
     ("#define SHX_CURL_EXACT ", "Kinds of hair"),
+    ("#define SHX_SPACE_POSITION ", "Mixing guides"),
     ("typedef struct shx_curves ", "Handles"),
     ("typedef int32_t shx_result;", "Plain data, host hooks, definitions"),
     ("SHX_API uint32_t shx_version(", "Version"),
@@ -91,6 +95,8 @@ const SECTIONS: [(&str, &str); 47] = [
     ("SHX_API shx_result shx_curve_data_init(", "All that groom files say"),
     ("SHX_API shx_result shx_curve_cache_read(", "Caches of curves over time"),
     ("SHX_API shx_result shx_hair_init(", "Kinds of hair"),
+    ("SHX_API shx_result shx_scalp_def_init(", "Follicles on a scalp"),
+    ("SHX_API shx_result shx_render_settings_init(", "Render hair"),
 ];
 
 fn root() -> PathBuf {

@@ -13,6 +13,7 @@ mod mirroring;
 mod population;
 mod posing;
 mod reading;
+mod render_guides;
 pub mod report;
 mod restyling;
 mod sampling;
@@ -29,6 +30,7 @@ use nalgebra::Vector3;
 
 pub use bulk_sampling::{SampleSink, Tile, Wanted};
 pub use materials::Stiffening;
+pub use render_guides::SolverGuides;
 pub use sampling::Sample;
 pub use snapshot::SNAPSHOT_VERSION;
 pub use stepping::SHORTEST_STEP;

@@ -438,5 +438,77 @@ AT(shx_material, poisson_ratio, 40);
 AT(shx_material, internal_friction, 48);
 AT(shx_material, viscosity, 56);
 AT(shx_material, air_drag, 64);
+SIZE(shx_render_settings, 184);
+AT(shx_render_settings, struct_size, 0);
+AT(shx_render_settings, points_per_strand, 4);
+AT(shx_render_settings, space, 8);
+AT(shx_render_settings, guides_per_strand, 12);
+AT(shx_render_settings, curliness, 16);
+AT(shx_render_settings, measure_curliness, 24);
+AT(shx_render_settings, wisps_per_guide, 28);
+AT(shx_render_settings, max_tip_distance, 32);
+AT(shx_render_settings, max_tip_ratio, 40);
+AT(shx_render_settings, wisp_profile, 48);
+AT(shx_render_settings, frizz, 72);
+AT(shx_render_settings, frizz_waves, 80);
+AT(shx_render_settings, radius, 88);
+AT(shx_render_settings, tip_radius, 96);
+AT(shx_render_settings, taper_from, 104);
+AT(shx_render_settings, radius_variation, 112);
+AT(shx_render_settings, seed, 120);
+AT(shx_render_settings, worker_count, 128);
+AT(shx_render_settings, reserved0, 132);
+AT(shx_render_settings, parallel_for, 136);
+AT(shx_render_settings, parallel_for_user, 144);
+AT(shx_render_settings, reserved, 152);
+
+SIZE(shx_render_guides, 184);
+AT(shx_render_guides, struct_size, 0);
+AT(shx_render_guides, reserved0, 4);
+AT(shx_render_guides, guide_count, 8);
+AT(shx_render_guides, points, 16);
+AT(shx_render_guides, point_counts, 48);
+AT(shx_render_guides, roots, 56);
+AT(shx_render_guides, velocities, 88);
+AT(shx_render_guides, root_angular_velocities, 120);
+AT(shx_render_guides, reserved, 152);
+
+SIZE(shx_render_view, 160);
+AT(shx_render_view, struct_size, 0);
+AT(shx_render_view, reserved0, 4);
+AT(shx_render_view, first, 8);
+AT(shx_render_view, count, 16);
+AT(shx_render_view, origin, 24);
+AT(shx_render_view, before, 48);
+AT(shx_render_view, seconds, 56);
+AT(shx_render_view, roots, 64);
+AT(shx_render_view, roots_before, 96);
+AT(shx_render_view, reserved, 128);
+
+SIZE(shx_follicle, 24);
+AT(shx_follicle, triangle, 0);
+AT(shx_follicle, reserved, 4);
+AT(shx_follicle, shares, 8);
+
+SIZE(shx_scalp_def, 120);
+AT(shx_scalp_def, struct_size, 0);
+AT(shx_scalp_def, reserved0, 4);
+AT(shx_scalp_def, vertices, 8);
+AT(shx_scalp_def, triangles, 40);
+AT(shx_scalp_def, triangle_count, 48);
+AT(shx_scalp_def, uvs, 56);
+AT(shx_scalp_def, reference, 64);
+AT(shx_scalp_def, reserved, 88);
+
+SIZE(shx_scatter_def, 88);
+AT(shx_scatter_def, struct_size, 0);
+AT(shx_scatter_def, reserved0, 4);
+AT(shx_scatter_def, count, 8);
+AT(shx_scatter_def, spacing, 16);
+AT(shx_scatter_def, density, 24);
+AT(shx_scatter_def, density_width, 32);
+AT(shx_scatter_def, density_height, 40);
+AT(shx_scatter_def, seed, 48);
+AT(shx_scatter_def, reserved, 56);
 
 int main(void) { return 0; }

@@ -34,7 +34,66 @@ static void *symbol(const char *name) {
 #define LOAD(name) __typeof__(&name) p_##name; do { void *address = symbol(#name); memcpy(&p_##name, &address, sizeof address); } while (0)
 #define MUST(call) do { if ((call) != SHX_OK) { fprintf(stderr, "line %d: %s\n", __LINE__, #call); exit(1); } } while (0)
 
+/* Render hair of a pool of its own, on a scattered scalp. */
+static void render(uint32_t workers) {
+  LOAD(shx_scalp_def_init);
+  LOAD(shx_scalp_create);
+  LOAD(shx_scatter_def_init);
+  LOAD(shx_scalp_scatter);
+  LOAD(shx_scalp_root_frames);
+  LOAD(shx_scalp_destroy);
+  LOAD(shx_render_settings_init);
+  LOAD(shx_render_guides_init);
+  LOAD(shx_render_hair_create);
+  LOAD(shx_render_hair_destroy);
+  LOAD(shx_render_pose_create);
+  LOAD(shx_render_pose_set_guides);
+  LOAD(shx_render_pose_evaluate);
+  LOAD(shx_render_pose_destroy);
+  static const double corners[4][3] = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
+  static const uint32_t triangles[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  shx_scalp_def scalp_def;
+  MUST(p_shx_scalp_def_init(&scalp_def, sizeof scalp_def));
+  scalp_def.vertices = (shx_input){corners, 0, 4, SHX_FORMAT_F64X3, 0};
+  scalp_def.triangles = &triangles[0][0];
+  scalp_def.triangle_count = 4;
+  shx_scalp *scalp;
+  MUST(p_shx_scalp_create(&scalp_def, &scalp));
+  shx_scatter_def scatter;
+  MUST(p_shx_scatter_def_init(&scatter, sizeof scatter));
+  scatter.count = 400;
+  static shx_follicle follicles[400];
+  static shx_frame frames[400];
+  size_t count;
+  MUST(p_shx_scalp_scatter(scalp, &scatter, follicles, 400, &count, NULL));
+  const shx_output places = {frames, 0, 400, SHX_FORMAT_FRAME, 0};
+  MUST(p_shx_scalp_root_frames(scalp, NULL, follicles, 400, &places));
+  shx_render_settings settings;
+  MUST(p_shx_render_settings_init(&settings, sizeof settings));
+  settings.points_per_strand = 2;
+  settings.space = SHX_SPACE_CURVATURE;
+  settings.worker_count = workers;
+  shx_render_guides guides;
+  MUST(p_shx_render_guides_init(&guides, sizeof guides));
+  guides.guide_count = 2;
+  guides.points = scalp_def.vertices;
+  const shx_input roots = {frames, sizeof frames[0], 400, SHX_FORMAT_F64X3, 0};
+  shx_render_hair *hair;
+  MUST(p_shx_render_hair_create(&settings, &guides, &roots, &hair));
+  shx_render_pose *pose;
+  MUST(p_shx_render_pose_create(hair, &pose));
+  MUST(p_shx_render_pose_set_guides(pose, &guides));
+  static float points[400][2][3];
+  const shx_output out = {points, 0, 800, SHX_FORMAT_F32X3, 0};
+  MUST(p_shx_render_pose_evaluate(pose, NULL, &out, NULL, NULL));
+  p_shx_render_hair_destroy(hair);
+  p_shx_render_pose_destroy(pose);
+  p_shx_scalp_destroy(scalp);
+}
+
 static void use(uint32_t workers, uint32_t linear_solver) {
+  render(workers);
+
   LOAD(shx_solver_def_init);
   LOAD(shx_strand_def_init);
   LOAD(shx_solver_create);

@@ -15,9 +15,11 @@ mod friction_fit;
 mod hair;
 mod level_of_detail;
 mod posing;
+mod render_hair;
 mod restyling;
 mod roots;
 mod sampling;
+mod scalp;
 mod scene;
 mod settings;
 mod settle;
@@ -176,6 +178,8 @@ fn table() -> Vec<Case> {
         curve_data::cases,
         curve_cache::cases,
         hair::cases,
+        render_hair::cases,
+        scalp::cases,
     ] {
         add(&mut cases);
     }

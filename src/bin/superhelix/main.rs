@@ -13,16 +13,19 @@ mod groom_statistics;
 mod groom_strands;
 mod head;
 mod info;
+mod interpolate;
 mod json;
 mod lock;
 mod material_arguments;
 mod picture;
+mod place;
 mod pose;
 mod progress;
 mod report;
 mod resolution;
 mod rest_arguments;
 mod result;
+mod roots_among;
 mod run;
 mod scene;
 mod settings;
@@ -60,6 +63,8 @@ enum Command {
     Settings(settings::SettingsArguments),
     Fit(Box<fit::FitArguments>),
     FitFriction(Box<fit_friction::FitFrictionArguments>),
+    Interpolate(Box<interpolate::InterpolateArguments>),
+    Place(place::PlaceArguments),
     Bench(bench::BenchArguments),
 }
 
@@ -95,6 +100,8 @@ fn main() -> ExitCode {
         Command::Settings(arguments) => settings::run(arguments),
         Command::Fit(arguments) => fit::run(arguments),
         Command::FitFriction(arguments) => fit_friction::run(arguments),
+        Command::Interpolate(arguments) => interpolate::run(arguments),
+        Command::Place(arguments) => place::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
     };
     match outcome {

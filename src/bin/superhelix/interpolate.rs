@@ -1,0 +1,281 @@
+//! `superhelix interpolate`: render strands from the guides of a groom or of a cache.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use nalgebra::Vector3;
+use serde_json::json;
+use superhelix::files::curves::{Curves, Extras};
+use superhelix::files::hair;
+use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
+use superhelix::groom::render_hair::{
+    GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, resampled,
+};
+use superhelix::groom::scalp::Amount;
+use superhelix::workers::Workers;
+
+use crate::failure::Failure;
+use crate::picture::list_frames;
+use crate::place;
+use crate::roots_among::roots_among;
+use crate::simulate::{not_negative, positive};
+
+/// Makes render strands from few guides: interpolated at the root, gathered in wisps at the tip, as curly as the hair is.
+#[derive(Debug, Args)]
+pub struct InterpolateArguments {
+    /// The guides: a groom (.hair, .tfx, .obj with lines), or a directory of frames (name.0001.hair ...), whose first is the rest pose.
+    #[arg(value_name = "GUIDES")]
+    guides: PathBuf,
+    /// Where the strands go: a .hair file, with the widths of the strands; of a directory of frames a directory.
+    #[arg(long, short, value_name = "OUT")]
+    out: PathBuf,
+    /// Metres a unit of the files. Lengths below are in metres.
+    #[arg(long, value_name = "METRES", default_value_t = 1.0, value_parser = positive)]
+    scale: f64,
+    /// How many strands.
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    count: u32,
+    /// Use each K-th strand as a guide only.
+    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    every: u32,
+    /// Roots are scattered over this mesh (.obj with faces, in the guides' units) near the guides' roots. Without it, among these.
+    #[arg(long, value_name = "MESH.obj")]
+    scalp: Option<PathBuf>,
+    /// With --scalp: how near to a guide's root, m. Default: one and a half times the distance from which on nine tenths of the guides have
+    /// another beside them.
+    #[arg(long, value_name = "METRES", value_parser = positive, requires = "scalp")]
+    within: Option<f64>,
+    /// With --scalp: relative densities, a text file with a number of 0 or above for each vertex.
+    #[arg(long, value_name = "NUMBERS.txt", requires = "scalp")]
+    density: Option<PathBuf>,
+    /// Roots are those of another groom's strands (in the guides' units).
+    #[arg(long, value_name = "GROOM", conflicts_with_all = ["scalp", "count"])]
+    roots: Option<PathBuf>,
+    /// Points a strand.
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(2..=4096))]
+    points: u32,
+    /// What is mixed between guides.
+    #[arg(long, value_enum, default_value_t = Mixed::Position)]
+    space: Mixed,
+    /// Guides a strand.
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=4))]
+    guides_per_strand: u32,
+    /// 0: interpolated all along; 0.5: in wisps at the tip; 1: disjoint locks; "measured": as each guide is.
+    #[arg(long, value_name = "U", default_value = "0", value_parser = curliness)]
+    curliness: Curliness,
+    /// Guides whose tips are farther apart than their roots by more than this are not mixed, m. Default: none is too far.
+    #[arg(long, value_name = "METRES", value_parser = positive)]
+    max_tip_distance: Option<f64>,
+    /// The same as a share of the shorter guide's length; 0: none is too far.
+    #[arg(long, value_name = "SHARE", default_value_t = 0.6, value_parser = not_negative)]
+    max_tip_ratio: f64,
+    /// Wisps a guide.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    wisps: u32,
+    /// Radius of a wisp at root, middle and tip, as a share of what it is by the roots' places.
+    #[arg(long, value_name = "ROOT,MIDDLE,TIP", value_delimiter = ',', num_args = 1, value_parser = not_negative)]
+    wisp_profile: Vec<f64>,
+    /// How far strands stray at the tip, m.
+    #[arg(long, value_name = "METRES", default_value_t = 0.0, value_parser = not_negative)]
+    frizz: f64,
+    /// Waves of that along a strand.
+    #[arg(long, value_name = "N", default_value_t = 3.0, value_parser = positive)]
+    frizz_waves: f64,
+    /// Radius at the root, m.
+    #[arg(long, value_name = "METRES", default_value_t = 40e-6, value_parser = not_negative)]
+    radius: f64,
+    /// Radius at the tip, m.
+    #[arg(long, value_name = "METRES", default_value_t = 15e-6, value_parser = not_negative)]
+    tip_radius: f64,
+    /// Seed.
+    #[arg(long, default_value_t = 0)]
+    seed: u64,
+    /// Threads.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
+    threads: u32,
+    /// Overwrite frames that OUT holds.
+    #[arg(long)]
+    overwrite: bool,
+    /// The answer as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// See [`Space`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[value(rename_all = "snake_case")]
+enum Mixed {
+    /// Positions: for straight and wavy hair.
+    Position,
+    /// Lengths and curvatures: keeps curls.
+    Curvature,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Curliness {
+    Measured,
+    Given(f64),
+}
+
+fn curliness(text: &str) -> Result<Curliness, String> {
+    if text == "measured" {
+        return Ok(Curliness::Measured);
+    }
+    match not_negative(text) {
+        Ok(value) if value <= 1.0 => Ok(Curliness::Given(value)),
+        _ => Err("expected 0 to 1, or \"measured\"".to_string()),
+    }
+}
+
+impl InterpolateArguments {
+    fn settings(&self) -> Result<RenderSettings, Failure> {
+        let wisp_profile = match self.wisp_profile[..] {
+            [] => RenderSettings::default().wisp_profile,
+            [root, middle, tip] => [root, middle, tip],
+            _ => return Err(Failure::Other("--wisp-profile: expected three numbers: root,middle,tip".to_string())),
+        };
+        let settings = RenderSettings {
+            points_per_strand: self.points as usize,
+            space: match self.space {
+                Mixed::Position => Space::Position,
+                Mixed::Curvature => Space::Curvature,
+            },
+            guides_per_strand: self.guides_per_strand as usize,
+            curliness: if let Curliness::Given(value) = self.curliness { value } else { 0.0 },
+            measure_curliness: self.curliness == Curliness::Measured,
+            max_tip_distance: self.max_tip_distance.unwrap_or(f64::INFINITY),
+            max_tip_ratio: if self.max_tip_ratio > 0.0 { self.max_tip_ratio } else { f64::INFINITY },
+            wisps_per_guide: self.wisps as usize,
+            wisp_profile,
+            frizz: self.frizz,
+            frizz_waves: self.frizz_waves,
+            radius: self.radius,
+            tip_radius: self.tip_radius,
+            seed: self.seed,
+            workers: if self.threads == 1 { Workers::Serial } else { Workers::Pool(self.threads as usize) },
+            ..RenderSettings::default()
+        };
+        settings.check("--").map_err(|error| Failure::Other(error.to_string()))?;
+        Ok(settings)
+    }
+
+    /// The guides of a frame, sampled, m.
+    fn guides(&self, path: &Path, points: usize) -> Result<Vec<Vector3<f64>>, Failure> {
+        let curves = Curves::read(path)?;
+        let strands: Vec<_> = curves.strands().step_by(self.every as usize).collect();
+        let counts: Vec<u32> = strands.iter().map(|strand| strand.len() as u32).collect();
+        let all = strands.iter().flat_map(|strand| strand.iter());
+        let all: Vec<_> = all.map(|point| Vector3::from(point.map(f64::from)) * self.scale).collect();
+        Ok(resampled(&all, &counts, None, points).map_err(|error| Failure::file(path, error))?.points)
+    }
+
+    fn places(&self, guides: &[Vector3<f64>]) -> Result<Vec<Vector3<f64>>, Failure> {
+        if let Some(path) = &self.roots {
+            return place::groom_roots(path, self.scale);
+        }
+        let roots: Vec<_> = guides.iter().step_by(self.points as usize).copied().collect();
+        let Some(path) = &self.scalp else {
+            return Ok(roots_among(&roots, self.count as usize, self.seed));
+        };
+        let scalp = place::read_scalp(path, self.scale)?;
+        let within = self.within.unwrap_or_else(|| 1.5 * reach(&roots));
+        let amount = Amount::Count(self.count as usize);
+        let scattered = place::scatter(&scalp, amount, self.density.as_deref(), Some((&roots, within)), self.seed)?;
+        Ok(scattered.follicles.iter().map(|follicle| scalp.place(follicle)).collect())
+    }
+}
+
+/// From which distance on nine tenths of the roots have another beside them.
+fn reach(roots: &[Vector3<f64>]) -> f64 {
+    let nearest = |root: &Vector3<f64>| {
+        let away = roots.iter().map(|other| (other - root).norm()).filter(|away| *away > 0.0);
+        away.fold(f64::INFINITY, f64::min)
+    };
+    let mut all: Vec<f64> = roots.iter().map(nearest).filter(|away| away.is_finite()).collect();
+    all.sort_by(f64::total_cmp);
+    all.get(all.len() * 9 / 10).copied().unwrap_or(0.01)
+}
+
+/// Points and widths in file units.
+struct Frame {
+    per_strand: usize,
+    scale: f64,
+    room: Mutex<(Vec<[f32; 3]>, Vec<f32>)>,
+}
+
+impl StrandSink for Frame {
+    fn take(&self, strand: &StrandPoints) {
+        let mut room = self.room.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let unit = |value: f32| (f64::from(value) / self.scale) as f32;
+        for k in 0..self.per_strand {
+            let at = strand.strand * self.per_strand + k;
+            room.0[at] = strand.positions.map(|row| unit(row[k]));
+            room.1[at] = 2.0 * unit(strand.radius_factor * strand.radii[k]);
+        }
+    }
+}
+
+/// The strands of a pose, as curves with widths.
+fn evaluated(pose: &RenderPose, scale: f64) -> Result<Curves, Failure> {
+    let (count, per_strand) = (pose.hair().strand_count(), pose.hair().settings().points_per_strand);
+    let room = Mutex::new((vec![[0.0; 3]; count * per_strand], vec![0.0; count * per_strand]));
+    let frame = Frame { per_strand, scale, room };
+    let view = View { first: 0, count, origin: Vector3::zeros(), roots: None, rotations: false, motion: Motion::None };
+    pose.evaluate(&view, &frame)?;
+    let (points, widths) = frame.room.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    let curves = Curves::from_counts(vec![per_strand as u32; count], points)?;
+    Ok(curves.with_extras(Extras { thickness: Some(widths), ..Extras::default() })?)
+}
+
+/// Runs the command.
+pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
+    let settings = arguments.settings()?;
+    let frames = list_frames(std::slice::from_ref(&arguments.guides))?;
+    let guides = arguments.guides(&frames[0], settings.points_per_strand)?;
+    let roots = arguments.places(&guides)?;
+    let begun = Instant::now();
+    let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&guides), &roots)?;
+    let (bound, guide_count) = (begun.elapsed().as_secs_f64(), hair.guide_count());
+    let mut pose = RenderPose::new(Arc::new(hair));
+    let mut seconds = 0.0;
+    let mut frame = |guides: &[Vector3<f64>]| -> Result<Curves, Failure> {
+        let begun = Instant::now();
+        pose.set(&GuideSamples::at_rest(guides))?;
+        let curves = evaluated(&pose, arguments.scale)?;
+        seconds += begun.elapsed().as_secs_f64();
+        Ok(curves)
+    };
+    if arguments.guides.is_dir() {
+        let existing = if arguments.overwrite { Existing::Replace } else { Existing::Refuse };
+        let mut writer = SequenceWriter::create(&arguments.out, "render", CacheFormat::Hair, 1, existing)?;
+        writer.write(&frame(&guides)?)?;
+        for path in &frames[1..] {
+            let guides = arguments.guides(path, settings.points_per_strand)?;
+            let made = frame(&guides).map_err(|failure| Failure::file(path, failure))?;
+            writer.write(&made)?;
+        }
+    } else {
+        hair::write(&arguments.out, &frame(&guides)?)?;
+    }
+    let answer = json!({
+        "guides": guide_count,
+        "strands": roots.len(),
+        "points_per_strand": settings.points_per_strand,
+        "frames": frames.len(),
+        "bind_seconds": bound,
+        "evaluate_seconds": seconds,
+    });
+    crate::print_line(&if arguments.json {
+        serde_json::to_string_pretty(&answer).map_err(|error| Failure::Other(error.to_string()))?
+    } else {
+        format!(
+            "{}: {} strands of {} points from {guide_count} guides, {} frames",
+            arguments.out.display(),
+            roots.len(),
+            settings.points_per_strand,
+            frames.len()
+        )
+    })
+}

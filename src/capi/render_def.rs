@@ -1,0 +1,408 @@
+//! What render hair is made from, and how it is evaluated.
+
+use std::ffi::c_void;
+use std::mem::{offset_of, size_of};
+use std::sync::Arc;
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use super::buffers::{FRAME_FORMATS, POINT_FORMATS, Reader, VECTOR_FORMATS, array};
+use super::errors::shx_result;
+use super::parallel::{HostParallelFor, shx_parallel_for_fn};
+use super::render_hair::shx_render_pose;
+use super::solver_def::{check_flag, check_reserved};
+use super::types::shx_input;
+use super::versioned::{Versioned, initialise};
+use crate::error::{Error, Result};
+use crate::groom::render_hair::{GuideSamples, RenderSettings, Space, resampled};
+use crate::workers::Workers;
+
+/// Between guides positions are mixed: strands stay between them; curls that are out of step cancel. The default.
+pub const SHX_SPACE_POSITION: u32 = 1;
+/// Lengths and curvatures are mixed: strands keep the guides' length and curls.
+pub const SHX_SPACE_CURVATURE: u32 = 2;
+
+/// How render strands are made from guides. Lengths in m. Fill with shx_render_settings_init.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_render_settings {
+    /// Set by shx_render_settings_init.
+    pub struct_size: u32,
+    /// Points of a strand, root and tip included, 2 to 4096; also those that each guide is sampled at. Default 16.
+    pub points_per_strand: u32,
+    /// What is mixed between guides: SHX_SPACE_. Default SHX_SPACE_POSITION.
+    pub space: u32,
+    /// Guides that a strand follows at most, 1 to 4. Default 3.
+    pub guides_per_strand: u32,
+    /// 0 to 1: 0 (default) interpolated all along, 0.5 interpolated at the root and gathered in wisps at the tip, 1 disjoint locks.
+    pub curliness: f64,
+    /// 1: each guide has the curliness that is measured on its shape, instead. Default 0.
+    pub measure_curliness: u32,
+    /// Wisps a guide, 1 to 10000. Default 1.
+    pub wisps_per_guide: u32,
+    /// Guides whose tips are farther apart than their roots by more than this are not mixed; 0 (default): none is too far.
+    pub max_tip_distance: f64,
+    /// The same as a share of the shorter guide's length; 0: none is too far. Default 0.6.
+    pub max_tip_ratio: f64,
+    /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places, 0 or above. Default 1, 0.6, 0.25.
+    pub wisp_profile: [f64; 3],
+    /// Root mean square distance by which strands stray from their way at the tip, 0 or above. Default 0.
+    pub frizz: f64,
+    /// Waves of that along a strand, above 0 to 1000. Default 3.
+    pub frizz_waves: f64,
+    /// Radius at the root, 0 or above. Default 40e-6.
+    pub radius: f64,
+    /// Radius at the tip. Default 15e-6.
+    pub tip_radius: f64,
+    /// From where on, as a share of the length, the radius goes to that of the tip; 0 to less than 1. Default 0.5.
+    pub taper_from: f64,
+    /// By which share radii differ between strands at most, 0 to 1. Default 0.1.
+    pub radius_variation: f64,
+    /// Seed of all that is random. Default 0.
+    pub seed: u64,
+    /// Threads that evaluate: 0 or 1 (default): the calling thread; 2 to 256: a pool, joined when the hair and its poses are gone. A host
+    /// with a task system leaves this and calls shx_render_pose_evaluate from its tasks, for some of the strands each.
+    pub worker_count: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// Or the host's parallel loop.
+    pub parallel_for: shx_parallel_for_fn,
+    /// Handed to parallel_for.
+    pub parallel_for_user: *mut c_void,
+    /// 0.
+    pub reserved: [u64; 4],
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, a pointer and an optional function only.
+unsafe impl Versioned for shx_render_settings {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        let settings = RenderSettings::default();
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            points_per_strand: settings.points_per_strand as u32,
+            space: SHX_SPACE_POSITION,
+            guides_per_strand: settings.guides_per_strand as u32,
+            curliness: settings.curliness,
+            measure_curliness: 0,
+            wisps_per_guide: settings.wisps_per_guide as u32,
+            max_tip_distance: 0.0,
+            max_tip_ratio: settings.max_tip_ratio,
+            wisp_profile: settings.wisp_profile,
+            frizz: settings.frizz,
+            frizz_waves: settings.frizz_waves,
+            radius: settings.radius,
+            tip_radius: settings.tip_radius,
+            taper_from: settings.taper_from,
+            radius_variation: settings.radius_variation,
+            seed: settings.seed,
+            worker_count: 0,
+            reserved0: 0,
+            parallel_for: None,
+            parallel_for_user: std::ptr::null_mut(),
+            reserved: [0; 4],
+        }
+    }
+}
+
+const _: () = {
+    assert!(size_of::<shx_render_settings>() == 184 && offset_of!(shx_render_settings, curliness) == 16);
+    assert!(offset_of!(shx_render_settings, wisp_profile) == 48 && offset_of!(shx_render_settings, seed) == 120);
+    assert!(offset_of!(shx_render_settings, parallel_for) == 136 && offset_of!(shx_render_settings, reserved) == 152);
+};
+
+impl shx_render_settings {
+    pub(super) fn settings(&self) -> Result<RenderSettings> {
+        let space = match self.space {
+            SHX_SPACE_POSITION => Space::Position,
+            SHX_SPACE_CURVATURE => Space::Curvature,
+            other => return Err(Error::invalid("settings.space", other, "one of SHX_SPACE_")),
+        };
+        let border = |name: &str, value: f64| {
+            if value == 0.0 {
+                Ok(f64::INFINITY)
+            } else if value > 0.0 && value.is_finite() {
+                Ok(value)
+            } else {
+                Err(Error::invalid(format!("settings.{name}"), value, "0 (none is too far) or a finite number above"))
+            }
+        };
+        if self.worker_count > 256 {
+            return Err(Error::invalid("settings.worker_count", self.worker_count, "0 to 256 threads"));
+        }
+        if self.reserved0 != 0 {
+            return Err(Error::invalid("settings.reserved0", self.reserved0, "0"));
+        }
+        check_reserved("settings", &self.reserved)?;
+        let settings = RenderSettings {
+            points_per_strand: self.points_per_strand as usize,
+            space,
+            guides_per_strand: self.guides_per_strand as usize,
+            curliness: self.curliness,
+            measure_curliness: check_flag("settings.measure_curliness", self.measure_curliness)?,
+            max_tip_distance: border("max_tip_distance", self.max_tip_distance)?,
+            max_tip_ratio: border("max_tip_ratio", self.max_tip_ratio)?,
+            wisps_per_guide: self.wisps_per_guide as usize,
+            wisp_profile: self.wisp_profile,
+            frizz: self.frizz,
+            frizz_waves: self.frizz_waves,
+            radius: self.radius,
+            tip_radius: self.tip_radius,
+            taper_from: self.taper_from,
+            radius_variation: self.radius_variation,
+            seed: self.seed,
+            workers: if let Some(function) = self.parallel_for {
+                Workers::Host(Arc::new(HostParallelFor::new(function, self.parallel_for_user)))
+            } else if self.worker_count > 1 {
+                Workers::Pool(self.worker_count as usize)
+            } else {
+                Workers::Serial
+            },
+            instruction_set: None,
+        };
+        settings.check("settings.")?;
+        Ok(settings)
+    }
+}
+
+/// Prepares a shx_render_settings. size is sizeof(shx_render_settings).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_settings_init(settings: *mut shx_render_settings, size: usize) -> shx_result {
+    // SAFETY: the caller says that settings holds size bytes.
+    unsafe { initialise("shx_render_settings_init", "settings", settings, size) }
+}
+
+/// Guides at one moment, as curves of the host's: from a cache, or sampled from anything. Prepare with shx_render_guides_init, then set
+/// at least guide_count and points. What is pointed to is read during the call and not kept.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_render_guides {
+    /// Set by shx_render_guides_init.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// How many guides.
+    pub guide_count: usize,
+    /// Their points, one guide after the other, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is not looked at).
+    pub points: shx_input,
+    /// Null (default): every guide has settings.points_per_strand points, uniform in arclength. Or guide_count numbers whose sum is
+    /// points.count, each 1 or above: guides are then sampled uniformly in arclength.
+    pub point_counts: *const u32,
+    /// count 0 (default), or how each follicle is turned: any frame that goes with the head (SHX_FORMAT_FRAME, of which the rotation
+    /// counts, or _F32X4, _F64X4: quaternions x, y, z, w). Without them the head's turn is taken from the roots' places together.
+    pub roots: shx_input,
+    /// count 0 (default), or the velocity of every point, m/s: SHX_FORMAT_F32X3, _F64X3.
+    pub velocities: shx_input,
+    /// count 0 (default), or the angular velocity of every follicle, rad/s (formats as velocities), to go with velocities.
+    pub root_angular_velocities: shx_input,
+    /// 0.
+    pub reserved: [u64; 4],
+}
+
+pub(super) const NO_INPUT: shx_input = shx_input { data: std::ptr::null(), stride: 0, count: 0, format: 0, reserved: 0 };
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and pointers only.
+unsafe impl Versioned for shx_render_guides {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved0: 0,
+            guide_count: 0,
+            points: NO_INPUT,
+            point_counts: std::ptr::null(),
+            roots: NO_INPUT,
+            velocities: NO_INPUT,
+            root_angular_velocities: NO_INPUT,
+            reserved: [0; 4],
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_render_guides>() == 184 && offset_of!(shx_render_guides, points) == 16);
+    assert!(offset_of!(shx_render_guides, roots) == 56 && offset_of!(shx_render_guides, reserved) == 152);
+};
+
+/// Prepares a shx_render_guides. size is sizeof(shx_render_guides).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_guides_init(guides: *mut shx_render_guides, size: usize) -> shx_result {
+    // SAFETY: the caller says that guides holds size bytes.
+    unsafe { initialise("shx_render_guides_init", "guides", guides, size) }
+}
+
+/// The caller's guides, copied.
+pub(super) struct OwnedGuides {
+    points: Vec<Vector3<f64>>,
+    roots: Option<Vec<UnitQuaternion<f64>>>,
+    velocities: Option<Vec<Vector3<f64>>>,
+    spins: Option<Vec<Vector3<f64>>>,
+}
+
+/// Whether the host left an input out.
+fn is_absent(input: &shx_input) -> bool {
+    input.count == 0 && input.data.is_null()
+}
+
+/// # Safety
+/// The input's memory is there.
+unsafe fn vectors(argument: &str, input: &shx_input, formats: &[u32], needed: usize) -> Result<Vec<Vector3<f64>>> {
+    // SAFETY: the same.
+    let reader = unsafe { Reader::new(argument, input, formats)? };
+    if reader.count() != needed {
+        return Err(Error::invalid(format!("{argument}.count"), reader.count(), needed.to_string()));
+    }
+    Ok((0..needed).map(|index| reader.point(index).into()).collect())
+}
+
+impl OwnedGuides {
+    /// # Safety
+    /// All that the structure points to is there.
+    pub unsafe fn read(guides: &shx_render_guides, per_strand: usize) -> Result<Self> {
+        if guides.reserved0 != 0 {
+            return Err(Error::invalid("guides.reserved0", guides.reserved0, "0"));
+        }
+        check_reserved("guides", &guides.reserved)?;
+        let count = guides.guide_count;
+        if count == 0 {
+            return Err(Error::invalid("guides.guide_count", count, "at least 1"));
+        }
+        // SAFETY: as the caller says.
+        unsafe {
+            let counts = if guides.point_counts.is_null() {
+                None
+            } else {
+                Some(array("guides.point_counts", "guides.guide_count", guides.point_counts, count)?)
+            };
+            let total = match counts {
+                Some(counts) => counts.iter().map(|count| *count as usize).fold(0, usize::saturating_add),
+                None => {
+                    count.checked_mul(per_strand).ok_or_else(|| Error::invalid("guides.guide_count", count, "fewer guides"))?
+                }
+            };
+            let mut points = vectors("guides.points", &guides.points, POINT_FORMATS, total)?;
+            let mut velocities = None;
+            if !is_absent(&guides.velocities) {
+                velocities = Some(vectors("guides.velocities", &guides.velocities, VECTOR_FORMATS, total)?);
+            }
+            let mut spins = None;
+            if !is_absent(&guides.root_angular_velocities) {
+                let input = &guides.root_angular_velocities;
+                spins = Some(vectors("guides.root_angular_velocities", input, VECTOR_FORMATS, count)?);
+            }
+            let mut roots = None;
+            if !is_absent(&guides.roots) {
+                let reader = Reader::new("guides.roots", &raw const guides.roots, FRAME_FORMATS)?;
+                if reader.count() != count {
+                    return Err(Error::invalid("guides.roots.count", reader.count(), format!("0 or {count}")));
+                }
+                roots = Some((0..count).map(|index| reader.rotation("guides.roots", index)).collect::<Result<_>>()?);
+            }
+            if let Some(counts) = counts {
+                let uniform = resampled(&points, counts, velocities.as_deref(), per_strand)?;
+                (points, velocities) = (uniform.points, uniform.values);
+            }
+            Ok(Self { points, roots, velocities, spins })
+        }
+    }
+
+    pub fn samples(&self) -> GuideSamples<'_> {
+        GuideSamples {
+            points: &self.points,
+            roots: self.roots.as_deref(),
+            velocities: self.velocities.as_deref(),
+            root_angular_velocities: self.spins.as_deref(),
+        }
+    }
+}
+
+/// What to evaluate. Fill with shx_render_view_init.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_render_view {
+    /// Set by shx_render_view_init.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// The first of the strands. Default 0.
+    pub first: usize,
+    /// How many. Default SIZE_MAX: all from first on.
+    pub count: usize,
+    /// Subtracted from positions before they are narrowed to floats, m. Default 0.
+    pub origin: [f64; 3],
+    /// For velocities: a pose of the same hair, in which the strands were seconds ago. Null (default): velocities come of those that the
+    /// pose's guides were set with.
+    pub before: *const shx_render_pose,
+    /// Above 0 with before.
+    pub seconds: f64,
+    /// count 0 (default: every root goes with the roots of its guides), or where the roots are, m, item i of strand first + i:
+    /// formats as shx_render_guides.points, or SHX_FORMAT_FRAME, of which the origin counts (shx_scalp_root_frames).
+    pub roots: shx_input,
+    /// With before and roots: where the roots were.
+    pub roots_before: shx_input,
+    /// 0.
+    pub reserved: [u64; 4],
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
+unsafe impl Versioned for shx_render_view {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved0: 0,
+            first: 0,
+            count: usize::MAX,
+            origin: [0.0; 3],
+            before: std::ptr::null(),
+            seconds: 0.0,
+            roots: NO_INPUT,
+            roots_before: NO_INPUT,
+            reserved: [0; 4],
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_render_view>() == 160 && offset_of!(shx_render_view, origin) == 24);
+    assert!(offset_of!(shx_render_view, before) == 48 && offset_of!(shx_render_view, roots) == 64);
+    assert!(offset_of!(shx_render_view, reserved) == 128);
+};
+
+/// Prepares a shx_render_view. size is sizeof(shx_render_view).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_view_init(view: *mut shx_render_view, size: usize) -> shx_result {
+    // SAFETY: the caller says that view holds size bytes.
+    unsafe { initialise("shx_render_view_init", "view", view, size) }
+}
+
+impl shx_render_view {
+    /// Roots that the host gives, one for each of `count` strands.
+    ///
+    /// # Safety
+    /// The input's memory is there.
+    pub(super) unsafe fn roots_of(argument: &str, input: &shx_input, count: usize) -> Result<Option<Reader>> {
+        if is_absent(input) {
+            return Ok(None);
+        }
+        let formats = [POINT_FORMATS, &[super::types::SHX_FORMAT_FRAME]].concat();
+        // SAFETY: the same.
+        let reader = unsafe { Reader::new(argument, input, &formats)? };
+        if reader.count() != count {
+            return Err(Error::invalid(
+                format!("{argument}.count"),
+                reader.count(),
+                format!("0 or {count}, one for each strand"),
+            ));
+        }
+        Ok(Some(reader))
+    }
+}

@@ -1,0 +1,385 @@
+//! Render hair: many strands from few guides.
+
+use std::sync::{Arc, RwLock, TryLockError};
+
+use nalgebra::Vector3;
+
+use super::buffers::{POINT_FORMATS, Place, Places, Reader, Writer, strand_ids};
+use super::errors::shx_result;
+use super::guard::{call, read, shx_solver};
+use super::render_def::{OwnedGuides, shx_render_guides, shx_render_settings, shx_render_view};
+use super::solver_def::{check_flag, check_reserved};
+use super::thread::on_own_thread;
+use super::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, shx_input, shx_output, shx_strand_id};
+use super::versioned::read_versioned;
+use crate::error::{Error, Result};
+use crate::groom::render_hair::{GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, StrandPoints, StrandSink, View};
+use crate::workers::Workers;
+
+/// Which guides each render strand follows, and how. Made by shx_render_hair_create or shx_solver_create_render_hair, owned by the caller,
+/// freed by shx_render_hair_destroy. It never changes, so any threads may use it at the same time.
+pub struct shx_render_hair(Arc<RenderHair>);
+
+/// Where the guides of a shx_render_hair are at one moment. Made by shx_render_pose_create, owned by the caller, freed by
+/// shx_render_pose_destroy. Keep one for each moment that is needed at the same time (two for velocities between frames).
+pub struct shx_render_pose(RwLock<RenderPose>);
+
+/// # Safety
+/// `hair` is null or alive.
+unsafe fn hair_from<'a>(hair: *const shx_render_hair) -> Result<&'a Arc<RenderHair>> {
+    // SAFETY: the same.
+    unsafe { hair.as_ref() }.map(|hair| &hair.0).ok_or_else(|| Error::NullArgument { argument: "hair".into() })
+}
+
+/// # Safety
+/// `pose` is null or alive.
+unsafe fn pose_from<'a>(argument: &str, pose: *const shx_render_pose) -> Result<&'a RwLock<RenderPose>> {
+    // SAFETY: the same.
+    unsafe { pose.as_ref() }.map(|pose| &pose.0).ok_or_else(|| Error::NullArgument { argument: argument.into() })
+}
+
+fn in_use<T>(error: TryLockError<T>) -> Error {
+    match error {
+        TryLockError::WouldBlock => Error::Busy,
+        TryLockError::Poisoned(_) => Error::Poisoned,
+    }
+}
+
+/// # Safety
+/// `roots` is null or a shx_input whose memory is there.
+unsafe fn places(roots: *const shx_input) -> Result<Vec<Vector3<f64>>> {
+    // SAFETY: the same.
+    let reader = unsafe { Reader::new("roots", roots, POINT_FORMATS)? };
+    Ok((0..reader.count()).map(|index| reader.point(index).into()).collect())
+}
+
+/// Makes the map; threads are spawned where they leave nothing behind on the host's thread.
+fn bind(settings: &RenderSettings, guides: &GuideSamples, roots: &[Vector3<f64>]) -> Result<RenderHair> {
+    match settings.workers {
+        Workers::Pool(_) => on_own_thread(|| RenderHair::bind(settings, guides, roots)),
+        _ => RenderHair::bind(settings, guides, roots),
+    }
+}
+
+/// Makes render hair from guides in their rest pose and the places of the render strands' roots at the same moment, m (formats as
+/// shx_render_guides.points; one strand for each). settings may be null: the defaults. Takes some microseconds a strand. *out_hair is
+/// yours; free it with shx_render_hair_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED (threads that could not be
+/// started). Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_hair_create(
+    settings: *const shx_render_settings,
+    guides: *const shx_render_guides,
+    roots: *const shx_input,
+    out_hair: *mut *mut shx_render_hair,
+) -> shx_result {
+    // SAFETY: the caller's structures, what they point to, and place for one pointer.
+    call("shx_render_hair_create", || unsafe {
+        let settings = settings_from(settings)?;
+        let owned = OwnedGuides::read(&read_versioned("guides", guides)?, settings.points_per_strand)?;
+        let (roots, place) = (places(roots)?, Place::new("out_hair", out_hair)?);
+        let hair = bind(&settings, &owned.samples(), &roots)?;
+        place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
+        Ok(())
+    })
+}
+
+/// # Safety
+/// `settings` is null or a structure of the size that it states.
+unsafe fn settings_from(settings: *const shx_render_settings) -> Result<RenderSettings> {
+    if settings.is_null() {
+        return Ok(RenderSettings::default());
+    }
+    // SAFETY: the same.
+    unsafe { read_versioned("settings", settings)?.settings() }
+}
+
+/// Makes render hair whose guides are count strands of a solver, as they are now: call it while they rest. Otherwise as
+/// shx_render_hair_create.
+/// Errors: those, and SHX_ERROR_INVALID_ID. May run beside other reading calls.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_create_render_hair(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    settings: *const shx_render_settings,
+    roots: *const shx_input,
+    out_hair: *mut *mut shx_render_hair,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids, structure, roots and place for one pointer.
+    unsafe {
+        read("shx_solver_create_render_hair", solver, |core| {
+            let ids = strand_ids(ids, count)?;
+            if ids.is_empty() {
+                return Err(Error::invalid("count", count, "at least 1"));
+            }
+            let settings = settings_from(settings)?;
+            let (roots, place) = (places(roots)?, Place::new("out_hair", out_hair)?);
+            let guides = core.render_guides(&ids, settings.points_per_strand, false)?;
+            let hair = bind(&settings, &guides.samples(), &roots)?;
+            place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
+            Ok(())
+        })
+    }
+}
+
+/// Frees render hair; poses of it live on by themselves. Null is nothing to free. Any thread; nobody may use it any more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_hair_destroy(hair: *mut shx_render_hair) {
+    call("shx_render_hair_destroy", || {
+        if !hair.is_null() {
+            // SAFETY: made by Box::into_raw in one of the functions above.
+            drop(unsafe { Box::from_raw(hair) });
+        }
+        Ok(())
+    });
+}
+
+/// For count strands from first on: the guide that each follows first (counted as at creation) into out_guides, and the number of its wisp
+/// about that guide, from 0, into out_wisps: for colours by lock, or to find out what hangs on a guide. Either may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that are not there). Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_hair_wisps(
+    hair: *const shx_render_hair,
+    first: usize,
+    count: usize,
+    out_guides: *mut u32,
+    out_wisps: *mut u32,
+) -> shx_result {
+    // SAFETY: the caller's handle and places for count numbers each.
+    call("shx_render_hair_wisps", || unsafe {
+        let hair = hair_from(hair)?;
+        if out_guides.is_null() && out_wisps.is_null() {
+            return Err(Error::NullArgument { argument: "out_guides (and out_wisps)".into() });
+        }
+        let total = hair.strand_count();
+        if first > total {
+            return Err(Error::invalid("first", first, format!("0 to {total}, the number of strands")));
+        }
+        if count > total - first {
+            return Err(Error::invalid("count", count, format!("up to {}", total - first)));
+        }
+        let guides = Places::optional("out_guides", "count", out_guides, count)?;
+        let wisps = Places::optional("out_wisps", "count", out_wisps, count)?;
+        let range = first..first + count;
+        if let Some(guides) = guides {
+            let first_of = |strand: usize| hair.guides_of(strand).and_then(|mut list| list.next()).map_or(0, |(guide, _)| guide);
+            guides.write(&range.clone().map(first_of).collect::<Vec<_>>())?;
+        }
+        if let Some(wisps) = wisps {
+            wisps.write(&range.map(|strand| hair.wisp_of(strand).unwrap_or_default()).collect::<Vec<_>>())?;
+        }
+        Ok(())
+    })
+}
+
+/// Makes a pose of render hair. It must be set before it is evaluated. *out_pose is yours; free it with shx_render_pose_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_pose_create(hair: *const shx_render_hair, out_pose: *mut *mut shx_render_pose) -> shx_result {
+    // SAFETY: the caller's handle and place for one pointer.
+    call("shx_render_pose_create", || unsafe {
+        let (hair, place) = (hair_from(hair)?, Place::new("out_pose", out_pose)?);
+        place.write(Box::into_raw(Box::new(shx_render_pose(RwLock::new(RenderPose::new(hair.clone()))))));
+        Ok(())
+    })
+}
+
+/// Frees a pose. Null is nothing to free. Any thread; nobody may use it any more.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_pose_destroy(pose: *mut shx_render_pose) {
+    call("shx_render_pose_destroy", || {
+        if !pose.is_null() {
+            // SAFETY: made by Box::into_raw in shx_render_pose_create.
+            drop(unsafe { Box::from_raw(pose) });
+        }
+        Ok(())
+    });
+}
+
+/// Sets where the guides are, in the number and order of shx_render_hair_create. roots may be given if they were given there.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY (the pose is being evaluated). The
+/// pose is as it was then. Alone with the pose.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_pose_set_guides(pose: *mut shx_render_pose, guides: *const shx_render_guides) -> shx_result {
+    // SAFETY: the caller's handle, structure and what it points to.
+    call("shx_render_pose_set_guides", || unsafe {
+        let mut pose = pose_from("pose", pose)?.try_write().map_err(in_use)?;
+        let per_strand = pose.hair().settings().points_per_strand;
+        let owned = OwnedGuides::read(&read_versioned("guides", guides)?, per_strand)?;
+        pose.set(&owned.samples())
+    })
+}
+
+/// Sets where the guides are from count strands of a solver as they are now, in the number and order of shx_solver_create_render_hair;
+/// velocities: 1 where strands' velocities will be wanted, else 0.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY. The pose is as it was then. Alone with
+/// the pose; may run beside other reading calls of the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_render_pose(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    velocities: u32,
+    pose: *mut shx_render_pose,
+) -> shx_result {
+    // SAFETY: the caller's handles and count ids.
+    unsafe {
+        read("shx_solver_set_render_pose", solver, |core| {
+            let ids = strand_ids(ids, count)?;
+            let velocities = check_flag("velocities", velocities)?;
+            let mut pose = pose_from("pose", pose)?.try_write().map_err(in_use)?;
+            let guides = pose.hair().guide_count();
+            if count != guides {
+                return Err(Error::invalid("count", count, format!("{guides}, the number of guides")));
+            }
+            core.pose_render_hair(&ids, velocities, &mut pose)
+        })
+    }
+}
+
+/// Evaluates render strands: item i * points_per_strand + j of each output is point j (0 root, last one tip) of strand view.first + i.
+/// view may be null: all strands, no origin. points, m: SHX_FORMAT_F32X3, or _F32X4 with the tapered radius. frames: SHX_FORMAT_F32X4,
+/// quaternions x, y, z, w of frames whose n0 is along the strand and whose n1 is near that of its first guide, carried along from the
+/// follicle without twist. velocities, m/s: SHX_FORMAT_F32X3. One or two of the three may be null. All arithmetic is f32 about the guides'
+/// roots. The bits do not depend on threads, nor on which strands are asked for together.
+/// Runs on the hair's own threads (settings.worker_count) or the host's (settings.parallel_for), or on the calling thread: a host may call
+/// it from several threads at a time, for other strands each.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a pose that was never set; velocities of guides that
+/// came without), SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_BUSY (the pose is being set). May run beside itself.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_pose_evaluate(
+    pose: *const shx_render_pose,
+    view: *const shx_render_view,
+    points: *const shx_output,
+    frames: *const shx_output,
+    velocities: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle, structure, what it points to, and memory for the outputs.
+    call("shx_render_pose_evaluate", || unsafe {
+        let pose = pose_from("pose", pose)?.try_read().map_err(in_use)?;
+        let whole = view.is_null();
+        let def =
+            if whole { <shx_render_view as super::versioned::Versioned>::defaults() } else { read_versioned("view", view)? };
+        if def.reserved0 != 0 {
+            return Err(Error::invalid("view.reserved0", def.reserved0, "0"));
+        }
+        check_reserved("view", &def.reserved)?;
+        let total = pose.hair().strand_count();
+        if def.first > total {
+            return Err(Error::invalid("view.first", def.first, format!("0 to {total}, the number of strands")));
+        }
+        let count = if def.count == usize::MAX { total - def.first } else { def.count };
+        if count > total - def.first {
+            return Err(Error::invalid("view.count", count, format!("up to {}, or SIZE_MAX", total - def.first)));
+        }
+        if points.is_null() && frames.is_null() && velocities.is_null() {
+            return Err(Error::NullArgument { argument: "points (and frames, and velocities)".into() });
+        }
+        let per_strand = pose.hair().settings().points_per_strand;
+        let needed = count
+            .checked_mul(per_strand)
+            .filter(|needed| *needed <= super::types::MAX_COUNT)
+            .ok_or_else(|| Error::invalid("view.count", count, "fewer strands a call"))?;
+        let sink = Outputs {
+            first: def.first,
+            per_strand,
+            points: Writer::optional("points", points, &[SHX_FORMAT_F32X3, SHX_FORMAT_F32X4], needed)?,
+            frames: Writer::optional("frames", frames, &[SHX_FORMAT_F32X4], needed)?,
+            velocities: Writer::optional("velocities", velocities, &[SHX_FORMAT_F32X3], needed)?,
+        };
+        let roots = shx_render_view::roots_of("view.roots", &def.roots, count)?.map(|reader| Roots { reader, first: def.first });
+        let earlier = shx_render_view::roots_of("view.roots_before", &def.roots_before, count)?
+            .map(|reader| Roots { reader, first: def.first });
+        let now = |strand: usize| roots.as_ref().map_or_else(Vector3::zeros, |roots| roots.at(strand));
+        let then = |strand: usize| earlier.as_ref().map_or_else(Vector3::zeros, |roots| roots.at(strand));
+        let before = if def.before.is_null() {
+            if def.seconds != 0.0 {
+                return Err(Error::invalid("view.seconds", def.seconds, "0 without before"));
+            }
+            if earlier.is_some() {
+                return Err(Error::invalid("view.roots_before", "there", "none without before"));
+            }
+            None
+        } else {
+            Some(pose_from("view.before", def.before)?.try_read().map_err(in_use)?)
+        };
+        let motion = match (&sink.velocities, &before) {
+            (None, _) => Motion::None,
+            (Some(_), None) => Motion::Guides,
+            (Some(_), Some(before)) => {
+                Motion::Since { before, seconds: def.seconds, roots: if earlier.is_some() { Some(&then) } else { None } }
+            }
+        };
+        let view = View {
+            first: def.first,
+            count,
+            origin: def.origin.into(),
+            roots: if roots.is_some() { Some(&now) } else { None },
+            rotations: sink.frames.is_some(),
+            motion,
+        };
+        pose.evaluate(&view, &sink).map_err(named)
+    })
+}
+
+/// The engine's errors in the names of the view's fields.
+fn named(error: Error) -> Error {
+    ["first", "count", "origin", "roots", "before", "seconds"]
+        .iter()
+        .fold(error, |error, name| if starts(&error, name) { error.renamed(name, &format!("view.{name}")) } else { error })
+}
+
+fn starts(error: &Error, name: &str) -> bool {
+    matches!(error, Error::InvalidArgument { argument, .. } if argument.starts_with(name))
+}
+
+/// The host's roots.
+struct Roots {
+    reader: Reader,
+    first: usize,
+}
+
+// SAFETY: memory of the caller's that stays unchanged during the call.
+unsafe impl Sync for Roots {}
+
+impl Roots {
+    fn at(&self, strand: usize) -> Vector3<f64> {
+        self.reader.point(strand - self.first).into()
+    }
+}
+
+struct Outputs {
+    first: usize,
+    per_strand: usize,
+    points: Option<Writer>,
+    frames: Option<Writer>,
+    velocities: Option<Writer>,
+}
+
+// SAFETY: the writers point into memory that is the caller's alone during the call, and every strand comes once.
+unsafe impl Sync for Outputs {}
+
+impl StrandSink for Outputs {
+    #[inline(always)]
+    fn take(&self, strand: &StrandPoints) {
+        let (first, count) = ((strand.strand - self.first) * self.per_strand, self.per_strand);
+        if let Some(points) = &self.points {
+            let [x, y, z] = strand.positions.map(|row| &row[..count]);
+            if points.width() == 3 {
+                points.singles(first, count, |k| [x[k], y[k], z[k]]);
+            } else {
+                let radii = &strand.radii[..count];
+                points.singles(first, count, |k| [x[k], y[k], z[k], strand.radius_factor * radii[k]]);
+            }
+        }
+        if let Some(frames) = &self.frames {
+            let [x, y, z, w] = strand.rotations.map(|row| &row[..count]);
+            frames.singles(first, count, |k| [x[k], y[k], z[k], w[k]]);
+        }
+        if let Some(velocities) = &self.velocities {
+            let [x, y, z] = strand.velocities.map(|row| &row[..count]);
+            velocities.singles(first, count, |k| [x[k], y[k], z[k]]);
+        }
+    }
+}

@@ -1,0 +1,294 @@
+//! The strands' points, in tiles, by many threads.
+
+use nalgebra::Vector3;
+
+use super::curvature::{self, WIDTH};
+use super::frames::frames;
+use super::pose::{RenderPose, VELOCITY_STEP};
+use super::position::{Roots, mix};
+use super::settings::MOST_GUIDES;
+use super::shape::Shape;
+use super::strand::RenderStrand;
+use crate::error::{Error, Result, check_finite, check_positive};
+use crate::math::lane::Kernel;
+#[cfg(target_arch = "x86_64")]
+use crate::math::lane::Lane;
+use crate::math::lanes::InstructionSet;
+#[cfg(target_arch = "x86_64")]
+use crate::math::lanes::{F64x4, F64x8};
+
+/// Strands that a task takes.
+const TILE: usize = 8 * WIDTH;
+
+/// Where strands' roots are: the place of strand `index` of the whole hair, m.
+pub type RootsAt<'a> = &'a (dyn Fn(usize) -> Vector3<f64> + Sync);
+
+/// What velocities are taken from.
+#[derive(Clone, Copy, Default)]
+pub enum Motion<'a> {
+    /// No velocities.
+    #[default]
+    None,
+    /// The guides' own: the pose was set with velocities. Roots that the host gives are taken to move as the guides' roots do.
+    Guides,
+    /// From where the strands were some time ago.
+    Since {
+        /// The pose of that time, of the same map.
+        before: &'a RenderPose,
+        /// How long ago that was, s; above 0.
+        seconds: f64,
+        /// Where the roots were, if [`View::roots`] says where they are.
+        roots: Option<RootsAt<'a>>,
+    },
+}
+
+/// What to evaluate.
+#[derive(Clone, Copy)]
+pub struct View<'a> {
+    /// The first of the strands.
+    pub first: usize,
+    /// How many.
+    pub count: usize,
+    /// Subtracted from positions in f64, before they are narrowed to f32, m.
+    pub origin: Vector3<f64>,
+    /// Where the strands' roots are (on a scalp that deforms). Without them every root goes with the roots of its guides.
+    pub roots: Option<RootsAt<'a>>,
+    /// Whether material frames are wanted.
+    pub rotations: bool,
+    /// What velocities are taken from, where they are wanted.
+    pub motion: Motion<'a>,
+}
+
+/// A strand's points.
+#[derive(Debug)]
+pub struct StrandPoints<'a> {
+    /// Which strand of the whole hair.
+    pub strand: usize,
+    /// Positions less the origin, m: x, y and z of every point.
+    pub positions: [&'a [f32]; 3],
+    /// Radius at every point of a strand of mean thickness, m; times `radius_factor` it is this strand's.
+    pub radii: &'a [f32],
+    /// This strand's thickness, as a share of the mean one.
+    pub radius_factor: f32,
+    /// Frames as quaternions x, y, z, w: n0 along the strand, n1 near that of the first guide, which is carried along from its follicle without
+    /// twist. Empty where not wanted.
+    pub rotations: [&'a [f32]; 4],
+    /// Velocities, m/s. Empty where not wanted.
+    pub velocities: [&'a [f32]; 3],
+}
+
+/// Who takes the points. Strands come in any order and from any thread, each once.
+pub trait StrandSink: Sync {
+    /// Takes a strand.
+    fn take(&self, points: &StrandPoints);
+}
+
+/// A worker's memory.
+#[derive(Debug, Default)]
+pub(super) struct Scratch {
+    now: Vec<f32>,
+    before: Vec<f32>,
+    rotations: Vec<f32>,
+    room: Vec<f32>,
+    bends: curvature::Room,
+    bends_before: curvature::Room,
+}
+
+/// An earlier moment that velocities are taken from.
+#[derive(Clone, Copy)]
+struct Earlier<'a> {
+    shape: &'a Shape,
+    roots: Option<RootsAt<'a>>,
+    /// 1/s.
+    rate: f32,
+    /// Roots that are given now go back as their guides' do.
+    carry: bool,
+}
+
+impl RenderPose {
+    /// Evaluates some of the strands: `sink` gets each once. By the map's workers, or in tasks of the host's own that call this for some of
+    /// the strands each.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for strands that are not there, numbers that are not finite, a pose that was never set, velocities from
+    /// a pose of another map or from guides that came without. Nothing has gone to the sink then.
+    pub fn evaluate(&self, view: &View, sink: &impl StrandSink) -> Result<()> {
+        let hair = &**self.hair();
+        if !self.is_set() {
+            return Err(Error::invalid("pose", "never set", "one that says where the guides are"));
+        }
+        let total = hair.strands.len();
+        if view.first > total {
+            return Err(Error::invalid("first", view.first, format!("0 to {total}, the number of strands")));
+        }
+        if view.count > total - view.first {
+            return Err(Error::invalid("count", view.count, format!("up to {}, of {total} strands", total - view.first)));
+        }
+        for axis in 0..3 {
+            check_finite(|| format!("origin[{axis}]"), view.origin[axis])?;
+        }
+        let earlier = self.earlier(view)?;
+        let check_roots = |name: &str, roots: Option<RootsAt>| -> Result<()> {
+            let Some(roots) = roots else { return Ok(()) };
+            for strand in view.first..view.first + view.count {
+                let root = roots(strand);
+                if !root.iter().all(|value| value.is_finite()) {
+                    return Err(Error::invalid(format!("{name}[{strand}]"), format!("{:?}", root.as_slice()), "finite numbers"));
+                }
+            }
+            Ok(())
+        };
+        check_roots("roots", view.roots)?;
+        check_roots("roots_before", earlier.and_then(|earlier| earlier.roots))?;
+        let mut tiles: Vec<(usize, usize)> = (view.first..view.first + view.count)
+            .step_by(TILE)
+            .map(|first| (first, TILE.min(view.first + view.count - first)))
+            .collect();
+        let set = hair.settings.instruction_set.unwrap_or_else(InstructionSet::detected);
+        hair.crew.for_each_task(&mut tiles, 1, usize::MAX, |tiles, scratch| {
+            for (first, count) in tiles {
+                let tile = TileWork { pose: self, view, earlier, first: *first, count: *count, scratch, sink };
+                match set {
+                    #[cfg(target_arch = "x86_64")]
+                    InstructionSet::Avx512 => F64x8::call(tile),
+                    #[cfg(target_arch = "x86_64")]
+                    InstructionSet::Avx2 => F64x4::call(tile),
+                    _ => tile.run(),
+                }
+            }
+        });
+        Ok(())
+    }
+
+    fn earlier<'a>(&'a self, view: &View<'a>) -> Result<Option<Earlier<'a>>> {
+        match view.motion {
+            Motion::None => Ok(None),
+            Motion::Guides => {
+                let Some(shape) = &self.before else {
+                    return Err(Error::invalid("pose", "without velocities", "one that was set with velocities of the guides"));
+                };
+                let rate = (1.0 / VELOCITY_STEP) as f32;
+                Ok(Some(Earlier { shape, roots: view.roots, rate, carry: view.roots.is_some() }))
+            }
+            Motion::Since { before, seconds, roots } => {
+                if !std::sync::Arc::ptr_eq(self.hair(), before.hair()) {
+                    return Err(Error::invalid("before", "a pose of another map", "one of the same"));
+                }
+                if !before.is_set() {
+                    return Err(Error::invalid("before", "never set", "a pose that says where the guides were"));
+                }
+                check_positive(|| "seconds".into(), seconds)?;
+                if roots.is_some() != view.roots.is_some() {
+                    let (value, expected) =
+                        if roots.is_some() { ("there", "none, as roots") } else { ("none", "as many as roots") };
+                    return Err(Error::invalid("roots_before", value, expected));
+                }
+                Ok(Some(Earlier { shape: &before.now, roots, rate: (1.0 / seconds) as f32, carry: false }))
+            }
+        }
+    }
+}
+
+/// Some strands.
+struct TileWork<'a, S> {
+    pose: &'a RenderPose,
+    view: &'a View<'a>,
+    earlier: Option<Earlier<'a>>,
+    first: usize,
+    count: usize,
+    scratch: &'a mut Scratch,
+    sink: &'a S,
+}
+
+impl<S: StrandSink> Kernel for TileWork<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { pose, view, earlier, first, count, scratch, sink } = self;
+        let hair = &**pose.hair();
+        let (stride, points) = (hair.reference.stride, hair.reference.points);
+        let Scratch { now, before, rotations, room, bends, bends_before } = scratch;
+        now.resize(3 * stride, 0.0);
+        before.resize(3 * stride, 0.0);
+        rotations.resize(4 * stride, 0.0);
+        let mut done = 0;
+        while done < count {
+            let begin = first + done;
+            let side_by_side = WIDTH.min(count - done);
+            let strands = &hair.strands[begin..begin + side_by_side];
+            if hair.reference.curved {
+                let curls = &hair.curls[begin..begin + side_by_side];
+                curvature::bend(hair, &pose.now, strands, curls, bends);
+                if let Some(earlier) = &earlier {
+                    curvature::bend(hair, earlier.shape, strands, curls, bends_before);
+                }
+            }
+            for (lane, strand) in strands.iter().enumerate() {
+                let index = begin + lane;
+                let given = view.roots.map(|roots| roots(index));
+                let followed = follow(&pose.now, strand);
+                let roots = roots(&pose.now, strand, given.unwrap_or(followed), view.origin);
+                let range = 3 * stride * lane..3 * stride * (lane + 1);
+                mix(hair, &pose.now, strand, &roots, bends.places.get(range.clone()).filter(|_| hair.reference.curved), now);
+                if let Some(earlier) = &earlier {
+                    let back = follow(earlier.shape, strand);
+                    let root = match (earlier.carry, given) {
+                        (true, Some(given)) => given + (back - followed),
+                        _ => earlier.roots.map_or(back, |roots| roots(index)),
+                    };
+                    let roots = self::roots(earlier.shape, strand, root, view.origin);
+                    let bent = bends_before.places.get(range).filter(|_| hair.reference.curved);
+                    mix(hair, earlier.shape, strand, &roots, bent, before);
+                    for (before, now) in before.iter_mut().zip(now.iter()) {
+                        *before = (*now - *before) * earlier.rate;
+                    }
+                }
+                if view.rotations {
+                    let rows = &pose.now.rows[strand.guides[0] as usize * hair.reference.size()..][..hair.reference.size()];
+                    frames(stride, points, rows, now, room, rotations);
+                }
+                let part = |k: usize| k * stride..k * stride + points;
+                let none: &[f32] = &[];
+                let moving = earlier.is_some();
+                sink.take(&StrandPoints {
+                    strand: index,
+                    positions: [&now[part(0)], &now[part(1)], &now[part(2)]],
+                    radii: &hair.profiles.radius[..points],
+                    radius_factor: strand.radius,
+                    rotations: [0, 1, 2, 3].map(|k| if view.rotations { &rotations[part(k)] } else { none }),
+                    velocities: [0, 1, 2].map(|k| if moving { &before[part(k)] } else { none }),
+                });
+            }
+            done += side_by_side;
+        }
+    }
+}
+
+/// Where a strand's root is when it goes with those of its guides.
+#[inline(always)]
+fn follow(shape: &Shape, strand: &RenderStrand) -> Vector3<f64> {
+    let mut root = Vector3::zeros();
+    for k in 0..MOST_GUIDES {
+        let weight = strand.weights[k];
+        if weight == 0.0 {
+            continue;
+        }
+        let guide = strand.guides[k] as usize;
+        let (turn, place) = (&shape.turns[guide], strand.roots[k]);
+        for axis in 0..3 {
+            let away = turn[0][axis] * place[0] + turn[1][axis] * place[1] + turn[2][axis] * place[2];
+            root[axis] += f64::from(weight) * (shape.origins[guide][axis] + f64::from(away));
+        }
+    }
+    root
+}
+
+#[inline(always)]
+fn roots(shape: &Shape, strand: &RenderStrand, own: Vector3<f64>, origin: Vector3<f64>) -> Roots {
+    let first = shape.origins[strand.guides[0] as usize];
+    Roots {
+        own: [0, 1, 2].map(|axis| (own[axis] - origin[axis]) as f32),
+        first: [0, 1, 2].map(|axis| (first[axis] - origin[axis]) as f32),
+    }
+}

@@ -1,0 +1,88 @@
+//! Where the guides are at one moment.
+
+use std::sync::Arc;
+
+use nalgebra::{UnitQuaternion, Vector3};
+
+use super::RenderHair;
+use super::guide_samples::GuideSamples;
+use super::shape::{Shape, closest_turn};
+use crate::error::{Error, Result};
+use crate::math::rotation::from_rotation_vector;
+
+/// How far back the guides are moved by their velocities to tell those of the strands, s: the strands' velocities are those over this time.
+pub const VELOCITY_STEP: f64 = 1e-3;
+
+/// The guides of a [`RenderHair`] at one moment. Set it each frame; then any threads may evaluate it at the same time.
+#[derive(Debug, Clone)]
+pub struct RenderPose {
+    hair: Arc<RenderHair>,
+    pub(super) now: Shape,
+    /// [`VELOCITY_STEP`] before, where velocities were given.
+    pub(super) before: Option<Shape>,
+}
+
+impl RenderPose {
+    /// A pose of a map. It must be set before it is evaluated.
+    pub fn new(hair: Arc<RenderHair>) -> Self {
+        Self { hair, now: Shape::default(), before: None }
+    }
+
+    /// The map.
+    pub fn hair(&self) -> &Arc<RenderHair> {
+        &self.hair
+    }
+
+    /// Whether it has been set.
+    pub(super) fn is_set(&self) -> bool {
+        !self.now.origins.is_empty()
+    }
+
+    /// Sets where the guides are, in the order of binding.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for counts that do not fit, numbers that are not finite, or rotations of the roots where there were none
+    /// at binding. Nothing has changed then.
+    pub fn set(&mut self, guides: &GuideSamples) -> Result<()> {
+        let reference = &self.hair.reference;
+        guides.check(reference.points, Some(reference.guides))?;
+        if guides.roots.is_some() && !reference.rotations_given {
+            let expected = "none, as at binding: how the follicles are turned there is not known";
+            return Err(Error::invalid("guides.roots", "there", expected));
+        }
+        let roots = |points: &[Vector3<f64>]| points.iter().step_by(reference.points).copied().collect::<Vec<_>>();
+        let origins = roots(guides.points);
+        let rotations = match guides.roots {
+            Some(rotations) => rotations.to_vec(),
+            None => turned(&reference.origins, &origins, &reference.rotations),
+        };
+        self.now.update(reference, guides.points, &rotations);
+        let Some(velocities) = guides.velocities else {
+            self.before = None;
+            return Ok(());
+        };
+        let points: Vec<_> = guides.points.iter().zip(velocities).map(|(p, v)| p - v * VELOCITY_STEP).collect();
+        let earlier = match guides.root_angular_velocities {
+            Some(list) => {
+                rotations.iter().zip(list).map(|(rotation, w)| from_rotation_vector(w * -VELOCITY_STEP) * rotation).collect()
+            }
+            None => turned(&origins, &roots(&points), &rotations),
+        };
+        self.before.get_or_insert_default().update(reference, &points, &earlier);
+        Ok(())
+    }
+
+    /// Bytes that the pose holds, the map not among them.
+    pub fn memory_usage(&self) -> u64 {
+        let of = |shape: &Shape| {
+            4 * shape.rows.capacity() + 16 * shape.starts.capacity() + 24 * shape.origins.capacity() + 36 * shape.turns.capacity()
+        };
+        (size_of::<Self>() + of(&self.now) + self.before.as_ref().map_or(0, of)) as u64
+    }
+}
+
+/// Rotations of roots that have gone from one set of places to another: all turned as the places have; as they were where that cannot be told.
+fn turned(from: &[Vector3<f64>], to: &[Vector3<f64>], rotations: &[UnitQuaternion<f64>]) -> Vec<UnitQuaternion<f64>> {
+    let turn = closest_turn(from, to).unwrap_or_default();
+    rotations.iter().map(|rotation| turn * rotation).collect()
+}

@@ -1,0 +1,104 @@
+//! Strands mixed from their guides' places, and brought to their wisps.
+
+use super::RenderHair;
+use super::settings::MOST_GUIDES;
+use super::shape::{N1, N2, PLACE, Shape};
+use super::strand::RenderStrand;
+
+/// Points that go side by side.
+const STEP: usize = 8;
+type Lane = [f32; STEP];
+
+#[inline(always)]
+fn lane(row: &[f32], at: usize) -> Lane {
+    let mut out = [0.0; STEP];
+    out.copy_from_slice(&row[at..at + STEP]);
+    out
+}
+
+/// Where the guides' roots are for one strand, less the origin.
+pub(super) struct Roots {
+    /// The strand's own.
+    pub own: [f32; 3],
+    /// Its first guide's.
+    pub first: [f32; 3],
+}
+
+/// Writes a strand's points into rows of x, y and z. `bent`: the strand's places from its root as they came of its curvatures, rows as well;
+/// without them they are mixed from the guides' places.
+#[inline(always)]
+pub(super) fn mix(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, roots: &Roots, bent: Option<&[f32]>, out: &mut [f32]) {
+    // As many guides as there are, so that the loop over them is unrolled.
+    match hair.settings.guides_per_strand {
+        1 => mix_of::<1>(hair, shape, strand, roots, bent, out),
+        2 => mix_of::<2>(hair, shape, strand, roots, bent, out),
+        3 => mix_of::<3>(hair, shape, strand, roots, bent, out),
+        _ => mix_of::<MOST_GUIDES>(hair, shape, strand, roots, bent, out),
+    }
+}
+
+#[inline(always)]
+fn mix_of<const GUIDES: usize>(
+    hair: &RenderHair,
+    shape: &Shape,
+    strand: &RenderStrand,
+    roots: &Roots,
+    bent: Option<&[f32]>,
+    out: &mut [f32],
+) {
+    let (stride, size) = (hair.reference.stride, hair.reference.size());
+    let guides: [&[f32]; GUIDES] = std::array::from_fn(|k| &shape.rows[strand.guides[k] as usize * size..][..size]);
+    let gathered = &hair.gathered[strand.guides[0] as usize * stride..][..stride];
+    let wisp = &hair.profiles.wisp[..stride];
+    let frizz = if hair.profiles.frizz.is_empty() {
+        None
+    } else {
+        Some(&hair.profiles.frizz[strand.frizz as usize * 2 * stride..][..2 * stride])
+    };
+    let out = &mut out[..3 * stride];
+    let mut at = 0;
+    while at < stride {
+        let (c, radius) = (lane(gathered, at), lane(wisp, at));
+        let (mut a1, mut a2): (Lane, Lane) = ([0.0; STEP], [0.0; STEP]);
+        for k in 0..STEP {
+            a1[k] = c[k] * (strand.middle[0] + radius[k] * strand.offset[0]);
+            a2[k] = c[k] * (strand.middle[1] + radius[k] * strand.offset[1]);
+        }
+        if let Some(frizz) = frizz {
+            let (f1, f2) = (lane(&frizz[..stride], at), lane(&frizz[stride..], at));
+            let [cosine, sine] = strand.frizz_turn;
+            for k in 0..STEP {
+                a1[k] += cosine * f1[k] - sine * f2[k];
+                a2[k] += sine * f1[k] + cosine * f2[k];
+            }
+        }
+        for axis in 0..3 {
+            let row = |guide: usize, row: usize| lane(&guides[guide][(row + axis) * stride..][..stride], at);
+            let first = row(0, PLACE);
+            let mut mixed: Lane = [0.0; STEP];
+            match bent {
+                Some(bent) => mixed = lane(&bent[axis * stride..][..stride], at),
+                None => {
+                    for k in 0..STEP {
+                        mixed[k] = strand.weights[0] * first[k];
+                    }
+                    for guide in 1..GUIDES {
+                        let place = row(guide, PLACE);
+                        for k in 0..STEP {
+                            mixed[k] += strand.weights[guide] * place[k];
+                        }
+                    }
+                }
+            }
+            let (n1, n2) = (row(0, N1), row(0, N2));
+            let mut place: Lane = [0.0; STEP];
+            for k in 0..STEP {
+                let (interpolated, wisp) = (roots.own[axis] + mixed[k], roots.first[axis] + first[k]);
+                // Not interpolated + c (wisp - interpolated): at c = 1 the wisp itself must come out, to the bit.
+                place[k] = ((1.0 - c[k]) * interpolated + c[k] * wisp) + (n1[k] * a1[k] + n2[k] * a2[k]);
+            }
+            out[axis * stride + at..axis * stride + at + STEP].copy_from_slice(&place);
+        }
+        at += STEP;
+    }
+}

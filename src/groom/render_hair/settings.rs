@@ -1,0 +1,151 @@
+//! What render strands are to look like.
+
+use crate::error::{Error, Result, check_finite, check_not_negative};
+use crate::math::lanes::InstructionSet;
+use crate::workers::Workers;
+
+/// Most guides that a render strand follows.
+pub const MOST_GUIDES: usize = 4;
+/// Most points of a render strand.
+pub const MOST_POINTS: usize = 4096;
+/// Most wisps that a guide is the middle of.
+pub const MOST_WISPS: usize = 10_000;
+
+/// What is mixed where a render strand lies between guides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Space {
+    /// Positions: the strand stays between its guides. Curls that are out of step cancel. For straight and gently wavy hair.
+    #[default]
+    Position,
+    /// Lengths and curvatures: the strand has the mean length and the mean curl of its guides; where its tip comes to lie follows from that.
+    /// For curly hair.
+    Curvature,
+}
+
+/// How render strands are made from guides. Lengths in m.
+#[derive(Debug, Clone)]
+pub struct RenderSettings {
+    /// Points of a strand, root and tip included, 2 to [`MOST_POINTS`]; also those that each guide is sampled at. Default 16.
+    pub points_per_strand: usize,
+    /// What is mixed between guides.
+    pub space: Space,
+    /// Guides that a strand follows at most, 1 to [`MOST_GUIDES`]. Default 3.
+    pub guides_per_strand: usize,
+    /// 0 to 1, from hair that is interpolated all along (0) over hair that is interpolated at the root and gathered in wisps at the tip (0.5)
+    /// to disjoint locks (1). With u the curliness, strands have gone over to their wisp by the share c(s) = m S(s/e), where s runs from 0
+    /// at the root to 1 at the tip, m = min(1, 2u), e = min(1, max(0.1, 2 − 2u)) and S(x) = 3x² − 2x³ (held at 1). Default 0.
+    pub curliness: f64,
+    /// Each guide has a curliness of its own instead, measured on its shape ([`measured_curliness`](super::measured_curliness)).
+    pub measure_curliness: bool,
+    /// Guides whose tips are farther apart than their roots by more than this do not go together in a strand; above 0. Default: infinite.
+    pub max_tip_distance: f64,
+    /// The same as a share of the shorter guide's length. Default 0.6.
+    pub max_tip_ratio: f64,
+    /// Wisps a guide, 1 to [`MOST_WISPS`]: with more than one, strands near each other gather about a line beside the guide. Default 1.
+    pub wisps_per_guide: usize,
+    /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places; 0 or above. Default 1, 0.6, 0.25.
+    pub wisp_profile: [f64; 3],
+    /// Root mean square distance by which strands stray from their way at the tip, from nothing at the root; 0 or above. Default 0.
+    pub frizz: f64,
+    /// Waves of that along a strand, above 0 to 1000. Default 3.
+    pub frizz_waves: f64,
+    /// Radius at the root; 0 or above. Default 40 µm.
+    pub radius: f64,
+    /// Radius at the tip. Default 15 µm.
+    pub tip_radius: f64,
+    /// From where on, as a share of the length, the radius goes to that of the tip (linearly); 0 to less than 1. Default 0.5.
+    pub taper_from: f64,
+    /// By which share radii differ between strands at most, 0 to 1. Default 0.1.
+    pub radius_variation: f64,
+    /// Seed of all that is random.
+    pub seed: u64,
+    /// Who evaluates.
+    pub workers: Workers,
+    /// Vector instructions to use; none: the best that the machine has. The results' bits do not depend on it.
+    pub instruction_set: Option<InstructionSet>,
+}
+
+impl Default for RenderSettings {
+    fn default() -> Self {
+        Self {
+            points_per_strand: 16,
+            space: Space::Position,
+            guides_per_strand: 3,
+            curliness: 0.0,
+            measure_curliness: false,
+            max_tip_distance: f64::INFINITY,
+            max_tip_ratio: 0.6,
+            wisps_per_guide: 1,
+            wisp_profile: [1.0, 0.6, 0.25],
+            frizz: 0.0,
+            frizz_waves: 3.0,
+            radius: 40e-6,
+            tip_radius: 15e-6,
+            taper_from: 0.5,
+            radius_variation: 0.1,
+            seed: 0,
+            workers: Workers::Serial,
+            instruction_set: None,
+        }
+    }
+}
+
+impl RenderSettings {
+    /// Checks every field; `outer` is put before its name in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the field; [`Error::Unsupported`] for instructions that the machine does not have.
+    pub fn check(&self, outer: &str) -> Result<()> {
+        let within = |name: &str, value: f64, low: f64, high: f64| {
+            if (low..=high).contains(&value) {
+                Ok(())
+            } else {
+                Err(Error::invalid(format!("{outer}{name}"), value, format!("{low} to {high}")))
+            }
+        };
+        let count = |name: &str, value: usize, low: usize, high: usize| {
+            if (low..=high).contains(&value) {
+                Ok(())
+            } else {
+                Err(Error::invalid(format!("{outer}{name}"), value, format!("{low} to {high}")))
+            }
+        };
+        let above = |name: &str, value: f64| {
+            if value > 0.0 {
+                Ok(())
+            } else {
+                Err(Error::invalid(format!("{outer}{name}"), value, "a number above zero (infinite: none)"))
+            }
+        };
+        count("points_per_strand", self.points_per_strand, 2, MOST_POINTS)?;
+        count("guides_per_strand", self.guides_per_strand, 1, MOST_GUIDES)?;
+        count("wisps_per_guide", self.wisps_per_guide, 1, MOST_WISPS)?;
+        within("curliness", self.curliness, 0.0, 1.0)?;
+        above("max_tip_distance", self.max_tip_distance)?;
+        above("max_tip_ratio", self.max_tip_ratio)?;
+        for (knot, value) in self.wisp_profile.iter().enumerate() {
+            check_not_negative(|| format!("{outer}wisp_profile[{knot}]"), *value)?;
+        }
+        check_not_negative(|| format!("{outer}frizz"), self.frizz)?;
+        check_finite(|| format!("{outer}frizz_waves"), self.frizz_waves)?;
+        if !(self.frizz_waves > 0.0 && self.frizz_waves <= 1000.0) {
+            return Err(Error::invalid(format!("{outer}frizz_waves"), self.frizz_waves, "above 0, up to 1000"));
+        }
+        check_not_negative(|| format!("{outer}radius"), self.radius)?;
+        check_not_negative(|| format!("{outer}tip_radius"), self.tip_radius)?;
+        if !(0.0..1.0).contains(&self.taper_from) {
+            return Err(Error::invalid(format!("{outer}taper_from"), self.taper_from, "0 to less than 1"));
+        }
+        within("radius_variation", self.radius_variation, 0.0, 1.0)?;
+        if let Some(set) = self.instruction_set
+            && set > InstructionSet::detected()
+        {
+            return Err(Error::Unsupported {
+                argument: format!("{outer}instruction_set"),
+                value: set.name().into(),
+                hint: format!("this machine has {}", InstructionSet::detected().name()),
+            });
+        }
+        self.workers.check(outer.trim_end_matches('.'))
+    }
+}

@@ -1,0 +1,169 @@
+//! A scalp: a triangle mesh on which follicles stand, and which may deform.
+//!
+//! A [`Follicle`] is a place on a triangle; its frame comes of the mesh as it is at the moment: n0 along the normal, n1 along the direction in
+//! which the texture coordinate u grows. Follicles are scattered evenly ([`Scalp::scatter`]) or put where texture coordinates say
+//! ([`Scalp::follicles_at`]). What moves with the mesh are [`Scalp::frames`]: the roots of guides for
+//! [`Solver::set_root_frames`](crate::solver::Solver::set_root_frames), or of render strands.
+
+mod density;
+mod elimination;
+mod frames;
+mod scatter;
+mod texture;
+
+use nalgebra::Vector3;
+
+pub use density::Density;
+pub use scatter::{Amount, MOST_FOLLICLES, ScatterOptions, Scattered};
+pub use texture::Jitter;
+
+use crate::error::{Error, Result, check_finite};
+
+/// A place on a triangle of a scalp.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Follicle {
+    /// The triangle's number.
+    pub triangle: u32,
+    /// Shares of its second and third corner; the first has the rest. 0 or above, together at most 1.
+    pub shares: [f64; 2],
+}
+
+impl Follicle {
+    /// Shares of the three corners.
+    pub fn weights(&self) -> [f64; 3] {
+        [1.0 - self.shares[0] - self.shares[1], self.shares[0], self.shares[1]]
+    }
+
+    /// Something of the three corners, mixed.
+    fn mix(&self, corners: [Vector3<f64>; 3]) -> Vector3<f64> {
+        let [a, b, c] = self.weights();
+        corners[0] * a + corners[1] * b + corners[2] * c
+    }
+}
+
+/// How far shares may be outside their triangle to count as on its border: what f32 rounds.
+const BORDER: f64 = 1e-6;
+
+/// A mesh at rest. It does not change: any threads may use it at the same time.
+#[derive(Debug, Clone)]
+pub struct Scalp {
+    vertices: Vec<Vector3<f64>>,
+    triangles: Vec<[u32; 3]>,
+    /// Texture coordinates of every triangle's corners.
+    uvs: Option<Vec<[[f64; 2]; 3]>>,
+    /// Of each corner the coordinate along which n1 lies.
+    along: Vec<[f64; 3]>,
+    /// The coordinate across, where there is one; with it n1 goes along a line on which it stays the same.
+    across: Vec<[f64; 3]>,
+}
+
+impl Scalp {
+    /// A scalp from vertices (m) in its rest pose and triangles, wound anticlockwise seen from outside. `uvs`: texture coordinates of every
+    /// triangle's corners (so that seams may run through the mesh). Without them n1 follows the axis `reference` (any length above zero) as it
+    /// lies on the scalp at rest; where the scalp stands across that axis its direction is arbitrary.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for numbers that are not finite, indices that name no vertex, counts that do not fit, no triangle with an
+    /// area.
+    pub fn new(
+        vertices: Vec<Vector3<f64>>,
+        triangles: Vec<[u32; 3]>,
+        uvs: Option<Vec<[[f64; 2]; 3]>>,
+        reference: Vector3<f64>,
+    ) -> Result<Self> {
+        check_vertices(&vertices)?;
+        for (index, triangle) in triangles.iter().enumerate() {
+            if let Some(vertex) = triangle.iter().find(|vertex| **vertex as usize >= vertices.len()) {
+                let expected = format!("vertices 0 to {}", vertices.len().saturating_sub(1));
+                return Err(Error::invalid(format!("triangles[{index}]"), vertex, expected));
+            }
+        }
+        for axis in 0..3 {
+            check_finite(|| format!("reference[{axis}]"), reference[axis])?;
+        }
+        let axis = reference.try_normalize(0.0);
+        let axis = axis.ok_or_else(|| Error::invalid("reference", "0", "a direction of any length above zero"))?;
+        if let Some(uvs) = &uvs {
+            if uvs.len() != triangles.len() {
+                return Err(Error::invalid("uvs (count)", uvs.len(), format!("{}, one for each triangle", triangles.len())));
+            }
+            for (index, corners) in uvs.iter().enumerate() {
+                for value in corners.iter().flatten() {
+                    check_finite(|| format!("uvs[{index}]"), *value)?;
+                }
+            }
+        }
+        let area: f64 = triangles.iter().map(|triangle| double_area(&vertices, triangle).norm()).sum();
+        if !(area > 0.0 && area.is_finite()) {
+            return Err(Error::invalid("triangles", format!("{} of area {area} m^2", triangles.len()), "a mesh with an area"));
+        }
+        let (along, across) = match &uvs {
+            Some(uvs) => (uvs.iter().map(|c| c.map(|uv| uv[0])).collect(), uvs.iter().map(|c| c.map(|uv| uv[1])).collect()),
+            None => (triangles.iter().map(|t| t.map(|vertex| vertices[vertex as usize].dot(&axis))).collect(), Vec::new()),
+        };
+        Ok(Self { vertices, triangles, uvs, along, across })
+    }
+
+    /// Vertices at rest, m.
+    pub fn vertices(&self) -> &[Vector3<f64>] {
+        &self.vertices
+    }
+
+    /// Triangles.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Its area at rest, m².
+    pub fn area(&self) -> f64 {
+        self.triangles.iter().map(|triangle| 0.5 * double_area(&self.vertices, triangle).norm()).sum()
+    }
+
+    /// Checks follicles that came from outside; `argument` is their name.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first that is not on the scalp.
+    pub fn check_follicles(&self, argument: &str, follicles: &[Follicle]) -> Result<()> {
+        for (index, follicle) in follicles.iter().enumerate() {
+            if follicle.triangle as usize >= self.triangles.len() {
+                let expected = format!("below {}, the number of triangles", self.triangles.len());
+                return Err(Error::invalid(format!("{argument}[{index}].triangle"), follicle.triangle, expected));
+            }
+            if !follicle.weights().iter().all(|weight| (-BORDER..=1.0 + BORDER).contains(weight)) {
+                let (value, expected) = (format!("{:?}", follicle.shares), "shares of 0 or above, together at most 1");
+                return Err(Error::invalid(format!("{argument}[{index}].shares"), value, expected));
+            }
+        }
+        Ok(())
+    }
+
+    /// Where a follicle is on the scalp at rest, m. The follicle must be one of this scalp.
+    pub fn place(&self, follicle: &Follicle) -> Vector3<f64> {
+        follicle.mix(self.corners(&self.vertices, follicle.triangle))
+    }
+
+    fn corners(&self, vertices: &[Vector3<f64>], triangle: u32) -> [Vector3<f64>; 3] {
+        self.triangles[triangle as usize].map(|vertex| vertices[vertex as usize])
+    }
+
+    /// Bytes that the scalp holds.
+    pub fn memory_usage(&self) -> u64 {
+        let corners = self.along.capacity() + self.across.capacity() + 2 * self.uvs.as_ref().map_or(0, Vec::capacity);
+        (size_of::<Self>() + 24 * (self.vertices.capacity() + corners) + 12 * self.triangles.capacity()) as u64
+    }
+}
+
+fn check_vertices(vertices: &[Vector3<f64>]) -> Result<()> {
+    for (index, vertex) in vertices.iter().enumerate() {
+        for axis in 0..3 {
+            check_finite(|| format!("vertices[{index}][{axis}]"), vertex[axis])?;
+        }
+    }
+    Ok(())
+}
+
+/// The normal of a triangle, twice its area long.
+fn double_area(vertices: &[Vector3<f64>], triangle: &[u32; 3]) -> Vector3<f64> {
+    let [a, b, c] = triangle.map(|vertex| vertices[vertex as usize]);
+    (b - a).cross(&(c - a))
+}

@@ -1,0 +1,216 @@
+//! Follicles scattered over a scalp: blue noise, as dense as a map says.
+//!
+//! The distance of two places is their straight distance d, made longer by how the scalp's normals n₁, n₂ turn along the way v between them
+//! (Bowers, Wang, Wei and Maletz 2010): d (asin c₁ − asin c₂)/(c₁ − c₂), cᵢ = nᵢ·v; on a sphere that is the length of the arc. Places whose
+//! normals are more than a right angle apart (the two sides of an ear) are not near each other. Where the density is ρ, as a share of the
+//! largest, distances count times √ρ, that of the denser place of the two.
+
+use nalgebra::Vector3;
+
+use super::density::Density;
+use super::elimination::{Neighbours, Until, survivors};
+use super::frames::Field;
+use super::{Follicle, Scalp, double_area};
+use crate::error::{Error, Result, check_positive};
+use crate::math::point_tree::PointTree;
+use crate::math::random::Seeded;
+use crate::math::rotation::arc_tangent;
+
+/// Most follicles of a call.
+pub const MOST_FOLLICLES: usize = 10_000_000;
+/// Candidates for each follicle.
+const CANDIDATES: f64 = 5.0;
+/// Tries for each candidate before the density is given up.
+const TRIES: u64 = 2000;
+/// Yuksel's limit of weights: r_min = β r_max (1 − (N/M)^γ).
+const BETA: f64 = 0.65;
+
+/// How many follicles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Amount {
+    /// That many, as far from each other as they come.
+    Count(usize),
+    /// As many as fit (of those tried) without two being nearer to each other than this, m; where the density is lower, farther.
+    Spacing(f64),
+}
+
+/// How follicles are scattered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScatterOptions {
+    /// How many.
+    pub amount: Amount,
+    /// How densely, relative to each other.
+    pub density: Density,
+    /// Seed.
+    pub seed: u64,
+}
+
+/// Scattered follicles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scattered {
+    /// In no order.
+    pub follicles: Vec<Follicle>,
+    /// The least distance of two of them, in the measure of this module (where the density is the largest: the distance along the scalp), m;
+    /// infinite where no two are near each other.
+    pub least_distance: f64,
+}
+
+/// Candidates and what their distances are told by.
+struct Candidates {
+    follicles: Vec<Follicle>,
+    places: Vec<Vector3<f64>>,
+    normals: Vec<Vector3<f64>>,
+    /// √ρ.
+    roots: Vec<f64>,
+    /// The share of random places that the density let pass.
+    passed: f64,
+}
+
+impl Candidates {
+    fn new(scalp: &Scalp, density: &Density, seed: u64, count: usize) -> Result<Self> {
+        let numbers = [5, 6, 7, 8].map(|purpose| Seeded::new(seed, purpose));
+        let mut areas = Vec::with_capacity(scalp.triangles.len());
+        let mut area = 0.0;
+        for triangle in &scalp.triangles {
+            area += double_area(&scalp.vertices, triangle).norm();
+            areas.push(area);
+        }
+        let field = Field::new(scalp, &scalp.vertices);
+        let most = density.most();
+        let mut made = Self { follicles: Vec::new(), places: Vec::new(), normals: Vec::new(), roots: Vec::new(), passed: 1.0 };
+        let mut tries = 0;
+        while made.follicles.len() < count {
+            if tries >= TRIES * (count as u64 + 100) {
+                let value = format!("above zero on less than {:.0e} of the scalp", 1.0 / TRIES as f64);
+                return Err(Error::invalid("density", value, "a density that is above zero on more of it"));
+            }
+            let [at, first, second, chance] = numbers.map(|numbers| numbers.unit(tries));
+            tries += 1;
+            let triangle = areas.partition_point(|sum| *sum <= at * area).min(areas.len() - 1);
+            // Uniform over the triangle (Turk 1990).
+            let root = first.sqrt();
+            let follicle = Follicle { triangle: triangle as u32, shares: [root * (1.0 - second), root * second] };
+            let share = density.at(scalp, &follicle) / most;
+            if share <= chance {
+                continue;
+            }
+            made.places.push(scalp.place(&follicle));
+            made.normals.push(field.normal(scalp, &scalp.vertices, &follicle));
+            made.roots.push(share.sqrt());
+            made.follicles.push(follicle);
+        }
+        if tries > 0 {
+            made.passed = count as f64 / tries as f64;
+        }
+        Ok(made)
+    }
+
+    /// Those that stay.
+    fn only(&self, stays: &[bool]) -> Self {
+        fn of<T: Clone>(list: &[T], stays: &[bool]) -> Vec<T> {
+            list.iter().zip(stays).filter(|(_, stays)| **stays).map(|(item, _)| item.clone()).collect()
+        }
+        Self {
+            follicles: of(&self.follicles, stays),
+            places: of(&self.places, stays),
+            normals: of(&self.normals, stays),
+            roots: of(&self.roots, stays),
+            passed: self.passed,
+        }
+    }
+
+    /// The distance of two candidates along the scalp; none where they are on different sides of it.
+    fn distance(&self, a: usize, b: usize) -> Option<f64> {
+        if self.normals[a].dot(&self.normals[b]) < 0.0 {
+            return None;
+        }
+        let way = self.places[b] - self.places[a];
+        let straight = way.norm();
+        if straight <= 0.0 {
+            return Some(0.0);
+        }
+        let [c1, c2] = [a, b].map(|index| (self.normals[index].dot(&way) / straight).clamp(-1.0, 1.0));
+        let cosine = |sine: f64| (1.0 - sine * sine).max(0.0).sqrt();
+        let arc_sine = |sine: f64| {
+            let angle = arc_tangent(sine.abs(), cosine(sine));
+            if sine < 0.0 { -angle } else { angle }
+        };
+        let factor = if (c1 - c2).abs() < 1e-4 {
+            // The limit, for a way that keeps its slope.
+            1.0 / cosine(0.5 * (c1 + c2)).max(1e-3)
+        } else {
+            (arc_sine(c1) - arc_sine(c2)) / (c1 - c2)
+        };
+        Some(straight * factor)
+    }
+
+    /// All pairs that are nearer than `reach` in the measure of densities, with their distances as shares of it.
+    fn pairs(&self, reach: f64) -> Vec<(u32, u32, f32)> {
+        let tree = PointTree::new(&self.places);
+        let mut pairs = Vec::new();
+        for a in 0..self.places.len() {
+            let denser = (self.roots[a], a);
+            tree.within(self.places[a], reach / self.roots[a], |b, _| {
+                let b = b as usize;
+                // Each pair from its denser candidate, whose reach is the shorter.
+                if (self.roots[b], b) >= denser {
+                    return;
+                }
+                if let Some(distance) = self.distance(a, b)
+                    && distance * self.roots[a] < reach
+                {
+                    pairs.push((a as u32, b as u32, (distance * self.roots[a] / reach) as f32));
+                }
+            });
+        }
+        pairs
+    }
+}
+
+impl Scalp {
+    /// Scatters follicles over the scalp at rest. The same seed gives the same follicles. Takes some 10 µs a follicle.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a density that does not fit the scalp, is negative or zero nearly everywhere, a spacing that is not
+    /// above zero, or more than [`MOST_FOLLICLES`].
+    pub fn scatter(&self, options: &ScatterOptions) -> Result<Scattered> {
+        options.density.check(self)?;
+        let area = self.area();
+        // A plane is packed closest by N disks of radius r = sqrt(A / (2 sqrt(3) N)).
+        let packing = 2.0 * 3.0_f64.sqrt();
+        let (count, wanted) = match options.amount {
+            Amount::Count(count) => ((CANDIDATES * count as f64).ceil(), count),
+            Amount::Spacing(spacing) => {
+                check_positive(|| "spacing".into(), spacing)?;
+                ((CANDIDATES * area / (packing * (0.5 * spacing).powi(2))).ceil().max(100.0), 0)
+            }
+        };
+        if count > CANDIDATES * MOST_FOLLICLES as f64 {
+            let (argument, value) = match options.amount {
+                Amount::Count(count) => ("count", count as f64),
+                Amount::Spacing(spacing) => ("spacing", spacing),
+            };
+            return Err(Error::invalid(argument, value, format!("what gives at most {MOST_FOLLICLES} follicles")));
+        }
+        let candidates = Candidates::new(self, &options.density, options.seed, count as usize)?;
+        let (reach, until, least) = match options.amount {
+            Amount::Count(0) => return Ok(Scattered { follicles: Vec::new(), least_distance: f64::INFINITY }),
+            Amount::Count(wanted) => {
+                let radius = (candidates.passed * area / (packing * wanted as f64)).sqrt();
+                // γ = 1.5 of Yuksel's N/M = 1/5.
+                let ratio: f64 = 1.0 / CANDIDATES;
+                (2.0 * radius, Until::Left(wanted), BETA * (1.0 - ratio * ratio.sqrt()))
+            }
+            Amount::Spacing(spacing) => (spacing, Until::Apart, 0.0),
+        };
+        let pairs = candidates.pairs(reach);
+        let stays = survivors(&Neighbours::new(candidates.follicles.len(), &pairs), until, least);
+        debug_assert!(wanted == 0 || stays.iter().filter(|stays| **stays).count() == wanted);
+        let left = candidates.only(&stays);
+        // Those that are left may be farther apart than what counted for their choice.
+        let reach = 2.0 * reach;
+        let nearest = left.pairs(reach).iter().map(|(_, _, distance)| f64::from(*distance)).fold(f64::INFINITY, f64::min);
+        let least_distance = if nearest.is_finite() { nearest * reach } else { f64::INFINITY };
+        Ok(Scattered { follicles: left.follicles, least_distance })
+    }
+}
