@@ -14,7 +14,8 @@
 // a stale id or of a wrong size are all found.
 //
 // Memory: what you pass in is read during the call and not kept, what you get out is written into your memory; only handles
-// (shx_solver*, shx_curves*, shx_curve_cache*, shx_cache_writer*) are made here, and each has its destroy function.
+// (shx_solver*, shx_curves*, shx_curve_cache*, shx_cache_writer*, shx_scalp*, shx_render_hair*, shx_render_pose*) are made here, and each has its destroy
+// function.
 //
 // Threads: "any thread" functions need no care. Functions of a const handle may run at the same time; a function of a handle that
 // is not const must be alone with it.
@@ -436,6 +437,14 @@
 // Natural curvatures as Bertails et al. 2006 have them, for steps much shorter than the helix radius.
 #define SHX_CURL_PAPER 1
 
+// ---- Mixing guides -------------------------------------------------------------------------------------------------
+
+// Between guides positions are mixed: strands stay between them; curls that are out of step cancel. The default.
+#define SHX_SPACE_POSITION 1
+
+// Lengths and curvatures are mixed: strands keep the guides' length and curls.
+#define SHX_SPACE_CURVATURE 2
+
 // A cache that is being written. Made by shx_curve_cache_create, owned by the caller, ended and freed by shx_curve_cache_finish, or given
 // up and freed by shx_curve_cache_abandon.
 typedef struct shx_cache_writer shx_cache_writer;
@@ -449,6 +458,18 @@ typedef struct shx_curve_cache shx_curve_cache;
 // The strands of a groom file: polylines, root first, in the file's units. Made by shx_curves_read, owned by the caller, freed by
 // shx_curves_destroy. It never changes, so any threads may read it at the same time.
 typedef struct shx_curves shx_curves;
+
+// Which guides each render strand follows, and how. Made by shx_render_hair_create or shx_solver_create_render_hair, owned by the caller,
+// freed by shx_render_hair_destroy. It never changes, so any threads may use it at the same time.
+typedef struct shx_render_hair shx_render_hair;
+
+// Where the guides of a shx_render_hair are at one moment. Made by shx_render_pose_create, owned by the caller, freed by
+// shx_render_pose_destroy. Keep one for each moment that is needed at the same time (two for velocities between frames).
+typedef struct shx_render_pose shx_render_pose;
+
+// A triangle mesh at rest, on which follicles stand. Made by shx_scalp_create, owned by the caller, freed by shx_scalp_destroy. It never
+// changes, so any threads may use it at the same time.
+typedef struct shx_scalp shx_scalp;
 
 // A solver: strands, gravity, wind and everything that a step needs. Made by shx_solver_create, owned by the caller, freed by
 // shx_solver_destroy. Functions that take a const shx_solver* may run at the same time on any threads; one that takes a
@@ -1400,6 +1421,159 @@ typedef struct shx_hair_strand {
   double friction_against;
 } shx_hair_strand;
 
+// What a scalp is made of. Prepare with shx_scalp_def_init, then set vertices, triangles and triangle_count. What is pointed to is read
+// during the call and not kept.
+typedef struct shx_scalp_def {
+  // Set by shx_scalp_def_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // Vertices at rest, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is not looked at).
+  shx_input vertices;
+  // Three indices of vertices for each triangle, wound anticlockwise seen from outside.
+  const uint32_t *triangles;
+  // How many triangles.
+  size_t triangle_count;
+  // Null (default), or texture coordinates: u and v of the three corners of each triangle, six doubles a triangle.
+  const double *uvs;
+  // Without texture coordinates: the axis that n1 follows, as it lies on the scalp at rest; any length above zero. Default x.
+  double reference[3];
+  // 0.
+  uint64_t reserved[4];
+} shx_scalp_def;
+
+// How follicles are scattered. Fill with shx_scatter_def_init, then set count or spacing.
+typedef struct shx_scatter_def {
+  // Set by shx_scatter_def_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // So many follicles, as far from each other as they come; 0 (default): by spacing. Up to 10000000.
+  size_t count;
+  // No two nearer to each other than this, m, along the scalp; where the density is less than the largest, farther. 0 (default): by count.
+  double spacing;
+  // Null (default: even), or relative densities, 0 or above: one for each vertex, or of a picture over the texture coordinates.
+  const double *density;
+  // Of a picture: pixels of a row; 0 (default): a density for each vertex.
+  size_t density_width;
+  // Of a picture: rows, from v = 0 on.
+  size_t density_height;
+  // Seed. Default 0.
+  uint64_t seed;
+  // 0.
+  uint64_t reserved[4];
+} shx_scatter_def;
+
+// A place on a triangle of a scalp.
+typedef struct shx_follicle {
+  // The triangle's number.
+  uint32_t triangle;
+  // 0.
+  uint32_t reserved;
+  // Shares of its second and third corner, 0 or above, together at most 1; the first has the rest.
+  double shares[2];
+} shx_follicle;
+
+// How render strands are made from guides. Lengths in m. Fill with shx_render_settings_init.
+typedef struct shx_render_settings {
+  // Set by shx_render_settings_init.
+  uint32_t struct_size;
+  // Points of a strand, root and tip included, 2 to 4096; also those that each guide is sampled at. Default 16.
+  uint32_t points_per_strand;
+  // What is mixed between guides: SHX_SPACE_. Default SHX_SPACE_POSITION.
+  uint32_t space;
+  // Guides that a strand follows at most, 1 to 4. Default 3.
+  uint32_t guides_per_strand;
+  // 0 to 1: 0 (default) interpolated all along, 0.5 interpolated at the root and gathered in wisps at the tip, 1 disjoint locks.
+  double curliness;
+  // 1: each guide has the curliness that is measured on its shape, instead. Default 0.
+  uint32_t measure_curliness;
+  // Wisps a guide, 1 to 10000. Default 1.
+  uint32_t wisps_per_guide;
+  // Guides whose tips are farther apart than their roots by more than this are not mixed; 0 (default): none is too far.
+  double max_tip_distance;
+  // The same as a share of the shorter guide's length; 0: none is too far. Default 0.6.
+  double max_tip_ratio;
+  // A wisp's radius at root, middle and tip as a share of what it is by the roots' places, 0 or above. Default 1, 0.6, 0.25.
+  double wisp_profile[3];
+  // Root mean square distance by which strands stray from their way at the tip, 0 or above. Default 0.
+  double frizz;
+  // Waves of that along a strand, above 0 to 1000. Default 3.
+  double frizz_waves;
+  // Radius at the root, 0 or above. Default 40e-6.
+  double radius;
+  // Radius at the tip. Default 15e-6.
+  double tip_radius;
+  // From where on, as a share of the length, the radius goes to that of the tip; 0 to less than 1. Default 0.5.
+  double taper_from;
+  // By which share radii differ between strands at most, 0 to 1. Default 0.1.
+  double radius_variation;
+  // Seed of all that is random. Default 0.
+  uint64_t seed;
+  // Threads that evaluate: 0 or 1 (default): the calling thread; 2 to 256: a pool, joined when the hair and its poses are gone. A host
+  // with a task system leaves this and calls shx_render_pose_evaluate from its tasks, for some of the strands each.
+  uint32_t worker_count;
+  // 0.
+  uint32_t reserved0;
+  // Or the host's parallel loop.
+  shx_parallel_for_fn parallel_for;
+  // Handed to parallel_for.
+  void *parallel_for_user;
+  // 0.
+  uint64_t reserved[4];
+} shx_render_settings;
+
+// Guides at one moment, as curves of the host's: from a cache, or sampled from anything. Prepare with shx_render_guides_init, then set
+// at least guide_count and points. What is pointed to is read during the call and not kept.
+typedef struct shx_render_guides {
+  // Set by shx_render_guides_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // How many guides.
+  size_t guide_count;
+  // Their points, one guide after the other, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is not looked at).
+  shx_input points;
+  // Null (default): every guide has settings.points_per_strand points, uniform in arclength. Or guide_count numbers whose sum is
+  // points.count, each 1 or above: guides are then sampled uniformly in arclength.
+  const uint32_t *point_counts;
+  // count 0 (default), or how each follicle is turned: any frame that goes with the head (SHX_FORMAT_FRAME, of which the rotation
+  // counts, or _F32X4, _F64X4: quaternions x, y, z, w). Without them the head's turn is taken from the roots' places together.
+  shx_input roots;
+  // count 0 (default), or the velocity of every point, m/s: SHX_FORMAT_F32X3, _F64X3.
+  shx_input velocities;
+  // count 0 (default), or the angular velocity of every follicle, rad/s (formats as velocities), to go with velocities.
+  shx_input root_angular_velocities;
+  // 0.
+  uint64_t reserved[4];
+} shx_render_guides;
+
+// What to evaluate. Fill with shx_render_view_init.
+typedef struct shx_render_view {
+  // Set by shx_render_view_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // The first of the strands. Default 0.
+  size_t first;
+  // How many. Default SIZE_MAX: all from first on.
+  size_t count;
+  // Subtracted from positions before they are narrowed to floats, m. Default 0.
+  double origin[3];
+  // For velocities: a pose of the same hair, in which the strands were seconds ago. Null (default): velocities come of those that the
+  // pose's guides were set with.
+  const shx_render_pose *before;
+  // Above 0 with before.
+  double seconds;
+  // count 0 (default: every root goes with the roots of its guides), or where the roots are, m, item i of strand first + i:
+  // formats as shx_render_guides.points, or SHX_FORMAT_FRAME, of which the origin counts (shx_scalp_root_frames).
+  shx_input roots;
+  // With before and roots: where the roots were.
+  shx_input roots_before;
+  // 0.
+  uint64_t reserved[4];
+} shx_render_view;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -2247,6 +2421,115 @@ SHX_API shx_result shx_hair_of_type(const char *name, shx_hair *out_hair);
 SHX_API shx_result shx_hair_strands(const shx_hair *hair, const shx_sliders *sliders, uint64_t first_strand,
     size_t strand_count, const uint32_t *element_counts, const double *element_lengths, shx_hair_strand *strands,
     size_t stride, double *out_natural, size_t capacity);
+
+// ---- Follicles on a scalp ------------------------------------------------------------------------------------------
+
+// Prepares a shx_scalp_def. size is sizeof(shx_scalp_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_scalp_def_init(shx_scalp_def *def, size_t size);
+
+// Prepares a shx_scatter_def. size is sizeof(shx_scatter_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_scatter_def_init(shx_scatter_def *def, size_t size);
+
+// Makes a scalp. *out_scalp is yours; free it with shx_scalp_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+SHX_API shx_result shx_scalp_create(const shx_scalp_def *def, shx_scalp **out_scalp);
+
+// Frees a scalp. Null is nothing to free. Any thread; nobody may use it any more.
+SHX_API void shx_scalp_destroy(shx_scalp *scalp);
+
+// Scatters follicles over a scalp at rest, evenly ("blue noise") or as densely as a map says, into out_follicles, which holds capacity items.
+// The same def gives the same follicles. *out_count: how many there are. out_follicles may be null, to learn that alone.
+// *out_least_distance (or null): the least distance of two of them along the scalp, m (where the density is the largest; elsewhere times the
+// root of its share of that); infinity where there are none near each other. Takes some 10 microseconds a follicle.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_scalp_scatter(const shx_scalp *scalp, const shx_scatter_def *def, shx_follicle *out_follicles,
+    size_t capacity, size_t *out_count, double *out_least_distance);
+
+// The follicles at count texture coordinates (uvs: u and v, two doubles each) into out_follicles, which holds count items. Each is first
+// offset at random by up to jitter in u and in v (0: not; where that would leave the scalp, by less), by the seed: rows show in hair.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (a scalp without texture coordinates, coordinates at which there is no
+// triangle). Any thread.
+SHX_API shx_result shx_scalp_follicles_at(const shx_scalp *scalp, const double *uvs, size_t count, double jitter,
+    uint64_t seed, shx_follicle *out_follicles);
+
+// The frames of count follicles on the scalp as it is now. vertices: as many as at rest, in their order, m (null: at rest). frames:
+// SHX_FORMAT_FRAME, as shx_solver_set_root_frames and shx_render_view.roots take them: n0 the scalp's normal, n1 the direction in which u
+// grows (or that of shx_scalp_def.reference). A guide whose root is not along the normal has its own rotation in this frame, which the
+// host puts behind it.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (another number of vertices, follicles that are not on the scalp),
+// SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_scalp_root_frames(const shx_scalp *scalp, const shx_input *vertices,
+    const shx_follicle *follicles, size_t count, const shx_output *frames);
+
+// ---- Render hair ---------------------------------------------------------------------------------------------------
+
+// Prepares a shx_render_settings. size is sizeof(shx_render_settings).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_render_settings_init(shx_render_settings *settings, size_t size);
+
+// Prepares a shx_render_guides. size is sizeof(shx_render_guides).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_render_guides_init(shx_render_guides *guides, size_t size);
+
+// Prepares a shx_render_view. size is sizeof(shx_render_view).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_render_view_init(shx_render_view *view, size_t size);
+
+// Makes render hair from guides in their rest pose and the places of the render strands' roots at the same moment, m (formats as
+// shx_render_guides.points; one strand for each). settings may be null: the defaults. Takes some microseconds a strand. *out_hair is
+// yours; free it with shx_render_hair_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED (threads that could not be
+// started). Any thread.
+SHX_API shx_result shx_render_hair_create(const shx_render_settings *settings, const shx_render_guides *guides,
+    const shx_input *roots, shx_render_hair **out_hair);
+
+// Makes render hair whose guides are count strands of a solver, as they are now: call it while they rest. Otherwise as
+// shx_render_hair_create.
+// Errors: those, and SHX_ERROR_INVALID_ID. May run beside other reading calls.
+SHX_API shx_result shx_solver_create_render_hair(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const shx_render_settings *settings, const shx_input *roots, shx_render_hair **out_hair);
+
+// Frees render hair; poses of it live on by themselves. Null is nothing to free. Any thread; nobody may use it any more.
+SHX_API void shx_render_hair_destroy(shx_render_hair *hair);
+
+// For count strands from first on: the guide that each follows first (counted as at creation) into out_guides, and the number of its wisp
+// about that guide, from 0, into out_wisps: for colours by lock, or to find out what hangs on a guide. Either may be null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that are not there). Any thread.
+SHX_API shx_result shx_render_hair_wisps(const shx_render_hair *hair, size_t first, size_t count, uint32_t *out_guides,
+    uint32_t *out_wisps);
+
+// Makes a pose of render hair. It must be set before it is evaluated. *out_pose is yours; free it with shx_render_pose_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+SHX_API shx_result shx_render_pose_create(const shx_render_hair *hair, shx_render_pose **out_pose);
+
+// Frees a pose. Null is nothing to free. Any thread; nobody may use it any more.
+SHX_API void shx_render_pose_destroy(shx_render_pose *pose);
+
+// Sets where the guides are, in the number and order of shx_render_hair_create. roots may be given if they were given there.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY (the pose is being evaluated). The
+// pose is as it was then. Alone with the pose.
+SHX_API shx_result shx_render_pose_set_guides(shx_render_pose *pose, const shx_render_guides *guides);
+
+// Sets where the guides are from count strands of a solver as they are now, in the number and order of shx_solver_create_render_hair;
+// velocities: 1 where strands' velocities will be wanted, else 0.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY. The pose is as it was then. Alone with
+// the pose; may run beside other reading calls of the solver.
+SHX_API shx_result shx_solver_set_render_pose(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    uint32_t velocities, shx_render_pose *pose);
+
+// Evaluates render strands: item i * points_per_strand + j of each output is point j (0 root, last one tip) of strand view.first + i.
+// view may be null: all strands, no origin. points, m: SHX_FORMAT_F32X3, or _F32X4 with the tapered radius. frames: SHX_FORMAT_F32X4,
+// quaternions x, y, z, w of frames whose n0 is along the strand and whose n1 is near that of its first guide, carried along from the
+// follicle without twist. velocities, m/s: SHX_FORMAT_F32X3. One or two of the three may be null. All arithmetic is f32 about the guides'
+// roots. The bits do not depend on threads, nor on which strands are asked for together.
+// Runs on the hair's own threads (settings.worker_count) or the host's (settings.parallel_for), or on the calling thread: a host may call
+// it from several threads at a time, for other strands each.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a pose that was never set; velocities of guides that
+// came without), SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_BUSY (the pose is being set). May run beside itself.
+SHX_API shx_result shx_render_pose_evaluate(const shx_render_pose *pose, const shx_render_view *view,
+    const shx_output *points, const shx_output *frames, const shx_output *velocities);
 
 #ifdef __cplusplus
 }  // extern "C"
