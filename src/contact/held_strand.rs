@@ -17,6 +17,9 @@ use crate::math::vector::Vec3;
 use crate::step::Setting;
 use crate::step::held::Held;
 
+/// A strand that was woken so often rests no more: two neighbours would go on waking each other in turn.
+const MOST_WAKES: u32 = 2;
+
 /// One end of a joint on a strand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attachment {
@@ -51,6 +54,8 @@ pub struct HeldStrand {
     pub settled: bool,
     /// Whether it is at its end under the joints' forces: it stays where it is, while others go on, until these have changed.
     pub resting: bool,
+    /// How often it was woken since its island was tied.
+    pub woken: u32,
     /// How far an element may be from where the iteration ends, rad.
     pub residual: f64,
     /// Whether it takes part in contact at all.
@@ -130,13 +135,15 @@ impl HeldStrand {
     /// Before an iteration: whether this strand need not take part in it.
     fn choose_rest(&mut self, island: &Island) {
         let joint = |end: &Attachment| &island.joints[end.joint as usize];
-        self.resting = if island.is_constrained() {
-            // Constraints are to hold to the last digit.
+        self.resting = if !island.may_rest() {
             false
         } else if self.resting {
-            !self.attachments.iter().any(|end| joint(end).standing.wakes[usize::from(end.second)])
+            let wakes = self.attachments.iter().any(|end| joint(end).standing.wakes[usize::from(end.second)]);
+            self.woken += u32::from(wakes);
+            !wakes
         } else {
-            island.iterations > 0
+            self.woken < MOST_WAKES
+                && island.iterations > 0
                 && self.residual <= island.rest
                 && self.attachments.iter().all(|end| joint(end).standing.holds && joint(end).standing.miss <= island.rest_miss)
         };

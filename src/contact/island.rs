@@ -42,6 +42,8 @@ const NO_SOLUTION: f64 = 1e4;
 /// A strand rests while others go on where it is nearer to the end than this part of what may be left; and until forces that changed would
 /// move it by more than that (an element's length times the angle).
 const REST: f64 = 0.3;
+/// In an island of no more strands none rests.
+const FEW: usize = 20;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
@@ -84,7 +86,7 @@ pub struct Island {
     pub good_enough: bool,
     /// Not even so: its strands stay as the step found them.
     pub lost: bool,
-    /// How far from the end a strand may be to rest, rad (negative: none may), and its joints' residual.
+    /// How far from the end a strand may be to rest, rad, and its joints' residual.
     pub rest: f64,
     /// See `rest`.
     pub rest_miss: f64,
@@ -126,6 +128,11 @@ impl Island {
     /// Whether its iteration ended elsewhere than it should.
     pub fn failed(&self) -> bool {
         self.done && !self.converged
+    }
+
+    /// Whether strands may rest: constraints are to hold to the last digit, and few strands come to their end sooner together.
+    pub fn may_rest(&self) -> bool {
+        self.strands.len() > FEW && !self.is_constrained()
     }
 
     /// Whether the joints at these ends hold.
@@ -308,8 +315,7 @@ impl Island {
         wakes
     }
 
-    /// Whether constraints have a part in it.
-    pub fn is_constrained(&self) -> bool {
+    fn is_constrained(&self) -> bool {
         !self.joints.iter().all(Joint::is_touch)
     }
 
@@ -331,9 +337,7 @@ impl Island {
         let mut enough = residual <= GOOD_ENOUGH.0;
         let mut rested = 0.0_f64;
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
-        (self.rest, self.rest_miss) = if self.is_constrained() {
-            (-1.0, 0.0)
-        } else {
+        (self.rest, self.rest_miss) = {
             let law = match options.model {
                 ContactModel::Coulomb => options.residual,
                 ContactModel::Hard => ROUGH,

@@ -256,6 +256,7 @@ impl Holding {
         }
         for held in &mut self.strands[..self.count] {
             held.attachments.clear();
+            held.woken = 0;
         }
         self.island_count = 0;
         for k in 0..self.count {
