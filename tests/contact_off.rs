@@ -3,11 +3,12 @@
 #![cfg(target_os = "linux")]
 #![allow(unsafe_code)]
 
-use std::alloc::{GlobalAlloc, Layout, System};
+mod allocations;
+
 use std::process::Command;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
+use allocations::allocations_so_far;
 use nalgebra::Vector3;
 use superhelix::contact::body::BodyDef;
 use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
@@ -18,32 +19,6 @@ use superhelix::solver::Solver;
 use superhelix::solver::constraints::{ConstraintDef, Hold};
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::solver::id::StrandId;
-
-/// Counts what all threads of the process ask for.
-struct Counting;
-
-static ALLOCATIONS: AtomicU64 = AtomicU64::new(0);
-
-// SAFETY: hands everything on to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: the caller's layout.
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller's pointer and layout.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: the caller's pointer, layout and size.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
 
 const STRANDS: usize = 64;
 const STEPS: u32 = 10;
@@ -188,9 +163,9 @@ fn contact_that_is_off_costs_nothing() {
     assert!(unknown > 1e6, "{unknown}");
     for (number, (name, arrange, share, allocations)) in CASES.into_iter().enumerate() {
         let mut solver = scene(arrange);
-        let (more, before) = (solver.memory_usage() as i64 - bytes as i64, ALLOCATIONS.load(Ordering::Relaxed));
+        let (more, before) = (solver.memory_usage() as i64 - bytes as i64, allocations_so_far());
         contact_off_counted_steps(&mut solver);
-        let allocated = ALLOCATIONS.load(Ordering::Relaxed) - before;
+        let allocated = allocations_so_far() - before;
         let counted = instructions(number) / unknown - 1.0;
         println!("{name}: {counted:+.2e} of the instructions, {allocated} allocations, {more} bytes more");
         if share.is_infinite() {

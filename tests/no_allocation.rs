@@ -1,10 +1,9 @@
 //! A step allocates nothing once its scratch memory has grown: not alone, not on threads, not in parts, with no instruction set and in
 //! no precision. (It grows again when a strand is bent further than ever before, and needs more quadrature points.)
-#![allow(unsafe_code)]
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicU64, Ordering};
+mod allocations;
 
+use allocations::allocations_so_far;
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::math::frame::Frame;
 use superhelix::math::lane::Precision;
@@ -13,32 +12,6 @@ use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
 use superhelix::step::options::Integrator;
-
-/// Counts what all threads of the process ask for.
-struct Counting;
-
-static ALLOCATIONS: AtomicU64 = AtomicU64::new(0);
-
-// SAFETY: hands everything on to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: the caller's layout.
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller's pointer and layout.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: the caller's pointer, layout and size.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
 
 /// A root from which strands hang, swayed.
 fn swayed(t: f64) -> Frame {
@@ -72,10 +45,10 @@ fn allocations(integrator: Integrator, workers: Workers, error_tolerance: f64, s
         let frame = swayed(h * f64::from(step));
         let frames = vec![frame; ids.len()];
         solver.set_root_frames(&ids, &frames, h).unwrap();
-        let before = ALLOCATIONS.load(Ordering::Relaxed);
+        let before = allocations_so_far();
         let report = solver.step(h, 2).unwrap();
         if step > 30 {
-            counted += ALLOCATIONS.load(Ordering::Relaxed) - before;
+            counted += allocations_so_far() - before;
         }
         assert!(error_tolerance == 0.0 || report.subdivided > 0);
     }

@@ -6,6 +6,7 @@ use super::guard::{read, shx_solver, write};
 use super::thread::on_own_thread;
 use super::types::shx_strand_id;
 use crate::error::{Error, Result};
+use crate::groom::stability::check_margin;
 use crate::solver::Solver;
 use crate::solver::id::StrandId;
 
@@ -74,9 +75,7 @@ pub unsafe extern "C" fn shx_solver_shape_stability(
                 Places::optional("out_radius_scales", "count", out_radius_scales, count)?,
             )
         };
-        if !(0.0..1.0).contains(&margin) {
-            return Err(Error::invalid("margin", margin, "0 to less than 1"));
-        }
+        check_margin(margin)?;
         let found = on_own_thread(|| core.shape_stability(&ids))?;
         let youngs_scales = found.iter().map(|f| f.youngs_scale(margin)).collect::<Result<Vec<_>>>()?;
         let radius_scales = found.iter().map(|f| f.radius_scale(margin)).collect::<Result<Vec<_>>>()?;

@@ -2,6 +2,7 @@
 
 pub mod dense;
 pub mod displacement;
+pub(crate) mod downstream;
 pub mod elimination;
 pub mod force;
 pub mod load;

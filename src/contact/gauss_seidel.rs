@@ -47,7 +47,7 @@ pub struct Report {
 const PATIENCE: u32 = 10;
 /// Problems of at most so many touches are taken whole by Newton's iteration first (its price grows with their cube: 400 take a second).
 const WHOLE: usize = 100;
-/// So many where they are one block's, of which hardly any press,
+/// So many where they are one block's,
 const ONE_BLOCK: usize = 400;
 /// and so many where sweeps are slow.
 const RESCUE: usize = 150;

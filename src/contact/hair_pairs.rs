@@ -293,10 +293,7 @@ impl HairPairs {
     /// Of the touches from `first` on drops those in a knot, and takes back the radii of those beside one.
     fn gather(&self, group: &Group, strands: &[StrandPath], first: usize, out: &mut Vec<Touch>) {
         let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
-        let along = |strand: u32, place: &Place| {
-            let before = &strands[strand as usize].now.elements[..place.element as usize];
-            before.iter().map(|element| element.length).sum::<f64>() + place.s
-        };
+        let along = |strand: u32, place: &Place| strands[strand as usize].now.along(place.element as usize, place.s);
         let mut kept = first;
         for index in first..out.len() {
             let mut touch = out[index];

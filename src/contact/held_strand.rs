@@ -102,7 +102,7 @@ impl HeldStrand {
 
     /// Arclength of a station from the root, m.
     pub fn along(&self, station: &Station) -> f64 {
-        self.held.start().1[..station.element].iter().map(|element| element.length).sum::<f64>() + station.s
+        self.path().start.along(station.element, station.s)
     }
 
     /// Its length, m.

@@ -61,6 +61,15 @@ const LOOKS: u32 = 6;
 /// By how much more than before a normal may point along the strand.
 const ALONG: f64 = 0.1;
 
+/// How nearly the laws of touches are to hold at a step's end.
+fn asked(options: &ContactOptions) -> f64 {
+    match options.model {
+        ContactModel::Coulomb => options.residual,
+        ContactModel::Hard => ROUGH,
+        ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
+    }
+}
+
 /// Strands that hang together.
 #[derive(Debug, Default)]
 pub struct Island {
@@ -256,11 +265,8 @@ impl Island {
             self.space.add_touch(SpaceTouch { first, second, law, free })?;
             self.forces.push(self.joints[joint].force);
         }
-        let tolerance = match options.model {
-            ContactModel::Coulomb => 0.1 * options.residual,
-            ContactModel::Hard => ROUGH,
-            ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
-        };
+        let part = if options.model == ContactModel::Coulomb { 0.1 } else { 1.0 };
+        let tolerance = part * asked(options);
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
         let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
@@ -337,14 +343,7 @@ impl Island {
         let mut enough = residual <= GOOD_ENOUGH.0;
         let mut rested = 0.0_f64;
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
-        (self.rest, self.rest_miss) = {
-            let law = match options.model {
-                ContactModel::Coulomb => options.residual,
-                ContactModel::Hard => ROUGH,
-                ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
-            };
-            (REST * tolerance, law)
-        };
+        (self.rest, self.rest_miss) = (REST * tolerance, asked(options));
         self.residual = 0.0;
         for index in 0..self.joints.len() {
             if !self.has_part[index] {

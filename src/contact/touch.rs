@@ -26,6 +26,11 @@ pub struct StrandCurve<'a> {
 }
 
 impl StrandCurve<'_> {
+    /// Arclength from the root of the material point at arclength `s` of an element, m.
+    pub fn along(&self, element: usize, s: f64) -> f64 {
+        self.elements[..element].iter().map(|element| element.length).sum::<f64>() + s
+    }
+
     /// Where the material point at arclength `s` of an element is, world, m.
     pub fn position(&self, element: usize, s: f64) -> Vector3<f64> {
         self.origin + Vector3::from(self.elements[element].point(s).position)

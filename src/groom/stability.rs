@@ -33,9 +33,7 @@ impl Stability {
     /// # Errors
     /// [`Error::InvalidArgument`] for a margin out of range.
     pub fn youngs_scale(&self, margin: f64) -> Result<f64> {
-        if !(0.0..1.0).contains(&margin) {
-            return Err(Error::invalid("margin", margin, "0 to less than 1"));
-        }
+        check_margin(margin)?;
         let scale = (1.0 - self.smallest_eigenvalue) / (1.0 - margin);
         Ok(if scale < 1.0 { 1.0 } else { scale })
     }
@@ -47,6 +45,11 @@ impl Stability {
     pub fn radius_scale(&self, margin: f64) -> Result<f64> {
         Ok(self.youngs_scale(margin)?.sqrt())
     }
+}
+
+/// That a margin of stability is 0 to less than 1.
+pub(crate) fn check_margin(margin: f64) -> Result<()> {
+    if (0.0..1.0).contains(&margin) { Ok(()) } else { Err(Error::invalid("margin", margin, "0 to less than 1")) }
 }
 
 /// The stability under gravity (m/s²) of a strand of this definition in the shape `curvatures`, a row an element (frozen freedoms at their

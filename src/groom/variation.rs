@@ -7,6 +7,7 @@
 
 use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::groom::hair_parameters::HairParameters;
+use crate::math::random::mixed;
 use crate::rod::material::Material;
 
 /// How strands of a head vary.
@@ -95,10 +96,10 @@ impl Variation {
 
     /// Four uniform numbers of a place, summed to mean 0 and variance 1.
     fn number(&self, strand: u64, of: Of, place: u64) -> f64 {
-        let mut state = mix(self.seed ^ mix(strand ^ mix(place.wrapping_mul(8).wrapping_add(of as u64))));
+        let mut state = mixed(self.seed ^ mixed(strand ^ mixed(place.wrapping_mul(8).wrapping_add(of as u64))));
         let mut sum = 0.0;
         for _ in 0..4 {
-            state = mix(state.wrapping_add(0x9e37_79b9_7f4a_7c15));
+            state = mixed(state.wrapping_add(0x9e37_79b9_7f4a_7c15));
             sum += (state >> 11) as f64 * (1.0 / (1_u64 << 53) as f64);
         }
         (sum - 2.0) * 3.0_f64.sqrt()
@@ -112,13 +113,6 @@ impl Variation {
         let (first, second) = (self.number(strand, of, before as u64), self.number(strand, of, (before as u64).wrapping_add(1)));
         ((1.0 - share) * first + share * second) / ((1.0 - share) * (1.0 - share) + share * share).sqrt()
     }
-}
-
-/// Stirs all bits of a number (the finaliser of SplitMix64, Steele et al. 2014).
-fn mix(mut bits: u64) -> u64 {
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ (bits >> 31)
 }
 
 impl HairParameters {

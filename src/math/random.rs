@@ -1,8 +1,9 @@
 //! Seeded numbers without a state: what item `index` gets for a purpose depends on the seed, the index and the purpose alone, so that no
 //! order of work and no number of threads can change it.
 
-/// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014): its output function.
-fn mixed(mut z: u64) -> u64 {
+/// Stirs all bits of a number: the output function of SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators",
+/// 2014).
+pub(crate) fn mixed(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)

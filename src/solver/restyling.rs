@@ -6,9 +6,16 @@ use super::strand::Strand;
 use crate::error::{Error, Result};
 use crate::groom::rest_shape::held_up;
 use crate::groom::stability::Stability;
+use crate::math::quadrature::{Rule, Rules};
 use crate::rod::definition::{check_frozen, check_rows};
 use crate::step::equilibrium::{softest, weights};
 use crate::step::state::rotation_matrix;
+
+/// The quadrature of a strand's coming step: a balance found with it is exact to rounding there.
+fn coming_rule<'a>(strand: &Strand, rules: &'a Rules) -> &'a Rule {
+    let Strand { model, state, .. } = strand;
+    rules.rule(rules.next_for_angle(state.rule, model.largest_angle(&state.curvatures)))
+}
 
 impl Solver {
     /// Makes present shapes the natural ones: without weight the strands would rest in them; with it they sag from here. Nothing moves
@@ -40,8 +47,7 @@ impl Solver {
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
         self.crew.for_each(&mut made, |(index, natural), scratch| {
             let Strand { model, state, .. } = &strands[*index];
-            // The rule of the coming step: the balance is then exact to rounding.
-            let rule = rules.rule(rules.next_for_angle(state.rule, model.largest_angle(&state.curvatures)));
+            let rule = coming_rule(&strands[*index], rules);
             let kinematics = &mut scratch.one.workspace.iterate.kinematics;
             *natural = held_up(model, &state.root, &state.curvatures, gravity, rule, kinematics);
         });
@@ -70,7 +76,7 @@ impl Solver {
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
         self.crew.for_each_on_own(&mut found, |(index, stability), scratch| {
             let Strand { model, state, .. } = &strands[*index];
-            let rule = rules.rule(rules.next_for_angle(state.rule, model.largest_angle(&state.curvatures)));
+            let rule = coming_rule(&strands[*index], rules);
             let kinematics = &mut scratch.one.workspace.iterate.kinematics;
             kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
             stability.smallest_eigenvalue = softest(model, kinematics, &weights(model, &rule.weights, gravity)).0;

@@ -278,9 +278,7 @@ impl Held {
 
 /// How far the elements' ends are from where they were, at most.
 fn farthest(elements: &[ElementState<f64>], were: &[ElementState<f64>]) -> f64 {
-    let tip = |elements: &[ElementState<f64>]| {
-        elements.last().map_or(Vec3::zero(), |last| last.origin_left + last.frame_left.apply(last.end))
-    };
+    let tip = |elements: &[ElementState<f64>]| elements.last().map_or(Vec3::zero(), ElementState::origin_right);
     let ends = elements.iter().zip(were).map(|(now, then)| (now.origin_left - then.origin_left).norm_squared());
     ends.fold((tip(elements) - tip(were)).norm_squared(), f64::max).sqrt()
 }

@@ -7,6 +7,7 @@
 use super::measure::{angle_to, frame_at};
 use super::samples::Sample;
 use super::shape::Shape;
+use crate::chain::downstream::{Downstream, Reduced};
 use crate::chain::pivot::cholesky;
 use crate::math::entire::Stumpff;
 use crate::math::vector::{Mat3, Vec3};
@@ -119,22 +120,10 @@ impl State {
     }
 }
 
-/// What lies downstream of a node, as seen there: `[A B; Bᵀ C]` and what pulls.
-#[derive(Clone, Copy)]
-struct Downstream {
-    a: Mat3<f64>,
-    b: Mat3<f64>,
-    c: Mat3<f64>,
-    moment: Vec3<f64>,
-    force: Vec3<f64>,
-}
-
 /// What the way from root to tip needs of an element.
 #[derive(Clone, Copy)]
 struct Eliminated<const D: usize> {
-    factor: [[f64; D]; D],
-    coupling: [[f64; 6]; D],
-    reduced: [f64; D],
+    reduced: Reduced<D>,
     psi: [Vec3<f64>; D],
     jacobian: [Vec3<f64>; D],
 }
@@ -222,8 +211,7 @@ fn solve_for<const D: usize>(
 ) {
     let count = state.elements.len();
     done.clear();
-    let zero = Mat3::<f64>::zero();
-    let mut down = Downstream { a: zero, b: zero, c: zero, moment: Vec3::zero(), force: Vec3::zero() };
+    let mut down = Downstream::nothing();
     for index in (0..count).rev() {
         let (eliminated, left) = eliminate(&down, axes, shape, state, weights, damping, index);
         done.push(eliminated);
@@ -240,18 +228,9 @@ fn solve_for<const D: usize>(
     let (mut psi, mut rho) = (tilt, Vec3::<f64>::zero());
     for (index, element) in state.elements.iter().enumerate() {
         let done = &done[count - 1 - index];
-        let mut delta = [0.0; D];
-        for i in (0..D).rev() {
-            let mut value = done.reduced[i];
-            for axis in 0..3 {
-                value -= done.coupling[i][axis] * psi.0[axis] + done.coupling[i][axis + 3] * rho.0[axis];
-            }
-            for k in i + 1..D {
-                value -= done.factor[k][i] * delta[k];
-            }
-            delta[i] = value * done.factor[i][i];
-            // The model's fall is that of the squares that the elimination completes, one a freedom.
-            step.gain += done.reduced[i] * done.reduced[i];
+        let delta = done.reduced.change(psi, rho);
+        for square in done.reduced.squares() {
+            step.gain += square;
         }
         let (mut next_psi, mut next_rho) = (psi, rho + psi.cross(element.end));
         let (mut row, mut node) = ([0.0; 3], 0.0);
@@ -268,20 +247,6 @@ fn solve_for<const D: usize>(
         step.nodes.push(if index + 1 == count { 0.0 } else { node });
         psi = element.turn.apply_transposed(next_psi);
         rho = element.turn.apply_transposed(next_rho);
-    }
-}
-
-impl Downstream {
-    /// In the axes of the frame that `turn` starts from.
-    fn turned(&self, turn: &Mat3<f64>) -> Self {
-        let congruent = |m: &Mat3<f64>| turn.mul(m).mul_transposed(turn);
-        Self {
-            a: congruent(&self.a),
-            b: congruent(&self.b),
-            c: congruent(&self.c),
-            moment: turn.apply(self.moment),
-            force: turn.apply(self.force),
-        }
     }
 }
 
@@ -433,42 +398,6 @@ fn eliminate<const D: usize>(
         }
     }
     let (factor, _) = cholesky(&pivot, 0.0);
-    let mut done = Eliminated { factor, coupling: [[0.0; 6]; D], reduced: [0.0; D], psi, jacobian };
-    for i in 0..D {
-        let ([a, b, c], [d, e, f]) = (psi_k[i].0, rho_k[i].0);
-        let mut row = [a, b, c, d, e, f];
-        let mut value = reduced[i];
-        for k in 0..i {
-            for column in 0..6 {
-                row[column] -= factor[i][k] * done.coupling[k][column];
-            }
-            value -= factor[i][k] * done.reduced[k];
-        }
-        for column in 0..6 {
-            done.coupling[i][column] = row[column] * factor[i][i];
-        }
-        done.reduced[i] = value * factor[i][i];
-    }
-    for i in 0..D {
-        let (w, y) = (&done.coupling[i], done.reduced[i]);
-        for row in 0..3 {
-            for column in 0..3 {
-                left.a.0[row][column] -= w[row] * w[column];
-                left.b.0[row][column] -= w[row] * w[column + 3];
-                left.c.0[row][column] -= w[row + 3] * w[column + 3];
-            }
-            left.moment.0[row] -= w[row] * y;
-            left.force.0[row] -= w[row + 3] * y;
-        }
-    }
-    // Kept symmetric: without it rounding grows along the strand.
-    for m in [&mut left.a, &mut left.c] {
-        for i in 0..3 {
-            for j in 0..i {
-                let middle = 0.5 * (m.0[i][j] + m.0[j][i]);
-                (m.0[i][j], m.0[j][i]) = (middle, middle);
-            }
-        }
-    }
-    (done, left)
+    let reduced = left.reduce(factor, &psi_k, &rho_k, &reduced, [true; D]);
+    (Eliminated { reduced, psi, jacobian }, left)
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::drag::{HARD, leave_bodies, prepare};
-use super::search::{End, Pull, Task, Weights};
+use super::search::{End, Pull, Weights};
 use super::{PoseOptions, PoseScratch, StrandShape, Surroundings};
 #[cfg(doc)]
 use crate::error::Error;
@@ -91,18 +91,7 @@ impl StrandShape {
         }
         prepare(self, options.natural_pull, movable, surroundings, scratch);
         let PoseScratch { search, free, anchor, pulls, rows, elements: _ } = scratch;
-        let mut task = Task {
-            root: rotation_matrix(&self.root),
-            origin: self.root.origin,
-            lengths: &self.element_lengths,
-            length,
-            free,
-            charge: surroundings.charge,
-            anchor,
-            pulls,
-            tip: options.keep_tip_direction.then(|| self.tip_direction()),
-            obstacles: surroundings.obstacles(options),
-        };
+        let mut task = self.task(options, surroundings, free, anchor, pulls);
         rows.clone_from(&self.curvatures);
         search.begin(&task, rows);
         search.descend(&task, rows, Weights { pull: PULL, hard: HARD }, &END);

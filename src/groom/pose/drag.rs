@@ -100,19 +100,7 @@ impl StrandShape {
         let PoseScratch { search, free, anchor, pulls, rows, elements: _ } = scratch;
         pulls.clear();
         pulls.push(Pull { element, s, target: Vec3::from(to - self.root.origin), weight: 1.0 });
-        let root = rotation_matrix(&self.root);
-        let mut task = Task {
-            root,
-            origin: self.root.origin,
-            lengths: &self.element_lengths,
-            length,
-            free,
-            charge: surroundings.charge,
-            anchor,
-            pulls,
-            tip: options.keep_tip_direction.then(|| self.tip_direction()),
-            obstacles,
-        };
+        let mut task = self.task(options, surroundings, free, anchor, pulls);
         rows.clone_from(&self.curvatures);
         search.begin(&task, rows);
         for pull in FIRST {
@@ -127,6 +115,29 @@ impl StrandShape {
         self.curvatures.copy_from_slice(rows);
         let distance = (to - self.root.origin - Vector3::from(search.state.elements[element].point(s).position)).norm();
         Dragged { distance, depth: search.state.depth, iterations: search.iterations }
+    }
+
+    /// What is searched for from this shape, with what [`prepare`] found and some pulls.
+    pub(super) fn task<'a>(
+        &'a self,
+        options: &PoseOptions,
+        surroundings: &Surroundings<'a>,
+        free: &'a [[bool; 3]],
+        anchor: &'a [[f64; 3]],
+        pulls: &'a [Pull],
+    ) -> Task<'a> {
+        Task {
+            root: rotation_matrix(&self.root),
+            origin: self.root.origin,
+            lengths: &self.element_lengths,
+            length: self.length(),
+            free,
+            charge: surroundings.charge,
+            anchor,
+            pulls,
+            tip: options.keep_tip_direction.then(|| self.tip_direction()),
+            obstacles: surroundings.obstacles(options),
+        }
     }
 }
 

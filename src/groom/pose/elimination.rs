@@ -4,6 +4,7 @@
 //! stiff along one direction as wanted (a body pushes along its normal alone), and may hold a direction; curvatures that may not change
 //! take no part, to the bit.
 
+use crate::chain::downstream::{Downstream, Reduced};
 use crate::chain::pivot::factorise;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::ElementState;
@@ -26,24 +27,18 @@ pub(super) struct Model<'a> {
     pub exact: bool,
 }
 
-/// What lies downstream of a node, as seen there: `[A B; Bᵀ C]`, what pulls, and the force and moment that the tension is of.
+/// What lies downstream of a node, and the force and moment there that the tension is of.
 #[derive(Clone, Copy)]
-struct Downstream {
-    a: Mat3<f64>,
-    b: Mat3<f64>,
-    c: Mat3<f64>,
+struct Tensed {
+    down: Downstream,
     moment: Vec3<f64>,
     force: Vec3<f64>,
-    tension_moment: Vec3<f64>,
-    tension_force: Vec3<f64>,
 }
 
 /// What the way from root to tip needs of an element.
 #[derive(Clone, Copy)]
 struct Eliminated {
-    factor: [[f64; 3]; 3],
-    coupling: [[f64; 6]; 3],
-    reduced: [f64; 3],
+    reduced: Reduced<3>,
     psi: Mat3<f64>,
     jacobian: Mat3<f64>,
 }
@@ -68,17 +63,7 @@ pub(super) struct Elimination {
 impl Elimination {
     /// The step from a state.
     pub fn solve(&mut self, model: &Model, step: &mut Step) {
-        let zero = Mat3::<f64>::zero();
-        let nothing = Vec3::<f64>::zero();
-        let mut down = Downstream {
-            a: zero,
-            b: zero,
-            c: zero,
-            moment: nothing,
-            force: nothing,
-            tension_moment: nothing,
-            tension_force: nothing,
-        };
+        let mut down = Tensed { down: Downstream::nothing(), moment: Vec3::zero(), force: Vec3::zero() };
         self.done.clear();
         let mut springs = model.springs;
         for index in (0..model.elements.len()).rev() {
@@ -99,18 +84,9 @@ impl Elimination {
         let (mut psi, mut rho) = (Vec3::<f64>::zero(), Vec3::<f64>::zero());
         for (element, done) in model.elements.iter().zip(self.done.iter().rev()) {
             step.left.push((psi, rho));
-            let mut delta = [0.0; 3];
-            for i in (0..3).rev() {
-                let mut value = done.reduced[i];
-                for axis in 0..3 {
-                    value -= done.coupling[i][axis] * psi.0[axis] + done.coupling[i][axis + 3] * rho.0[axis];
-                }
-                for k in i + 1..3 {
-                    value -= done.factor[k][i] * delta[k];
-                }
-                delta[i] = value * done.factor[i][i];
-                // The model falls by half the squares that the elimination completes.
-                step.gain += 0.5 * done.reduced[i] * done.reduced[i];
+            let delta = done.reduced.change(psi, rho);
+            for square in done.reduced.squares() {
+                step.gain += 0.5 * square;
             }
             let change = Vec3(delta);
             let next_psi = psi + done.psi.apply(change);
@@ -124,34 +100,28 @@ impl Elimination {
     }
 }
 
-impl Downstream {
+impl Tensed {
     /// In the axes of the frame that `turn` starts from.
     fn turned(&self, turn: &Mat3<f64>) -> Self {
-        let congruent = |m: &Mat3<f64>| turn.mul(m).mul_transposed(turn);
-        Self {
-            a: congruent(&self.a),
-            b: congruent(&self.b),
-            c: congruent(&self.c),
-            moment: turn.apply(self.moment),
-            force: turn.apply(self.force),
-            tension_moment: turn.apply(self.tension_moment),
-            tension_force: turn.apply(self.tension_force),
-        }
+        Self { down: self.down.turned(turn), moment: turn.apply(self.moment), force: turn.apply(self.force) }
     }
 
     /// The same, acting at a point that lies at −x from here.
     fn moved(&self, x: Vec3<f64>) -> Self {
-        let sc = self.c.crossed_from_left(x);
-        let s_bt = self.b.transpose().crossed_from_left(x);
+        let Downstream { a, b, c, moment, force } = &self.down;
+        let sc = c.crossed_from_left(x);
+        let s_bt = b.transpose().crossed_from_left(x);
         Self {
-            // A + S Bᵀ + (S Bᵀ)ᵀ + S C Sᵀ, S = [x]×.
-            a: self.a.add(&s_bt).add(&s_bt.transpose()).sub(&sc.mul(&Mat3::cross(x))),
-            b: self.b.add(&sc),
-            c: self.c,
+            down: Downstream {
+                // A + S Bᵀ + (S Bᵀ)ᵀ + S C Sᵀ, S = [x]×.
+                a: a.add(&s_bt).add(&s_bt.transpose()).sub(&sc.mul(&Mat3::cross(x))),
+                b: b.add(&sc),
+                c: *c,
+                moment: *moment + x.cross(*force),
+                force: *force,
+            },
             moment: self.moment + x.cross(self.force),
             force: self.force,
-            tension_moment: self.tension_moment + x.cross(self.tension_force),
-            tension_force: self.tension_force,
         }
     }
 
@@ -160,26 +130,14 @@ impl Downstream {
         let along = f.dot(x);
         for i in 0..3 {
             for j in 0..3 {
-                self.a.0[i][j] -= 0.5 * (f.0[i] * x.0[j] + f.0[j] * x.0[i]);
+                self.down.a.0[i][j] -= 0.5 * (f.0[i] * x.0[j] + f.0[j] * x.0[i]);
             }
-            self.a.0[i][i] += along;
-        }
-    }
-
-    /// Kept symmetric: without it rounding grows along the strand.
-    fn symmetrise(&mut self) {
-        for m in [&mut self.a, &mut self.c] {
-            for i in 0..3 {
-                for j in 0..i {
-                    let middle = 0.5 * (m.0[i][j] + m.0[j][i]);
-                    (m.0[i][j], m.0[j][i]) = (middle, middle);
-                }
-            }
+            self.down.a.0[i][i] += along;
         }
     }
 }
 
-fn eliminate(right: &Downstream, model: &Model, springs: &[Spring], index: usize) -> (Eliminated, Downstream) {
+fn eliminate(right: &Tensed, model: &Model, springs: &[Spring], index: usize) -> (Eliminated, Tensed) {
     let element = &model.elements[index];
     let (kappa, length, end) = (element.kappa, element.length, element.end);
     let theta = kappa.scale(length);
@@ -188,16 +146,16 @@ fn eliminate(right: &Downstream, model: &Model, springs: &[Spring], index: usize
     let jacobian = segment::chord_gradient(theta, z, &element.c).scale(length * length);
 
     // What is downstream, through δκ.
-    let y_psi = right.a.mul(&psi).add(&right.b.mul(&jacobian));
-    let y_rho = right.b.transposed_mul(&psi).add(&right.c.mul(&jacobian));
+    let y_psi = right.down.a.mul(&psi).add(&right.down.b.mul(&jacobian));
+    let y_rho = right.down.b.transposed_mul(&psi).add(&right.down.c.mul(&jacobian));
     let mut kk = psi.transposed_mul(&y_psi).add(&jacobian.transposed_mul(&y_rho));
     let mut psi_k = y_psi.add(&y_rho.crossed_from_left(end));
     let mut rho_k = y_rho;
-    let mut pull = psi.apply_transposed(right.moment) + jacobian.apply_transposed(right.force);
+    let mut pull = psi.apply_transposed(right.down.moment) + jacobian.apply_transposed(right.down.force);
     let mut left = right.moved(end);
     let mut form = CurvatureForm::zero();
     if model.exact {
-        let (f, m) = (right.tension_force, right.tension_moment);
+        let (f, m) = (right.force, right.moment);
         left.add_tension(f, end);
         psi_k = psi_k.add(&jacobian.crossed_from_left(f)).add(&psi.crossed_from_left(m.scale(0.5)));
         form.subtract_force(f, kappa, length, element.kappa_squared, &element.c);
@@ -208,29 +166,29 @@ fn eliminate(right: &Downstream, model: &Model, springs: &[Spring], index: usize
         let (g, j, x, f) = (&spring.stiffness, &spring.jacobian, spring.local, spring.force);
         let gj = g.mul(j);
         let sg = g.crossed_from_left(x);
-        left.a = left.a.sub(&sg.mul(&Mat3::cross(x)));
-        left.b = left.b.add(&sg);
-        left.c = left.c.add(g);
+        left.down.a = left.down.a.sub(&sg.mul(&Mat3::cross(x)));
+        left.down.b = left.down.b.add(&sg);
+        left.down.c = left.down.c.add(g);
         psi_k = psi_k.add(&gj.crossed_from_left(x));
         rho_k = rho_k.add(&gj);
         kk = kk.add(&j.transposed_mul(&gj));
         pull += j.apply_transposed(f);
-        left.moment += x.cross(f);
-        left.force += f;
+        left.down.moment += x.cross(f);
+        left.down.force += f;
         if model.exact {
             left.add_tension(f, x);
             psi_k = psi_k.add(&j.crossed_from_left(f));
             form.subtract_force(f, kappa, spring.s, element.kappa_squared, &spring.c);
-            left.tension_moment += x.cross(f);
-            left.tension_force += f;
+            left.moment += x.cross(f);
+            left.force += f;
         }
         if let Some(turning) = &spring.turning {
             let qp = turning.stiffness.mul(&turning.psi);
-            left.a = left.a.add(&turning.stiffness);
+            left.down.a = left.down.a.add(&turning.stiffness);
             psi_k = psi_k.add(&qp);
             kk = kk.add(&turning.psi.transposed_mul(&qp));
             pull += turning.psi.apply_transposed(turning.moment);
-            left.moment += turning.moment;
+            left.down.moment += turning.moment;
         }
     }
 
@@ -250,32 +208,8 @@ fn eliminate(right: &Downstream, model: &Model, springs: &[Spring], index: usize
         smallest = smallest.min(if free[i] { own[i] } else { 1.0 });
     }
     let (factor, _) = factorise(&pivot, smallest);
-    let mut done = Eliminated { factor, coupling: [[0.0; 6]; 3], reduced: [0.0; 3], psi, jacobian };
-    for i in (0..3).filter(|i| free[*i]) {
-        let ([a, b, c], [d, e, f]) = (psi_k.column(i).0, rho_k.column(i).0);
-        let mut row = [a, b, c, d, e, f];
-        let mut value = pull.0[i] + force[i];
-        for k in 0..i {
-            for column in 0..6 {
-                row[column] -= factor[i][k] * done.coupling[k][column];
-            }
-            value -= factor[i][k] * done.reduced[k];
-        }
-        done.coupling[i] = row.map(|x| x * factor[i][i]);
-        done.reduced[i] = value * factor[i][i];
-    }
-    for i in 0..3 {
-        let (w, y) = (&done.coupling[i], done.reduced[i]);
-        for row in 0..3 {
-            for column in 0..3 {
-                left.a.0[row][column] -= w[row] * w[column];
-                left.b.0[row][column] -= w[row] * w[column + 3];
-                left.c.0[row][column] -= w[row + 3] * w[column + 3];
-            }
-            left.moment.0[row] -= w[row] * y;
-            left.force.0[row] -= w[row + 3] * y;
-        }
-    }
-    left.symmetrise();
-    (done, left)
+    let columns = |m: &Mat3<f64>| [0, 1, 2].map(|axis| m.column(axis));
+    let pulls = [0, 1, 2].map(|axis| pull.0[axis] + force[axis]);
+    let reduced = left.down.reduce(factor, &columns(&psi_k), &columns(&rho_k), &pulls, *free);
+    (Eliminated { reduced, psi, jacobian }, left)
 }

@@ -1,0 +1,113 @@
+//! The elimination of [`super::elimination`], whose symbols are used, for least squares over a strand: fits and poses. Plain numbers, whole
+//! blocks; the steps' own packs symmetric blocks and works on lanes.
+
+use crate::math::vector::{Mat3, Vec3};
+
+/// What lies downstream of a node, as seen there: `[A B; Bᵀ C]` and what pulls.
+#[derive(Clone, Copy)]
+pub(crate) struct Downstream {
+    pub a: Mat3<f64>,
+    pub b: Mat3<f64>,
+    pub c: Mat3<f64>,
+    pub moment: Vec3<f64>,
+    pub force: Vec3<f64>,
+}
+
+/// An element's freedoms, eliminated: Cholesky's factor (its diagonal inverted), their coupling to the left end's ψ and ρ and their force,
+/// both times the factor's inverse.
+#[derive(Clone, Copy)]
+pub(crate) struct Reduced<const D: usize> {
+    factor: [[f64; D]; D],
+    coupling: [[f64; 6]; D],
+    force: [f64; D],
+}
+
+impl Downstream {
+    /// Downstream of the tip.
+    pub fn nothing() -> Self {
+        let zero = Mat3::zero();
+        Self { a: zero, b: zero, c: zero, moment: Vec3::zero(), force: Vec3::zero() }
+    }
+
+    /// In the axes of the frame that `turn` starts from.
+    pub fn turned(&self, turn: &Mat3<f64>) -> Self {
+        let congruent = |m: &Mat3<f64>| turn.mul(m).mul_transposed(turn);
+        Self {
+            a: congruent(&self.a),
+            b: congruent(&self.b),
+            c: congruent(&self.c),
+            moment: turn.apply(self.moment),
+            force: turn.apply(self.force),
+        }
+    }
+
+    /// Takes an element's freedoms out of what is downstream of its left end: `factor` of their pivot, their coupling to ψ and to ρ there, what
+    /// pulls at them. Those that are not `free` stay.
+    pub fn reduce<const D: usize>(
+        &mut self,
+        factor: [[f64; D]; D],
+        psi: &[Vec3<f64>; D],
+        rho: &[Vec3<f64>; D],
+        pull: &[f64; D],
+        free: [bool; D],
+    ) -> Reduced<D> {
+        let mut done = Reduced { factor, coupling: [[0.0; 6]; D], force: [0.0; D] };
+        for i in (0..D).filter(|i| free[*i]) {
+            let ([a, b, c], [d, e, f]) = (psi[i].0, rho[i].0);
+            let mut row = [a, b, c, d, e, f];
+            let mut value = pull[i];
+            for k in 0..i {
+                for column in 0..6 {
+                    row[column] -= factor[i][k] * done.coupling[k][column];
+                }
+                value -= factor[i][k] * done.force[k];
+            }
+            done.coupling[i] = row.map(|x| x * factor[i][i]);
+            done.force[i] = value * factor[i][i];
+        }
+        for (w, y) in done.coupling.iter().zip(done.force) {
+            for row in 0..3 {
+                for column in 0..3 {
+                    self.a.0[row][column] -= w[row] * w[column];
+                    self.b.0[row][column] -= w[row] * w[column + 3];
+                    self.c.0[row][column] -= w[row + 3] * w[column + 3];
+                }
+                self.moment.0[row] -= w[row] * y;
+                self.force.0[row] -= w[row + 3] * y;
+            }
+        }
+        // Kept symmetric: without it rounding grows along the strand.
+        for m in [&mut self.a, &mut self.c] {
+            for i in 0..3 {
+                for j in 0..i {
+                    let middle = 0.5 * (m.0[i][j] + m.0[j][i]);
+                    (m.0[i][j], m.0[j][i]) = (middle, middle);
+                }
+            }
+        }
+        done
+    }
+}
+
+impl<const D: usize> Reduced<D> {
+    /// The freedoms' changes where the left end turns by ψ and moves by ρ.
+    pub fn change(&self, psi: Vec3<f64>, rho: Vec3<f64>) -> [f64; D] {
+        let mut delta = [0.0; D];
+        for i in (0..D).rev() {
+            let mut value = self.force[i];
+            for axis in 0..3 {
+                value -= self.coupling[i][axis] * psi.0[axis] + self.coupling[i][axis + 3] * rho.0[axis];
+            }
+            for k in i + 1..D {
+                value -= self.factor[k][i] * delta[k];
+            }
+            delta[i] = value * self.factor[i][i];
+        }
+        delta
+    }
+
+    /// The squares that the elimination completes, one a freedom: twice what the quadratic model falls by.
+    pub fn squares(&self) -> impl Iterator<Item = f64> {
+        self.force.into_iter().rev().map(|force| force * force)
+    }
+}
