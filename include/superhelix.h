@@ -14,8 +14,8 @@
 // a stale id or of a wrong size are all found.
 //
 // Memory: what you pass in is read during the call and not kept, what you get out is written into your memory; only handles
-// (shx_solver*, shx_curves*, shx_curve_cache*, shx_cache_writer*, shx_scalp*, shx_render_hair*, shx_render_pose*) are made here, and each has its destroy
-// function.
+// (shx_solver*, shx_curves*, shx_curve_cache*, shx_cache_writer*, shx_scalp*, shx_render_hair*, shx_render_pose*) are made here,
+// and each has its destroy function.
 //
 // Threads: "any thread" functions need no care. Functions of a const handle may run at the same time; a function of a handle that
 // is not const must be alone with it.
