@@ -109,7 +109,7 @@ fn touches_between(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (b
     let searched = pairs.update(&paths).unwrap();
     let (mut out, mut scratch) = (Vec::new(), TouchScratch::default());
     for group in pairs.groups() {
-        pairs.touches(group, &paths, &mut scratch, &mut out);
+        pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut out);
     }
     (searched, out)
 }
@@ -487,7 +487,7 @@ fn nothing_is_allocated_once_memory_has_grown() {
         assert!(pairs.update(&paths).unwrap() && !pairs.update(&paths).unwrap());
         out.clear();
         for group in pairs.groups() {
-            pairs.touches(group, &paths, &mut scratch, &mut out);
+            pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut out);
         }
         counts.push(ALLOCATIONS.with(Cell::get) - before);
     }

@@ -33,9 +33,9 @@ fn pack(cell: [u32; 3]) -> u64 {
 }
 
 impl Grid {
-    /// Calls `found(i, j)` once for every pair of boxes that meet, i < j, in an order that depends on the boxes alone. Boxes that are not
-    /// finite meet nothing.
-    pub fn pairs(&mut self, boxes: &[Bounds], mut found: impl FnMut(u32, u32)) {
+    /// Calls `found(i, j)` once for every pair of boxes that meet and of which one is `asked`, i < j, in an order that depends on the boxes alone.
+    /// Boxes that are not finite meet nothing.
+    pub fn pairs(&mut self, boxes: &[Bounds], asked: impl Fn(usize) -> bool, mut found: impl FnMut(u32, u32)) {
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         let (mut sides, mut count) = (0.0, 0.0);
         for item in boxes.iter().filter(|item| item.is_finite()) {
@@ -79,9 +79,10 @@ impl Grid {
             let to = self.starts.get(index + 2).map_or(total, |next| *next as usize);
             for (i, first) in self.entries[from..to].iter().enumerate() {
                 let a = &boxes[first.item as usize];
+                let first_asked = asked(first.item as usize);
                 for second in &self.entries[from + i + 1..to] {
                     let b = &boxes[second.item as usize];
-                    if first.cell == second.cell && a.meets(b) {
+                    if first.cell == second.cell && (first_asked || asked(second.item as usize)) && a.meets(b) {
                         let (of_a, of_b) = (self.cells[first.item as usize][0], self.cells[second.item as usize][0]);
                         let common = [of_a[0].max(of_b[0]), of_a[1].max(of_b[1]), of_a[2].max(of_b[2])];
                         if pack(common) == first.cell {
@@ -157,8 +158,14 @@ mod tests {
                 }
             }
             let mut pairs = Vec::new();
-            grid.pairs(&boxes, |i, j| pairs.push((i, j)));
+            grid.pairs(&boxes, |_| true, |i, j| pairs.push((i, j)));
             pairs.sort_unstable();
+            assert_eq!(pairs, expected);
+            let asked = |item: usize| item % 7 == 0;
+            pairs.clear();
+            grid.pairs(&boxes, asked, |i, j| pairs.push((i, j)));
+            pairs.sort_unstable();
+            expected.retain(|(i, j)| asked(*i as usize) || asked(*j as usize));
             assert_eq!(pairs, expected);
         }
     }

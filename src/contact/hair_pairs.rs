@@ -79,6 +79,8 @@ pub struct HairPairs {
     roots: [Vec<Root>; 2],
     /// Nodes, roots and sagittas when the candidates were found.
     found_at: Vec<Vector3<f64>>,
+    /// Whether a strand, by its index, has left the room that its candidates were found for.
+    left: Vec<bool>,
     found_roots: Vec<Root>,
     found_sagittas: Vec<f64>,
     /// The start is still to be looked at; it is the one that the candidates were found with.
@@ -139,14 +141,21 @@ impl HairPairs {
                 self.place_start(strands);
             }
             self.place(strands);
-            self.valid = self.still_within();
+            if self.are_within() {
+                return Ok(false);
+            }
         }
-        if self.valid {
-            return Ok(false);
+        // Within a step the strands that have not left their room keep their candidates.
+        if !(self.valid && self.found_this_step) {
+            self.pieces.cut(&self.wisps, now);
+            self.place_start(strands);
+            self.place(strands);
+            self.left.clear();
+            self.left.resize(self.wisps.len(), true);
+            self.candidates.clear();
+            self.found_at.clone_from(&self.now);
+            self.found_sagittas.clone_from(&self.sagittas[1]);
         }
-        self.pieces.cut(&self.wisps, now);
-        self.place_start(strands);
-        self.place(strands);
         self.search();
         (self.valid, self.found_this_step) = (true, true);
         Ok(true)
@@ -177,24 +186,36 @@ impl HairPairs {
         self.turned = shared.turn;
     }
 
-    /// Whether no piece has left the room that the candidates were found for.
-    fn still_within(&self) -> bool {
+    /// Whether no piece has left the room that the candidates were found for; which strands have such pieces is in `left`.
+    fn are_within(&mut self) -> bool {
+        let Self { left, found_at, found_sagittas, margin, .. } = self;
+        left.clear();
+        left.resize(self.wisps.len(), false);
         // The start is the one of the search, and its way was looked at then, or within the margin like everything else.
-        let within = |nodes: &[Vector3<f64>], roots: &[Root]| {
+        let whens: &[_] =
+            &[(&self.now, &self.roots[1]), (&self.start, &self.roots[0])][..if self.found_this_step { 1 } else { 2 }];
+        for (nodes, roots) in whens {
             let moved = RigidMotion::shared(&self.found_roots, roots);
-            self.pieces.pieces.iter().enumerate().all(|(index, piece)| {
+            for (index, piece) in self.pieces.pieces.iter().enumerate() {
                 let node = piece.node as usize;
-                let off = |node: usize| (nodes[node] - moved.of(&self.found_at[node])).norm();
-                off(node).max(off(node + 1)) + self.sagittas[1][index] <= self.margin + self.found_sagittas[index]
-            })
-        };
-        within(&self.now, &self.roots[1]) && (self.found_this_step || within(&self.start, &self.roots[0]))
+                let off = |node: usize| (nodes[node] - moved.of(&found_at[node])).norm();
+                let within = off(node).max(off(node + 1)) + self.sagittas[1][index] <= *margin + found_sagittas[index];
+                left[piece.strand as usize] |= !within;
+            }
+        }
+        !left.contains(&true)
     }
 
+    /// Finds the candidates of the strands that have left their room, in a new one; all others' stay.
     fn search(&mut self) {
-        let Self { wisps, pieces, boxes, candidates, now, carried, .. } = self;
-        let sagittas = &self.sagittas[1];
+        let Self { wisps, pieces, boxes, candidates, carried, left, found_at, found_sagittas, .. } = self;
         let pieces = &pieces.pieces;
+        for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| left[piece.strand as usize]) {
+            let node = piece.node as usize;
+            found_at[node..node + 2].copy_from_slice(&self.now[node..node + 2]);
+            found_sagittas[index] = self.sagittas[1][index];
+        }
+        let (now, sagittas) = (&*found_at, &*found_sagittas);
         boxes.clear();
         boxes.extend(pieces.iter().zip(sagittas).map(|(piece, sagitta)| {
             let node = piece.node as usize;
@@ -205,7 +226,8 @@ impl HairPairs {
             }
             Bounds { low: low - Vector3::repeat(room), high: high + Vector3::repeat(room) }
         }));
-        candidates.clear();
+        let has_left = |index: usize| left[pieces[index].strand as usize];
+        candidates.retain(|(i, j)| !has_left(*i as usize) && !has_left(*j as usize));
         let ends = |index: usize| {
             let node = pieces[index].node as usize;
             [now[node], now[node + 1]]
@@ -214,7 +236,7 @@ impl HairPairs {
             let node = pieces[index].node as usize;
             [now[node] - carried[node], now[node + 1] - carried[node + 1]]
         };
-        self.grid.pairs(boxes, |i, j| {
+        self.grid.pairs(boxes, has_left, |i, j| {
             let (a, b) = (i as usize, j as usize);
             let (first, second) = (&pieces[a], &pieces[b]);
             let (wisp, other) = (&wisps[first.strand as usize], &wisps[second.strand as usize]);
@@ -233,9 +255,7 @@ impl HairPairs {
             }
         });
         candidates.sort_unstable_by_key(|(i, j)| (pieces[*i as usize].strand, pieces[*j as usize].strand, *i, *j));
-        self.found_at.clone_from(now);
         self.found_roots.clone_from(&self.roots[1]);
-        self.found_sagittas.clone_from(sagittas);
         self.counts.searches += 1;
         self.group();
     }
@@ -260,10 +280,10 @@ impl HairPairs {
         &self.groups
     }
 
-    /// Writes the touches of a pair of strands after what `out` holds, by arclength of the first strand. `strands` as in the last
-    /// [`update`](Self::update). Any number of threads may do so for different groups; with the groups in their order, touches are in
+    /// Writes the touches of a pair of strands after what `out` holds, by arclength of the first strand: gaps up to `within` (m, zero or above;
+    /// no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do so for different groups; with the groups in their order, touches are in
     /// theirs: by first strand, second strand, arclength of the first, of the second.
-    pub fn touches(&self, group: &Group, strands: &[StrandPath], scratch: &mut TouchScratch, out: &mut Vec<Touch>) {
+    pub fn touches(&self, group: &Group, strands: &[StrandPath], within: f64, scratch: &mut TouchScratch, out: &mut Vec<Touch>) {
         let moving = |index: u32| {
             let piece = &self.pieces.pieces[index as usize];
             let node = piece.node as usize;
@@ -279,19 +299,19 @@ impl HairPairs {
             b: &strands[group.b as usize],
             wisp_a: &self.wisps[group.a as usize],
             wisp_b: &self.wisps[group.b as usize],
-            activation: self.activation,
+            within: within.min(self.activation),
             turned: self.turned,
         };
         let candidates = self.candidates[group.from as usize..group.to as usize].iter();
         let first = out.len();
         two.touches(candidates.map(|(i, j)| (moving(*i), moving(*j))), scratch, out);
         if self.knots.holds(group.a) && self.knots.holds(group.b) {
-            self.gather(group, strands, first, out);
+            self.gather(group, strands, within, first, out);
         }
     }
 
     /// Of the touches from `first` on drops those in a knot, and takes back the radii of those beside one.
-    fn gather(&self, group: &Group, strands: &[StrandPath], first: usize, out: &mut Vec<Touch>) {
+    fn gather(&self, group: &Group, strands: &[StrandPath], within: f64, first: usize, out: &mut Vec<Touch>) {
         let radii = self.wisps[group.a as usize].radius + self.wisps[group.b as usize].radius;
         let along = |strand: u32, place: &Place| strands[strand as usize].now.along(place.element as usize, place.s);
         let mut kept = first;
@@ -301,7 +321,7 @@ impl HairPairs {
                 let along = [along(group.a, &touch.place), along(group.b, other)];
                 let Some(share) = self.knots.share_left([group.a, group.b], along, radii) else { continue };
                 touch.gap += (1.0 - share) * radii;
-                if share < 1.0 && touch.gap > self.activation {
+                if share < 1.0 && touch.gap > within {
                     continue;
                 }
             }

@@ -16,6 +16,10 @@ const MERGED: f64 = 0.25;
 /// were nearer when the step began were inside each other, and have no side to keep.
 const CROSSED: f64 = 0.5;
 
+/// Pieces keep their sides where their chords' normals are within this cosine of each other, and the chords so many sagittas apart at least.
+const SAME_SIDE: f64 = 0.5;
+const PLAIN: f64 = 4.0;
+
 /// Strands lie along each other where the square of the sine between their tangents is less: within a quarter of a radian.
 const ALONG: f64 = 0.0625;
 /// The same between chords of pieces that have such tangents somewhere: half a piece's bend more to either side, sin² 0.75.
@@ -82,7 +86,7 @@ pub struct TwoStrands<'a> {
     /// The partner's.
     pub wisp_b: &'a Wisp,
     /// Gaps up to this are touches, m, zero or above.
-    pub activation: f64,
+    pub within: f64,
     /// The turn of the motion since the step's start that all strands share.
     pub turned: Matrix3<f64>,
 }
@@ -117,7 +121,9 @@ impl TwoStrands<'_> {
         let chords = closest_of_segments([&a.now[0], &a.now[1]], [&b.now[0], &b.now[1]]);
         let motion = relative_motion(a.moved(), b.moved());
         let inside = CROSSED * radii;
-        if chords.distance - sagittas > (radii + self.activation).max(motion + inside) {
+        let may_touch = chords.distance - sagittas <= radii + self.within;
+        let may_have_crossed = chords.distance - sagittas <= motion + inside && !stay_on_their_sides(a, b, [chords.t, chords.u]);
+        if !may_touch && !may_have_crossed {
             return;
         }
         let arc_a = Arc { curve: self.a.now, element: a.piece.element as usize, s: a.piece.s };
@@ -128,15 +134,15 @@ impl TwoStrands<'_> {
         let may_lie_along = line_a.cross(&line_b).norm_squared() <= MOST_CHORDS * line_a.norm_squared() * line_b.norm_squared();
         // Arcs along each other may be bowed towards each other: one more nearest place, where the chords do not show it.
         let mut second = None;
-        if may_lie_along && let Some(start) = middle_of_overlap(a, b, (radii + self.activation).max(motion + inside) + sagittas) {
+        if may_lie_along && let Some(start) = middle_of_overlap(a, b, (radii + self.within).max(motion + inside) + sagittas) {
             let other = closest(&arc_a, &arc_b, along_pieces(start, a, b), [false; 2]);
             second = Some(other);
             if other.apart.norm_squared() < near.apart.norm_squared() {
                 second = Some(std::mem::replace(&mut near, other));
             }
         }
-        let side = self.side_kept(a, b, &near, motion);
-        let close = |pair: &PointPair| pair.apart.norm() - radii <= self.activation;
+        let side = if may_have_crossed { self.side_kept(a, b, &near, motion) } else { None };
+        let close = |pair: &PointPair| pair.apart.norm() - radii <= self.within;
         if !close(&near) && side.is_none() {
             return;
         }
@@ -158,7 +164,7 @@ impl TwoStrands<'_> {
                 // Begun opposite, by the chords; what is too far by them is too far.
                 let (tip, line) = (this.now[end] - that.now[0], that.now[1] - that.now[0]);
                 let t = (tip.dot(&line) / line.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-                let farthest = radii + self.activation + that.sagitta;
+                let farthest = radii + self.within + that.sagitta;
                 if (tip - line * t).norm_squared() > farthest * farthest {
                     continue;
                 }
@@ -172,7 +178,7 @@ impl TwoStrands<'_> {
                 let beside = p.tangent.cross(&q.tangent).norm_squared() < ALONG;
                 let outwards = if end == 0 { opposite.slope[held] >= 0.0 } else { opposite.slope[held] <= 0.0 };
                 let nearest = beside || (!continued && outwards);
-                if nearest && foot && opposite.apart.norm() - radii <= self.activation {
+                if nearest && foot && opposite.apart.norm() - radii <= self.within {
                     self.add(a, b, &opposite, side, found);
                 }
             }
@@ -230,6 +236,17 @@ impl TwoStrands<'_> {
         };
         found.push(Found { touch, along, crossed: side.is_some() });
     }
+}
+
+/// Whether two pieces whose chords are nearest at `now` plainly have the same sides to each other as when the step began: the chords are then
+/// apart in nearly the same direction, and by so much that the arcs are too.
+fn stay_on_their_sides(a: &MovingPiece, b: &MovingPiece, now: [f64; 2]) -> bool {
+    let before = closest_of_segments([&a.start[0], &a.start[1]], [&b.start[0], &b.start[1]]);
+    let apart = |a: &[Vector3<f64>; 2], b: &[Vector3<f64>; 2], [t, u]: [f64; 2]| a[0].lerp(&a[1], t) - b[0].lerp(&b[1], u);
+    let (then, now) = (apart(&a.start, &b.start, [before.t, before.u]), apart(&a.now, &b.now, now));
+    let plain = PLAIN * (a.sagitta + b.sagitta);
+    let lengths = then.norm() * now.norm();
+    lengths > 0.0 && then.norm().min(now.norm()) >= plain && then.dot(&now) >= SAME_SIDE * lengths
 }
 
 /// Where the middle of what the chords share is on each, if it is not farther apart than `farthest`.

@@ -141,7 +141,7 @@ impl Holding {
         self.begin(scene, h);
         self.joints.clear();
         self.touching.begin_step();
-        self.touching.find(scene, &mut self.strands[..self.count]);
+        self.touching.find(scene, &mut self.strands[..self.count], true);
         self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
         self.begin_again(scene, h);
         self.hold_constraints(scene, h);
@@ -150,7 +150,7 @@ impl Holding {
         for search in 0..=searches {
             self.iterate(scene, h, contact, if search < searches.min(EARLY) { EARLY_ITERATIONS } else { u32::MAX });
             if search < searches {
-                self.touching.find(scene, &mut self.strands[..self.count]);
+                self.touching.find(scene, &mut self.strands[..self.count], false);
                 let islands = &mut self.islands[..self.island_count];
                 if self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
                     contact.searches += 1;
@@ -174,7 +174,7 @@ impl Holding {
         for held in strands.iter_mut() {
             held.held.gone = if islands[held.island as usize].failed() { f64::INFINITY } else { 0.0 };
         }
-        self.touching.find(scene, strands);
+        self.touching.find(scene, strands, false);
         contact.penetration = contact.penetration.max(self.touching.deepest(strands));
     }
 

@@ -99,8 +99,8 @@ impl Touching {
     }
 
     /// Finds the touches at the present iterate of all strands that have moved since they were searched last: what two others do to each
-    /// other is known.
-    pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand]) {
+    /// other is known. At a substep's start also those that may come to touch, later only what is in each other.
+    pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand], at_start: bool) {
         self.hair.clear();
         let unseen = UNSEEN * scene.options.tolerance;
         for held in strands.iter_mut() {
@@ -114,14 +114,14 @@ impl Touching {
             });
         }
         if scene.options.hair {
-            self.find_hair(scene, strands);
+            self.find_hair(scene, strands, if at_start { NEAR } else { 0.0 });
         }
         for held in strands.iter_mut().filter(|held| held.has_gone(unseen)) {
             held.held.gone = 0.0;
         }
     }
 
-    fn find_hair(&mut self, scene: &Scene, strands: &[HeldStrand]) {
+    fn find_hair(&mut self, scene: &Scene, strands: &[HeldStrand], within: f64) {
         let wisps = || strands.iter().enumerate().filter(|(_, held)| held.touches && held.contact.wisp_radius > 0.0);
         let paths: Vec<StrandPath> = wisps().map(|(k, held)| StrandPath { index: k as u32, ..held.path() }).collect();
         let same = self.of.len() == paths.len() && wisps().zip(&self.of).all(|((_, held), of)| held.index == *of);
@@ -151,7 +151,7 @@ impl Touching {
             for PairPart { from, touches, scratch } in parts {
                 touches.clear();
                 for group in groups[*from..].iter().take(PART) {
-                    pairs.touches(group, &paths, scratch, touches);
+                    pairs.touches(group, &paths, within, scratch, touches);
                 }
             }
         });

@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use crate::math::rotation::arc_tangent;
+use crate::math::rotation::rough_arc_tangent;
 
 /// Triangles are taken together that are seen from farther than so many times their ball's radius. The error is then of some thousandths,
 /// where one half is what is asked for.
@@ -115,7 +115,7 @@ fn solid_angle(corners: &[Vector3<f64>; 3], point: &Vector3<f64>) -> f64 {
         return 0.0;
     }
     // The arc tangent of the quotient in the half plane where the sine is positive.
-    let half = arc_tangent(volume.abs(), below.abs());
+    let half = rough_arc_tangent(volume.abs(), below.abs());
     2.0 * (if below < 0.0 { std::f64::consts::PI - half } else { half }).copysign(volume)
 }
 
