@@ -25,6 +25,9 @@ const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 1e-4;
+/// The same two where an island is solved roughly.
+const ROUGHEST: f64 = 1e-4;
+const ROUGHEST_TOLERANCE: f64 = 1e-4;
 /// And where constraints have a part, which are to hold to [`BOND_TOLERANCE`].
 const CONSTRAINED: f64 = 1e-8;
 /// What the penalty models are content with: the residual, and rad.
@@ -61,15 +64,6 @@ const LOOKS: u32 = 6;
 /// By how much more than before a normal may point along the strand.
 const ALONG: f64 = 0.1;
 
-/// How nearly the laws of touches are to hold at a step's end.
-fn asked(options: &ContactOptions) -> f64 {
-    match options.model {
-        ContactModel::Coulomb => options.residual,
-        ContactModel::Hard => ROUGH,
-        ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
-    }
-}
-
 /// Strands that hang together.
 #[derive(Debug, Default)]
 pub struct Island {
@@ -85,6 +79,8 @@ pub struct Island {
     pub sweeps: u32,
     /// Newton iterations so far.
     pub iterations: u32,
+    /// Whether it is solved no more exactly than it takes to see which touches there are: [`Island::refine`] goes on to the end.
+    pub rough: bool,
     /// Whether its strands' iterations have ended.
     pub done: bool,
     /// Whether they have ended where they should.
@@ -119,7 +115,27 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
         (self.done, self.converged, self.relaxed, self.lost, self.good_enough) = (false, false, false, false, false);
-        (self.best, self.rest) = ((f64::INFINITY, 0), -1.0);
+        (self.best, self.rest, self.rough) = ((f64::INFINITY, 0), -1.0, false);
+    }
+
+    /// Goes on from where it was solved roughly. True if there is more to do.
+    pub fn refine(&mut self) -> bool {
+        let goes_on = self.rough && self.converged;
+        if goes_on {
+            (self.done, self.converged, self.best) = (false, false, (f64::INFINITY, self.iterations));
+        }
+        self.rough = false;
+        goes_on
+    }
+
+    /// How nearly the laws of touches are to hold.
+    fn asked(&self, options: &ContactOptions) -> f64 {
+        match options.model {
+            ContactModel::Coulomb | ContactModel::Hard if self.rough => ROUGHEST,
+            ContactModel::Coulomb => options.residual,
+            ContactModel::Hard => ROUGH,
+            ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
+        }
     }
 
     /// Finds every joint's ends among its strands' attachments, once they are in order.
@@ -265,8 +281,8 @@ impl Island {
             self.space.add_touch(SpaceTouch { first, second, law, free })?;
             self.forces.push(self.joints[joint].force);
         }
-        let part = if options.model == ContactModel::Coulomb { 0.1 } else { 1.0 };
-        let tolerance = part * asked(options);
+        let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
+        let tolerance = part * self.asked(options);
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
         let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
@@ -335,15 +351,20 @@ impl Island {
     /// the strands are now.
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft() || self.relaxed;
-        let exact = options.model == ContactModel::Coulomb || !self.joints.iter().any(Joint::is_touch);
-        let rough = if options.model.is_soft() { SOFT.1 } else { ROUGH_TOLERANCE };
-        let tolerance = if exact { tolerance } else { tolerance.max(rough) };
+        let exact = options.model == ContactModel::Coulomb && !self.rough || !self.joints.iter().any(Joint::is_touch);
+        let enough_for_touches = match () {
+            () if options.model.is_soft() => SOFT.1,
+            () if self.rough => ROUGHEST_TOLERANCE,
+            () => ROUGH_TOLERANCE,
+        };
+        let tolerance = if exact { tolerance } else { tolerance.max(enough_for_touches) };
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
         let mut enough = residual <= GOOD_ENOUGH.0;
         let mut rested = 0.0_f64;
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
-        (self.rest, self.rest_miss) = (REST * tolerance, asked(options));
+        let asked = self.asked(options);
+        (self.rest, self.rest_miss) = (REST * tolerance, asked);
         self.residual = 0.0;
         for index in 0..self.joints.len() {
             if !self.has_part[index] {
@@ -365,7 +386,7 @@ impl Island {
                 Law::Ring(_) => (joint.gap <= BOND_TOLERANCE, joint.gap <= GOOD_ENOUGH.2),
                 Law::Contact(contact) => {
                     let gap = if soft || joint.deep { 0.0 } else { u.dot(&contact.normal) };
-                    let exact = soft || options.model != ContactModel::Coulomb || miss <= options.residual;
+                    let exact = soft || options.model != ContactModel::Coulomb || miss <= asked;
                     (gap >= -0.5 * options.tolerance && exact, gap >= -GOOD_ENOUGH.1 * options.tolerance)
                 }
             };

@@ -145,8 +145,10 @@ impl Holding {
         self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
         self.begin_again(scene, h);
         self.hold_constraints(scene, h);
-        self.tie();
         let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { MOST_SEARCHES };
+        // Until no search finds anything it is solved roughly: a touch that is seen later would undo what is exact.
+        let mut rough = searches > 0;
+        self.tie(rough);
         for search in 0..=searches {
             self.iterate(scene, h, contact, if search < searches.min(EARLY) { EARLY_ITERATIONS } else { u32::MAX });
             if search < searches {
@@ -154,10 +156,19 @@ impl Holding {
                 let islands = &mut self.islands[..self.island_count];
                 if self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
                     contact.searches += 1;
-                    self.tie();
-                } else if islands.iter().all(|island| island.done) {
-                    break;
+                    self.tie(rough);
+                    continue;
                 }
+                if !islands.iter().all(|island| island.done) {
+                    continue;
+                }
+            }
+            if !(rough && self.refine()) {
+                break;
+            }
+            rough = false;
+            if search == searches {
+                self.iterate(scene, h, contact, u32::MAX);
             }
         }
         self.look_at_failures(scene, contact);
@@ -243,8 +254,23 @@ impl Holding {
         }
     }
 
-    /// Ties the joints' strands into islands.
-    fn tie(&mut self) {
+    /// Goes on with islands that were solved roughly. True if there is more to do.
+    fn refine(&mut self) -> bool {
+        let mut goes_on = false;
+        for island in &mut self.islands[..self.island_count] {
+            if island.refine() {
+                goes_on = true;
+                for held in &island.strands {
+                    let held = &mut self.strands[*held as usize];
+                    (held.settled, held.resting, held.woken) = (false, false, 0);
+                }
+            }
+        }
+        goes_on
+    }
+
+    /// Ties the joints' strands into islands, which are solved roughly if they are to be and have touches.
+    fn tie(&mut self, rough: bool) {
         self.parents.clear();
         self.parents.extend(0..self.count as u32);
         for joint in &self.joints {
@@ -279,6 +305,7 @@ impl Holding {
         }
         for joint in self.joints.drain(..) {
             let island = &mut self.islands[self.strands[joint.first.held as usize].island as usize];
+            island.rough |= rough && joint.is_touch();
             let number = island.joints.len() as u32;
             island.joints.push(joint);
             let ends = [Some(joint.first), joint.second];
