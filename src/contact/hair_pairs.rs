@@ -68,6 +68,9 @@ pub struct HairPairs {
     grid: Grid,
     boxes: Vec<Bounds>,
     candidates: Vec<(u32, u32)>,
+    /// Those found by the present search, as numbers in the candidates' order.
+    found: Vec<u128>,
+    merged: Vec<(u32, u32)>,
     groups: Vec<Group>,
     sagittas: [Vec<f64>; 2],
     start: Vec<Vector3<f64>>,
@@ -208,7 +211,7 @@ impl HairPairs {
 
     /// Finds the candidates of the strands that have left their room, in a new one; all others' stay.
     fn search(&mut self) {
-        let Self { wisps, pieces, boxes, candidates, carried, left, found_at, found_sagittas, .. } = self;
+        let Self { wisps, pieces, boxes, candidates, found, merged, carried, left, found_at, found_sagittas, .. } = self;
         let pieces = &pieces.pieces;
         for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| left[piece.strand as usize]) {
             let node = piece.node as usize;
@@ -228,6 +231,13 @@ impl HairPairs {
         }));
         let has_left = |index: usize| left[pieces[index].strand as usize];
         candidates.retain(|(i, j)| !has_left(*i as usize) && !has_left(*j as usize));
+        // By first strand, second strand, first piece, second piece.
+        let order = |(i, j): &(u32, u32)| {
+            let strand = |index: u32| u128::from(pieces[index as usize].strand);
+            strand(*i) << 96 | strand(*j) << 64 | u128::from(*i) << 32 | u128::from(*j)
+        };
+        let pair = |order: u128| ((order >> 32) as u32, order as u32);
+        found.clear();
         let ends = |index: usize| {
             let node = pieces[index].node as usize;
             [now[node], now[node + 1]]
@@ -250,11 +260,23 @@ impl HairPairs {
                 let (at_a, at_b) = (ends(a), ends(b));
                 let distance = closest_of_segments([&at_a[0], &at_a[1]], [&at_b[0], &at_b[1]]).distance;
                 if distance <= room + relative_motion(moved(a), moved(b)) {
-                    candidates.push((i, j));
+                    found.push(order(&(i, j)));
                 }
             }
         });
-        candidates.sort_unstable_by_key(|(i, j)| (pieces[*i as usize].strand, pieces[*j as usize].strand, *i, *j));
+        found.sort_unstable();
+        // Those that stay and those that are new, in their common order.
+        merged.clear();
+        let mut new = found.iter().peekable();
+        for candidate in candidates.iter() {
+            let here = order(candidate);
+            while let Some(before) = new.next_if(|found| **found < here) {
+                merged.push(pair(*before));
+            }
+            merged.push(*candidate);
+        }
+        merged.extend(new.map(|found| pair(*found)));
+        std::mem::swap(candidates, merged);
         self.found_roots.clone_from(&self.roots[1]);
         self.counts.searches += 1;
         self.group();

@@ -26,8 +26,8 @@ const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 1e-4;
 /// The same two where an island is solved roughly.
-const ROUGHEST: f64 = 1e-4;
-const ROUGHEST_TOLERANCE: f64 = 1e-4;
+const ROUGHEST: f64 = 1e-3;
+const ROUGHEST_TOLERANCE: f64 = 1e-3;
 /// And where constraints have a part, which are to hold to [`BOND_TOLERANCE`].
 const CONSTRAINED: f64 = 1e-8;
 /// What the penalty models are content with: the residual, and rad.
@@ -45,7 +45,7 @@ const NO_SOLUTION: f64 = 1e4;
 /// A strand rests while others go on where it is nearer to the end than this part of what may be left; and until forces that changed would
 /// move it by more than that (an element's length times the angle).
 const REST: f64 = 0.3;
-/// In an island of no more strands none rests.
+/// In an island of no more strands none rests, and it is not solved roughly first.
 const FEW: usize = 20;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
@@ -153,6 +153,11 @@ impl Island {
     /// Whether its iteration ended elsewhere than it should.
     pub fn failed(&self) -> bool {
         self.done && !self.converged
+    }
+
+    /// Lets it be solved roughly at first, if it has touches and is large.
+    pub fn begin_roughly(&mut self) {
+        self.rough = self.strands.len() > FEW && self.joints.iter().any(Joint::is_touch);
     }
 
     /// Whether strands may rest: constraints are to hold to the last digit, and few strands come to their end sooner together.

@@ -269,7 +269,7 @@ impl Holding {
         goes_on
     }
 
-    /// Ties the joints' strands into islands, which are solved roughly if they are to be and have touches.
+    /// Ties the joints' strands into islands, which are to be solved `rough`ly at first where that is of use.
     fn tie(&mut self, rough: bool) {
         self.parents.clear();
         self.parents.extend(0..self.count as u32);
@@ -305,7 +305,6 @@ impl Holding {
         }
         for joint in self.joints.drain(..) {
             let island = &mut self.islands[self.strands[joint.first.held as usize].island as usize];
-            island.rough |= rough && joint.is_touch();
             let number = island.joints.len() as u32;
             island.joints.push(joint);
             let ends = [Some(joint.first), joint.second];
@@ -313,6 +312,9 @@ impl Holding {
                 let attachment = Attachment { joint: number, second, station: end.station };
                 self.strands[end.held as usize].attachments.push(attachment);
             }
+        }
+        if rough {
+            self.islands[..self.island_count].iter_mut().for_each(Island::begin_roughly);
         }
     }
 
@@ -344,8 +346,9 @@ impl Holding {
                     held.linearise(island);
                 }
             });
-            scene.crew.for_each(islands, |island, _| {
-                if !island.done {
+            // One by one: a few are large, and often follow each other.
+            scene.crew.for_each_task(islands, 1, 1, |islands, _| {
+                for island in islands.iter_mut().filter(|island| !island.done) {
                     island.find_ends(strands);
                     // A number that is not finite: the strand that it comes from is told apart at the end.
                     if island.solve(strands, options, h).is_err() {

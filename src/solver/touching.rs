@@ -18,11 +18,9 @@ use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
 
-/// Surfaces nearer than this at the present iterate are touches, m; nearer than this share of a wisp's radius for strands. (The hard models
-/// ask for most that will touch in the step at its start, each later search is dear; the soft ones count what touches.)
+/// Surfaces nearer than this at the present iterate are touches, m; nearer than this share of the largest wisp's radius for strands.
 const NEAR: f64 = 1e-3;
-const NEAR_HARD: f64 = 0.5;
-const NEAR_SOFT: f64 = 0.1;
+const NEAR_HAIR: f64 = 0.1;
 /// Pairs of strands are searched anew when one has moved by this share of the largest wisp's radius.
 const MARGIN: f64 = 0.5;
 /// Surfaces are in each other when a step begins where they are so many tolerances deep: more than a step's end leaves.
@@ -129,8 +127,7 @@ impl Touching {
             self.of = wisps().map(|(_, held)| held.index).collect();
             self.wisps = wisps().map(|(_, held)| held.wisp()).collect();
             let largest = self.wisps.iter().fold(0.0_f64, |a, wisp| a.max(wisp.radius));
-            let near = if scene.options.model.is_soft() { NEAR_SOFT } else { NEAR_HARD };
-            let options = PairOptions { activation: NEAR.min(near * largest), margin: MARGIN * largest };
+            let options = PairOptions { activation: NEAR.min(NEAR_HAIR * largest), margin: MARGIN * largest };
             self.ready = self.pairs.set(&self.wisps, &options).is_ok();
         }
         self.find_ties(scene);
