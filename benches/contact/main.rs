@@ -31,12 +31,14 @@ const BAND: f64 = 0.02;
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
-/// The model's names in tables.
-const MODELS: [(ContactModel, &str); 4] = [
-    (ContactModel::Penalty, "penalty"),
-    (ContactModel::RegularisedPenalty, "regularised penalty"),
-    (ContactModel::Hard, "hard"),
-    (ContactModel::Coulomb, "coulomb"),
+/// The models, how many iterations they may take, and their names in tables.
+const MODELS: [(ContactModel, u32, &str); 6] = [
+    (ContactModel::Penalty, 2, "penalty, 2 iterations"),
+    (ContactModel::Penalty, 4, "penalty, 4 iterations"),
+    (ContactModel::Penalty, 50, "penalty"),
+    (ContactModel::RegularisedPenalty, 50, "regularised penalty"),
+    (ContactModel::Hard, 50, "hard"),
+    (ContactModel::Coulomb, 50, "coulomb"),
 ];
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -103,11 +105,11 @@ struct Shaken {
 fn shake(
     defs: &[StrandDef],
     head: &Arc<Shape>,
-    model: (ContactModel, &'static str),
+    (model, max_iterations, name): (ContactModel, u32, &'static str),
     steps: usize,
     threads: usize,
 ) -> Outcome<Shaken> {
-    let contact = ContactOptions { model: model.0, hair: true, ..ContactOptions::default() };
+    let contact = ContactOptions { model, max_iterations, hair: true, ..ContactOptions::default() };
     let workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
     let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, contact, workers, ..SolverOptions::default() })?;
     let ids = solver.add_strands(defs)?;
@@ -115,7 +117,7 @@ fn shake(
     let strand = StrandContact { wisp_radius: WISP, exempt_length: EXEMPT, ..StrandContact::default() };
     solver.set_contact(&ids, Some(&strand))?;
     let mut out = Shaken {
-        model: model.1,
+        model: name,
         milliseconds: Vec::new(),
         touches: 0.0,
         iterations: 0.0,
@@ -178,11 +180,11 @@ fn main() -> Outcome<()> {
         defs.len(),
         bust.triangles.len()
     );
-    for model in MODELS.into_iter().filter(|model| only.is_none_or(|only| only == model.1)) {
+    for model in MODELS.into_iter().filter(|model| only.is_none_or(|only| only == model.2)) {
         let out = shake(&defs, &head, model, steps, threads)?;
         let at = |share: f64| out.milliseconds[((out.milliseconds.len() - 1) as f64 * share) as usize];
         let row = format!(
-            "{},{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.1e},{},{}",
+            "\"{}\",{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.1e},{},{}",
             out.model,
             at(0.5),
             at(0.9),

@@ -32,7 +32,9 @@ pub struct shx_contact_options {
     pub model: u32,
     /// 1: strands that have a wisp_radius touch each other. 0 (default): only bodies, and costs nothing.
     pub hair: u32,
-    /// Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50.
+    /// Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models two to
+    /// four are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and strands that
+    /// were not at the end are told as unconverged. With the others a limit: what has not ended by then is taken again, giving way.
     pub max_iterations: u32,
     /// Sweeps of the contact problem's solver in each of them, 1 to 1000000. Default 500.
     pub max_sweeps: u32,
@@ -48,7 +50,7 @@ pub struct shx_contact_options {
     pub tolerance: f64,
     /// Coulomb: what the laws of contact and friction may err by, relative; 1e-12 to 1. Default 1e-6.
     pub residual: f64,
-    /// Hard, Coulomb: how fast surfaces that are in each other when a step begins are parted, m/s; above zero. Default 0.5.
+    /// Hard, Coulomb: how fast surfaces that are in each other when a step begins are parted, m/s; above zero. Default 0.1.
     pub separation_speed: f64,
 }
 

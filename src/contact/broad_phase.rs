@@ -161,7 +161,7 @@ mod tests {
             grid.pairs(&boxes, |_| true, |i, j| pairs.push((i, j)));
             pairs.sort_unstable();
             assert_eq!(pairs, expected);
-            let asked = |item: usize| item % 7 == 0;
+            let asked = |item: usize| item.is_multiple_of(7);
             pairs.clear();
             grid.pairs(&boxes, asked, |i, j| pairs.push((i, j)));
             pairs.sort_unstable();

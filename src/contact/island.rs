@@ -122,7 +122,8 @@ impl Island {
     pub fn refine(&mut self) -> bool {
         let goes_on = self.rough && self.converged;
         if goes_on {
-            (self.done, self.converged, self.best) = (false, false, (f64::INFINITY, self.iterations));
+            // What rested did so by what was asked then.
+            (self.done, self.converged, self.rest, self.best) = (false, false, -1.0, (f64::INFINITY, self.iterations));
         }
         self.rough = false;
         goes_on
@@ -391,8 +392,9 @@ impl Island {
                 Law::Ring(_) => (joint.gap <= BOND_TOLERANCE, joint.gap <= GOOD_ENOUGH.2),
                 Law::Contact(contact) => {
                     let gap = if soft || joint.deep { 0.0 } else { u.dot(&contact.normal) };
-                    let exact = soft || options.model != ContactModel::Coulomb || miss <= asked;
-                    (gap >= -0.5 * options.tolerance && exact, gap >= -GOOD_ENOUGH.1 * options.tolerance)
+                    let exact = soft || options.model != ContactModel::Coulomb && !self.rough || miss <= asked;
+                    let outside = self.rough || gap >= -0.5 * options.tolerance;
+                    (outside && exact, gap >= -GOOD_ENOUGH.1 * options.tolerance)
                 }
             };
             let wakes = self.wakes(index, strands, if holds { REST * tolerance } else { 0.0 });
@@ -414,7 +416,9 @@ impl Island {
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
         self.done = good || lost || stuck || self.iterations >= options.max_iterations;
-        self.good_enough = self.done && enough;
+        // With penalties few iterations are a choice: what springs push out no further in this step they do in the next.
+        let chosen = options.model.is_soft() && self.iterations >= options.max_iterations;
+        self.good_enough = self.done && (enough || chosen);
         self.lost = self.done && self.relaxed && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
     }
 }
