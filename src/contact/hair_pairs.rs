@@ -276,7 +276,7 @@ impl HairPairs {
             merged.push(*candidate);
         }
         merged.extend(new.map(|found| pair(*found)));
-        std::mem::swap(candidates, merged);
+        candidates.clone_from(merged);
         self.found_roots.clone_from(&self.roots[1]);
         self.counts.searches += 1;
         self.group();
