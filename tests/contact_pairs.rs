@@ -106,10 +106,15 @@ fn touches_between(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (b
         .map(|k| StrandPath { index: k as u32, start: then[k].curve(&poses[k][0]), now: now[k].curve(&poses[k][1]) })
         .collect();
     pairs.begin_step();
-    let searched = pairs.update(&paths).unwrap();
+    touches_at_iterate(pairs, &paths)
+}
+
+/// The same at an iterate of a step that has begun.
+fn touches_at_iterate(pairs: &mut HairPairs, paths: &[StrandPath]) -> (bool, Vec<Touch>) {
+    let searched = pairs.update(paths).unwrap();
     let (mut out, mut scratch) = (Vec::new(), TouchScratch::default());
     for group in pairs.groups() {
-        pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut out);
+        pairs.touches(group, paths, f64::INFINITY, &mut scratch, &mut out);
     }
     (searched, out)
 }
@@ -325,18 +330,56 @@ fn what_was_found_stays_complete_while_strands_move() {
         let mut fresh = HairPairs::default();
         fresh.set(&wisps(60, 1e-3), &options(0.5e-3, 0.0)).unwrap();
         let (_, expected) = touches_between(&mut fresh, &before, &strands);
-        assert_eq!(touches.len(), expected.len(), "step {step}");
-        for (touch, other) in touches.iter().zip(&expected) {
-            let (p, q) = (partner(touch), partner(other));
-            assert_eq!((touch.place.strand, p.strand), (other.place.strand, q.strand));
-            let of = |place: &Place| strands[place.strand as usize].along(place);
-            let off = (of(&touch.place) - of(&other.place)).abs().max((of(&p) - of(&q)).abs());
-            assert!(off < 1e-8 && (touch.gap - other.gap).abs() < 1e-12 && (touch.normal - other.normal).norm() < 1e-6);
-        }
+        assert_same(&strands, &touches, &expected, step);
         total += touches.len();
     }
     println!("{total} touches in {steps} steps, {searches} searches");
     assert!(total > 15 * steps && (4..steps / 2).contains(&searches));
+}
+
+fn assert_same(strands: &[Strand], touches: &[Touch], expected: &[Touch], step: usize) {
+    assert_eq!(touches.len(), expected.len(), "step {step}");
+    for (touch, other) in touches.iter().zip(expected) {
+        let (p, q) = (partner(touch), partner(other));
+        assert_eq!((touch.place.strand, p.strand), (other.place.strand, q.strand));
+        let of = |place: &Place| strands[place.strand as usize].along(place);
+        let off = (of(&touch.place) - of(&other.place)).abs().max((of(&p) - of(&q)).abs());
+        assert!(off < 1e-8 && (touch.gap - other.gap).abs() < 1e-12 && (touch.normal - other.normal).norm() < 1e-6);
+    }
+}
+
+/// Within a step only the strands that have left their room are searched for again.
+#[test]
+fn what_was_found_stays_complete_where_few_strands_go_far_within_a_step() {
+    let mut random = Random(5);
+    let before: Vec<Strand> = (0..60).map(|_| Strand::random(&mut random, 4, 1.5, 0.04)).collect();
+    let mut strands = before.clone();
+    let mut kept = HairPairs::default();
+    kept.set(&wisps(60, 1e-3), &options(0.5e-3, 1e-3)).unwrap();
+    kept.begin_step();
+    let (mut total, mut searches) = (0, 0);
+    let iterates = 30;
+    for iterate in 0..iterates {
+        for (k, strand) in strands.iter_mut().enumerate() {
+            // A few strands go five millimetres, others a tenth of one.
+            let far = (k + iterate).is_multiple_of(9);
+            strand.origin += random.vector() * if far { 5e-3 } else { 1e-4 };
+        }
+        let poses: Vec<[Kinematics<f64>; 2]> = before.iter().zip(&strands).map(|(a, b)| [a.pose(), b.pose()]).collect();
+        let paths: Vec<StrandPath> = (0..60)
+            .map(|k| StrandPath { index: k as u32, start: before[k].curve(&poses[k][0]), now: strands[k].curve(&poses[k][1]) })
+            .collect();
+        let (searched, touches) = touches_at_iterate(&mut kept, &paths);
+        searches += usize::from(searched);
+        let mut fresh = HairPairs::default();
+        fresh.set(&wisps(60, 1e-3), &options(0.5e-3, 0.0)).unwrap();
+        fresh.begin_step();
+        let (_, expected) = touches_at_iterate(&mut fresh, &paths);
+        assert_same(&strands, &touches, &expected, iterate);
+        total += touches.len();
+    }
+    println!("{total} touches in {iterates} iterates, {searches} searches");
+    assert!(total > 15 * iterates && searches == iterates);
 }
 
 /// Two straight strands, the second passing through the first from above by `down` (m).

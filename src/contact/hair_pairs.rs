@@ -303,8 +303,8 @@ impl HairPairs {
     }
 
     /// Writes the touches of a pair of strands after what `out` holds, by arclength of the first strand: gaps up to `within` (m, zero or above;
-    /// no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do so for different groups; with the groups in their order, touches are in
-    /// theirs: by first strand, second strand, arclength of the first, of the second.
+    /// no further than the activation). `strands` as in the last [`update`](Self::update). Any number of threads may do so for different
+    /// groups; with the groups in their order, touches are in theirs: by first strand, second strand, arclength of the first, of the second.
     pub fn touches(&self, group: &Group, strands: &[StrandPath], within: f64, scratch: &mut TouchScratch, out: &mut Vec<Touch>) {
         let moving = |index: u32| {
             let piece = &self.pieces.pieces[index as usize];

@@ -176,7 +176,8 @@ impl Island {
     pub fn relax(&mut self) -> bool {
         let again = self.failed() && !self.relaxed && !self.good_enough && !self.joints.is_empty();
         if again {
-            (self.iterations, self.done, self.relaxed, self.best) = (0, false, true, (f64::INFINITY, 0));
+            (self.iterations, self.done, self.relaxed, self.rough) = (0, false, true, false);
+            self.best = (f64::INFINITY, 0);
             self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
         }
         again
