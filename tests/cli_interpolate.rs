@@ -129,7 +129,7 @@ fn what_is_wrong_is_said() {
     let cases: [(&[&str], &str); 8] = [
         (&["interpolate", &groom, "--out", &out, "--curliness", "2"], "0 to 1"),
         (&["interpolate", &groom, "--out", &out, "--wisp-profile", "1,2"], "three numbers"),
-        (&["interpolate", &groom, "--out", &out, "--frizz-waves", "5000"], "--frizz_waves"),
+        (&["interpolate", &groom, "--out", &out, "--frizz-waves", "5000"], "--frizz-waves"),
         (&["interpolate", "no/such.tfx", "--out", &out], "no/such.tfx"),
         (&["interpolate", &groom, "--out", &out, "--scalp", &groom], "sintel_hair_001.tfx"),
         (&["place", &bust, "--out", &out], "--count"),
