@@ -139,8 +139,8 @@ struct Answer {
 
 /// Runs the command.
 pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
-    check_stiffening(arguments.natural, &arguments.stiffening, &arguments.material)?;
     let hair = arguments.material.groom()?;
+    check_stiffening(arguments.natural, &arguments.stiffening, &arguments.material)?;
     let curves = Curves::read(&arguments.groom)?;
     let unit = unit::stated(arguments.scale, &curves);
     for (given, flag) in [(arguments.tolerance.is_some(), "--tolerance"), (arguments.out.is_some(), "--out")] {
