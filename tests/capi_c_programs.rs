@@ -350,7 +350,12 @@ fn example_render() {
         // Roots are on the flat triangles of the scalp: a sphere's less a third of a millimetre; strands keep their length as the hair swings.
         assert!([before[0], after[0]].iter().all(|root| (0.0892..0.0901).contains(&size(*root))), "{:?}", before[0]);
         let length = |strand: &[[f32; 3]]| strand.windows(2).map(|edge| from(edge[0], edge[1])).sum::<f32>();
-        assert!((0.08..0.13).contains(&length(before)) && (0.08..0.13).contains(&length(after)), "{} {}", length(before), length(after));
+        assert!(
+            (0.08..0.13).contains(&length(before)) && (0.08..0.13).contains(&length(after)),
+            "{} {}",
+            length(before),
+            length(after)
+        );
         turned = turned.max(from(before[0], after[0]));
     }
     // 1.19 rad after half a second, at most 7 cm from the axis.

@@ -149,8 +149,7 @@ fn a_groom_curls_by_the_sliders() {
             let scene_now = fit(&["--curliness", slider]);
             // It begins as it was drawn.
             assert!(*slider == "0" || rows(&scene_now, 1, "initial_curvatures") == rows(&own, 1, "initial_curvatures"));
-            let output =
-                superhelix(&["run", scene.to_str().unwrap(), "--settle", "--out", result.to_str().unwrap()]);
+            let output = superhelix(&["run", scene.to_str().unwrap(), "--settle", "--out", result.to_str().unwrap()]);
             assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
             let result: Value = serde_json::from_slice(&std::fs::read(&result).unwrap()).unwrap();
             let points = result["strands"][1]["points"][0].as_array().unwrap();

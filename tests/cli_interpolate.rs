@@ -213,7 +213,9 @@ fn texture_coordinates_place_follicles_and_pictures_say_how_densely() {
     // Strands cut short by the seed are shorter.
     let length = |path: &str| {
         let curves = Curves::read(path).expect("a groom");
-        let of = |strand: &[[f32; 3]]| strand.windows(2).map(|e| (0..3).map(|k| (e[1][k] - e[0][k]).powi(2)).sum::<f32>().sqrt()).sum();
+        let of = |strand: &[[f32; 3]]| {
+            strand.windows(2).map(|e| (0..3).map(|k| (e[1][k] - e[0][k]).powi(2)).sum::<f32>().sqrt()).sum()
+        };
         curves.strands().map(of).collect::<Vec<f32>>()
     };
     grow(&["--within", "0.01", "--length-variation", "0.5"]);
@@ -245,7 +247,10 @@ fn what_is_wrong_is_said() {
         (&["place", &bust, "--out", &out], "--count"),
         (&["place", &bust, "--out", &out, "--count", "5", "--density", &density], "density.txt"),
         (&["place", &bust, "--out", &out, "--spacing", "1e-9"], "--spacing"),
-        (&["interpolate", &groom, "--out", &out, "--length-variation", "1"], "--length-variation is 1; expected 0 to less than 1"),
+        (
+            &["interpolate", &groom, "--out", &out, "--length-variation", "1"],
+            "--length-variation is 1; expected 0 to less than 1",
+        ),
         (&["interpolate", &groom, "--out", &out, "--density", &density], "give --scalp"),
         (&["place", &bust, "--out", &out, "--count", "5", "--within", "0.01"], "--near"),
         (&["place", &bust, "--out", &out, "--count", "5", "--jitter", "0.01"], "--uvs"),

@@ -298,7 +298,8 @@ fn sliders_are_monotone_in_every_parameter_and_do_nothing_in_the_middle() {
 /// A strand with a shape of its own: bends and twists that change along it.
 fn own_shape() -> (Vec<f64>, Vec<[f64; 3]>) {
     let lengths = (0..12).map(|k| 0.01 + 0.001 * f64::from(k)).collect();
-    let rows = (0..12).map(f64::from).map(|k| [3.0 * (0.7 * k).sin(), 20.0 + 30.0 * (0.4 * k).cos(), 15.0 * (0.9 * k).sin()]).collect();
+    let rows =
+        (0..12).map(f64::from).map(|k| [3.0 * (0.7 * k).sin(), 20.0 + 30.0 * (0.4 * k).cos(), 15.0 * (0.9 * k).sin()]).collect();
     (lengths, rows)
 }
 
@@ -359,7 +360,10 @@ fn a_shape_of_ones_own_varies_as_that_of_a_type() {
     let none = Variation { seed: 5, ..Variation::none() };
     assert_eq!(none.of_shape(3, &lengths, &rows).unwrap(), rows);
     // A shape that is a type's own varies to what that type's strand is.
-    let hair = HairParameters { variation: Variation::natural(), ..HairType::Caucasian2.measured().parameters(CurlFormula::Exact).unwrap() };
+    let hair = HairParameters {
+        variation: Variation::natural(),
+        ..HairType::Caucasian2.measured().parameters(CurlFormula::Exact).unwrap()
+    };
     let varied = hair.variation.of_shape(7, &lengths, &[hair.natural; 12]).unwrap();
     assert_eq!(varied, hair.strand(7, &lengths).unwrap().natural);
     assert_ne!(hair.variation.of_shape(8, &lengths, &rows).unwrap(), hair.variation.of_shape(7, &lengths, &rows).unwrap());

@@ -115,7 +115,9 @@ pub fn check_stiffening(
         return Err(Failure::Other("--stiffen needs --natural sag-free: it is rest that takes stiffness".into()));
     }
     match material.reshaping() {
-        Some(flag) => Err(Failure::Other(format!("--stiffen with {flag}: strands would not rest in the shape that is stiffened"))),
+        Some(flag) => {
+            Err(Failure::Other(format!("--stiffen with {flag}: strands would not rest in the shape that is stiffened")))
+        }
         None => Ok(()),
     }
 }

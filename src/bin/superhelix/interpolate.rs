@@ -11,10 +11,10 @@ use superhelix::error::Error;
 use superhelix::files::curves::{Curves, Extras};
 use superhelix::files::hair;
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
+use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::render_hair::{
     GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, resampled,
 };
-use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::scalp::Amount;
 use superhelix::workers::Workers;
 

@@ -88,7 +88,8 @@ fn scatter(mesh: &Mesh, amount: Amount, arguments: &PlaceArguments) -> Result<Sc
 fn at_coordinates(mesh: &Mesh, path: &Path, arguments: &PlaceArguments) -> Result<Scattered, Failure> {
     mesh.check_textured("--uvs")?;
     let text = std::fs::read_to_string(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
-    let numbers: Result<Vec<f64>, _> = text.split(|c: char| c == ',' || c.is_ascii_whitespace()).filter(|w| !w.is_empty()).map(str::parse).collect();
+    let numbers: Result<Vec<f64>, _> =
+        text.split(|c: char| c == ',' || c.is_ascii_whitespace()).filter(|w| !w.is_empty()).map(str::parse).collect();
     let numbers = numbers.map_err(|error| Failure::file(path, format!("{error}: expected two numbers for each follicle")))?;
     let (pairs, []) = numbers.as_chunks::<2>() else {
         return Err(Failure::file(path, format!("{} numbers; expected two for each follicle", numbers.len())));

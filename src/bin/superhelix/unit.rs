@@ -13,7 +13,6 @@ pub fn stated(flag: Option<f64>, curves: &Curves) -> Option<f64> {
 
 /// The same for a flag that is given in metres, or for what is written in metres.
 pub fn needed(flag: Option<f64>, curves: &Curves, path: &Path, who: &str) -> Result<f64, Failure> {
-    stated(flag, curves).ok_or_else(|| {
-        Failure::file(path, format!("does not say its unit: {who} needs --scale, the metres a unit of this file"))
-    })
+    stated(flag, curves)
+        .ok_or_else(|| Failure::file(path, format!("does not say its unit: {who} needs --scale, the metres a unit of this file")))
 }
