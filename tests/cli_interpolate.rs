@@ -210,6 +210,18 @@ fn texture_coordinates_place_follicles_and_pictures_say_how_densely() {
     assert!(everywhere.iter().any(|root| root[0] < -9.0) && everywhere.iter().any(|root| root[0] > -1.0));
     let near = grow(&["--within", "0.01"]);
     assert!(near.iter().all(|root| (root[0].abs() - 6.0).hypot(root[2].abs() - 6.0) < 4.5), "{near:?}");
+    // A .usda file takes the widths too, and says the unit.
+    let usda = place.join("render.usda").display().to_string();
+    answer(&["interpolate", &groom, "--scale", "0.01", "--count", "20", "--out", &usda, "--json"]);
+    let made = Curves::read(&usda).expect("a groom");
+    let widths = made.extras().thickness.as_ref().expect("widths");
+    assert!(made.strand_count() == 20 && made.extras().metres_per_unit == Some(0.01) && (0.007..0.009).contains(&widths[0]));
+    // Which is taken when it comes back.
+    let said =
+        answer(&["interpolate", &usda, "--count", "20", "--radius", "1e-4", "--radius-variation", "0", "--out", &hair, "--json"]);
+    assert_eq!(said["guides"].as_u64(), Some(20));
+    let widths = Curves::read(&hair).expect("a groom").extras().thickness.clone().expect("widths");
+    assert!((widths[0] - 0.02).abs() < 1e-6, "{}", widths[0]);
     // Strands cut short by the seed are shorter.
     let length = |path: &str| {
         let curves = Curves::read(path).expect("a groom");

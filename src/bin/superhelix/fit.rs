@@ -14,6 +14,7 @@ use superhelix::workers::Workers;
 
 use crate::failure::Failure;
 use crate::fit_scene;
+use crate::groom_statistics::ranked;
 use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_length, check_stiffening, definition};
 use crate::material_arguments::MaterialArguments;
 use crate::picture::view::Up;
@@ -96,7 +97,7 @@ struct Percentiles {
 impl Percentiles {
     fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
-        let at = |share: f64| values[((values.len() - 1) as f64 * share).round() as usize];
+        let at = |share: f64| ranked(&values, share);
         Self { p50: at(0.5), p95: at(0.95), p99: at(0.99), max: at(1.0) }
     }
 }
@@ -156,9 +157,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         .strands()
         .enumerate()
         .step_by(arguments.every as usize)
-        .map(|(index, strand)| {
-            (index, strand.iter().map(|point| Vector3::from(point.map(|value| f64::from(value) * scale))).collect())
-        })
+        .map(|(index, strand)| (index, unit::in_metres(strand, scale)))
         .unzip();
     let workers = if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) };
     let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|points| FitCurve::polyline(points)).collect();

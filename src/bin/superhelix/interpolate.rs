@@ -9,7 +9,6 @@ use nalgebra::Vector3;
 use serde_json::json;
 use superhelix::error::Error;
 use superhelix::files::curves::{Curves, Extras};
-use superhelix::files::hair;
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
 use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::render_hair::{
@@ -30,7 +29,8 @@ pub struct InterpolateArguments {
     /// The guides: a groom (.hair, .tfx, .obj with lines, .usda), or a directory of frames (name.0001.hair ...), whose first is the rest pose.
     #[arg(value_name = "GUIDES")]
     guides: PathBuf,
-    /// Where the strands go: a .hair file, with the widths of the strands; of a directory of frames a directory.
+    /// Where the strands go: a .hair or .usda file, with the widths of the strands (or .tfx, .obj, without); of a directory of frames a
+    /// directory of .hair files.
     #[arg(long, short, value_name = "OUT")]
     out: PathBuf,
     /// Metres a unit of the files. Lengths below are in metres. Default: what the guides' file says (.usda), else 1.
@@ -180,8 +180,7 @@ impl InterpolateArguments {
     fn guides(&self, path: &Path, curves: &Curves, scale: f64) -> Result<Vec<Vector3<f64>>, Failure> {
         let strands: Vec<_> = curves.strands().step_by(self.every as usize).collect();
         let counts: Vec<u32> = strands.iter().map(|strand| strand.len() as u32).collect();
-        let all = strands.iter().flat_map(|strand| strand.iter());
-        let all: Vec<_> = all.map(|point| Vector3::from(point.map(f64::from)) * scale).collect();
+        let all: Vec<_> = strands.iter().flat_map(|strand| unit::in_metres(strand, scale)).collect();
         Ok(resampled(&all, &counts, None, self.points as usize).map_err(|error| Failure::file(path, error))?.points)
     }
 
@@ -246,7 +245,6 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let first = Curves::read(&frames[0])?;
     let scale = unit::stated(arguments.scale, &first).unwrap_or(1.0);
     let guides = arguments.guides(&frames[0], &first, scale)?;
-    drop(first);
     let roots = arguments.places(&guides, scale)?;
     let begun = Instant::now();
     let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&guides), &roots)?;
@@ -270,7 +268,11 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
             writer.write(&made)?;
         }
     } else {
-        hair::write(&arguments.out, &frame(&guides)?)?;
+        let extras =
+            Extras { metres_per_unit: unit::stated(arguments.scale, &first), up: first.extras().up, ..Extras::default() };
+        let made = frame(&guides)?;
+        let made = made.clone().with_extras(Extras { thickness: made.extras().thickness.clone(), ..extras })?;
+        made.write(&arguments.out)?;
     }
     let answer = json!({
         "guides": guide_count,

@@ -30,8 +30,8 @@ pub struct PlaceArguments {
     #[arg(long, value_name = "UVS.txt", conflicts_with_all = ["density", "density_picture", "near"])]
     uvs: Option<PathBuf>,
     /// With --uvs: offsets each follicle at random by up to so much in u and in v.
-    #[arg(long, value_name = "UV", default_value_t = 0.0, value_parser = not_negative, requires = "uvs")]
-    jitter: f64,
+    #[arg(long, value_name = "UV", value_parser = not_negative)]
+    jitter: Option<f64>,
     /// Metres a unit of the mesh.
     #[arg(long, value_name = "METRES", default_value_t = 1.0, value_parser = positive)]
     scale: f64,
@@ -56,6 +56,9 @@ pub struct PlaceArguments {
 
 /// Runs the command.
 pub fn run(arguments: &PlaceArguments) -> Result<(), Failure> {
+    if arguments.jitter.is_some() && arguments.uvs.is_none() {
+        return Err(Failure::Other("--jitter is of --uvs: scattered follicles stand in no rows".into()));
+    }
     let mut out = AtomicFile::create(&arguments.out)?;
     let mesh = Mesh::read(&arguments.mesh, arguments.scale)?;
     let scattered = match (&arguments.uvs, arguments.count, arguments.spacing) {
@@ -94,7 +97,7 @@ fn at_coordinates(mesh: &Mesh, path: &Path, arguments: &PlaceArguments) -> Resul
     let (pairs, []) = numbers.as_chunks::<2>() else {
         return Err(Failure::file(path, format!("{} numbers; expected two for each follicle", numbers.len())));
     };
-    let jitter = Jitter { amplitude: arguments.jitter, seed: arguments.seed };
+    let jitter = Jitter { amplitude: arguments.jitter.unwrap_or(0.0), seed: arguments.seed };
     let follicles = mesh.scalp.follicles_at(pairs, jitter).map_err(|error| Failure::file(path, error))?;
     Ok(Scattered { follicles, least_distance: f64::INFINITY })
 }

@@ -247,9 +247,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         .strands()
         .enumerate()
         .step_by(arguments.every as usize)
-        .map(|(index, strand)| {
-            (index, strand.iter().map(|point| Vector3::from(point.map(|value| f64::from(value) * scale))).collect())
-        })
+        .map(|(index, strand)| (index, unit::in_metres(strand, scale)))
         .collect();
     let bar = progress::bar(polylines.len() as u64, "strands fitted", arguments.quiet);
     let (mut strands, skipped) = groom_strands::make(&polylines, &recipe, arguments.threads as usize, || bar.inc(1))?;

@@ -1,7 +1,8 @@
-//! Metres a unit of a groom: what a flag says, else what the file says.
+//! Metres a unit of a groom: what a flag says, else what the file says; and points in metres.
 
 use std::path::Path;
 
+use nalgebra::Vector3;
 use superhelix::files::curves::Curves;
 
 use crate::failure::Failure;
@@ -15,4 +16,9 @@ pub fn stated(flag: Option<f64>, curves: &Curves) -> Option<f64> {
 pub fn needed(flag: Option<f64>, curves: &Curves, path: &Path, who: &str) -> Result<f64, Failure> {
     stated(flag, curves)
         .ok_or_else(|| Failure::file(path, format!("does not say its unit: {who} needs --scale, the metres a unit of this file")))
+}
+
+/// Points of a file in metres.
+pub fn in_metres(points: &[[f32; 3]], metres_per_unit: f64) -> Vec<Vector3<f64>> {
+    points.iter().map(|point| Vector3::from(point.map(f64::from)) * metres_per_unit).collect()
 }
