@@ -226,8 +226,8 @@ impl StrandSink for Frame {
     }
 }
 
-/// The strands of a pose, as curves with widths.
-fn evaluated(pose: &RenderPose, scale: f64) -> Result<Curves, Failure> {
+/// The strands of a pose, as curves with widths, of the unit and axis that `of` has.
+fn evaluated(pose: &RenderPose, scale: f64, of: &Extras) -> Result<Curves, Failure> {
     let (count, per_strand) = (pose.hair().strand_count(), pose.hair().settings().points_per_strand);
     let room = Mutex::new((vec![[0.0; 3]; count * per_strand], vec![0.0; count * per_strand]));
     let frame = Frame { per_strand, scale, room };
@@ -235,7 +235,7 @@ fn evaluated(pose: &RenderPose, scale: f64) -> Result<Curves, Failure> {
     pose.evaluate(&view, &frame)?;
     let (points, widths) = frame.room.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     let curves = Curves::from_counts(vec![per_strand as u32; count], points)?;
-    Ok(curves.with_extras(Extras { thickness: Some(widths), ..Extras::default() })?)
+    Ok(curves.with_extras(Extras { thickness: Some(widths), ..of.clone() })?)
 }
 
 /// Runs the command.
@@ -243,7 +243,8 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let settings = arguments.settings()?;
     let frames = list_frames(std::slice::from_ref(&arguments.guides))?;
     let first = Curves::read(&frames[0])?;
-    let scale = unit::stated(arguments.scale, &first).unwrap_or(1.0);
+    let of = Extras { metres_per_unit: unit::stated(arguments.scale, &first), up: first.extras().up, ..Extras::default() };
+    let scale = of.metres_per_unit.unwrap_or(1.0);
     let guides = arguments.guides(&frames[0], &first, scale)?;
     let roots = arguments.places(&guides, scale)?;
     let begun = Instant::now();
@@ -254,7 +255,7 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let mut frame = |guides: &[Vector3<f64>]| -> Result<Curves, Failure> {
         let begun = Instant::now();
         pose.set(&GuideSamples::at_rest(guides))?;
-        let curves = evaluated(&pose, scale)?;
+        let curves = evaluated(&pose, scale, &of)?;
         seconds += begun.elapsed().as_secs_f64();
         Ok(curves)
     };
@@ -268,11 +269,7 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
             writer.write(&made)?;
         }
     } else {
-        let extras =
-            Extras { metres_per_unit: unit::stated(arguments.scale, &first), up: first.extras().up, ..Extras::default() };
-        let made = frame(&guides)?;
-        let made = made.clone().with_extras(Extras { thickness: made.extras().thickness.clone(), ..extras })?;
-        made.write(&arguments.out)?;
+        frame(&guides)?.write(&arguments.out)?;
     }
     let answer = json!({
         "guides": guide_count,
