@@ -8,7 +8,8 @@ use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde_json::json;
 use superhelix::error::Error;
-use superhelix::files::curves::{Curves, Extras};
+use superhelix::files::curve_cache::CurveCache;
+use superhelix::files::curves::{Curves, CurvesFormat, Extras};
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
 use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::render_hair::{
@@ -243,6 +244,15 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let settings = arguments.settings()?;
     let frames = list_frames(std::slice::from_ref(&arguments.guides))?;
     let first = Curves::read(&frames[0])?;
+    if first.format() == CurvesFormat::Usda {
+        let samples = CurveCache::read(&frames[0])?.times().len();
+        if samples > 1 {
+            eprintln!(
+                "warning: {}: has {samples} frames, of which the first is taken: superhelix convert makes a directory of frames of it",
+                frames[0].display()
+            );
+        }
+    }
     let of = Extras { metres_per_unit: unit::stated(arguments.scale, &first), up: first.extras().up, ..Extras::default() };
     let scale = of.metres_per_unit.unwrap_or(1.0);
     let guides = arguments.guides(&frames[0], &first, scale)?;
