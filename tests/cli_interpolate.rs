@@ -184,7 +184,7 @@ fn texture_coordinates_place_follicles_and_pictures_say_how_densely() {
     answer(&[&fixed[..], &["--count", "300", "--density-picture", &picture]].concat());
     let white = rows(&out);
     // Pictures repeat: half a pixel at the opposite borders sees white too.
-    let in_white = |at: f64| at < 0.004 || at > 0.098;
+    let in_white = |at: f64| !(0.004..=0.098).contains(&at);
     assert!(white.len() == 300 && white.iter().all(|row| in_white(row[3]) && in_white(row[5])), "{white:?}");
     assert!(white.iter().filter(|row| row[3] < 0.0 && row[5] < 0.0).count() > 270);
     // With what is near a groom's roots: both count.
