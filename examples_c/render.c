@@ -5,7 +5,7 @@
 
 enum { SIDE = 13, VERTICES = SIDE * SIDE, TRIANGLES = 2 * (SIDE - 1) * (SIDE - 1) };
 enum { GUIDES = 48, DRAWN = 12, ELEMENTS = 10, HAIRS = 1200, POINTS = 12, FRAMES = 12 };
-static const double RADIUS = 0.09, LENGTH = 0.12, FRAME_TIME = 1.0 / 24.0;
+static const double RADIUS = 0.09, LENGTH = 0.12, RATE = 24.0; /* frames a second */
 
 static double vertices[VERTICES][3], drawn[GUIDES][DRAWN][3], lengths[GUIDES][ELEMENTS], shapes[GUIDES][ELEMENTS][3];
 static uint32_t triangles[TRIANGLES][3], drawn_counts[GUIDES], hair_counts[HAIRS];
@@ -65,8 +65,8 @@ static void add_guides(shx_solver *solver) {
   for (int i = 0; i < GUIDES; i++) {
     drawn_counts[i] = DRAWN;
     for (int k = 0; k < 3 * DRAWN; k++) {
-      const double s = LENGTH * (k / 3) / (DRAWN - 1), out = s - 3.0 * s * s, down = k % 3 == 2 ? 5.0 * s * s : 0.0;
-      drawn[i][k / 3][k % 3] = guide_roots[i].origin[k % 3] * (1.0 + out / RADIUS) - down;
+      const double s = LENGTH * (k / 3) / (DRAWN - 1), aside[3] = {6.0 * s * s, 0.0, -3.0 * s * s};
+      drawn[i][k / 3][k % 3] = guide_roots[i].origin[k % 3] * (1.0 + (s - 3.0 * s * s) / RADIUS) + aside[k % 3];
     }
   }
   shx_fit_curves curves;
@@ -117,27 +117,27 @@ int main(int argc, char **argv) {
 
   shx_curve_data first;
   CHECK(shx_curve_data_init(&first, sizeof first));
-  for (int i = 0; i < HAIRS; i++)
-    hair_counts[i] = POINTS;
+  for (int i = 0; i < HAIRS; i++) hair_counts[i] = POINTS;
   first.strand_count = HAIRS;
   first.point_counts = hair_counts;
   first.points = *IN(points, HAIRS * POINTS, SHX_FORMAT_F32X3);
   first.velocities = *IN(velocities, HAIRS * POINTS, SHX_FORMAT_F32X3);
   first.metres_per_unit = 1.0;
+  first.up = SHX_UP_Z;
   shx_cache_writer *cache;
-  CHECK(shx_curve_cache_create(argc > 1 ? argv[1] : "render.usda", &first, 1.0 / FRAME_TIME, &cache));
+  CHECK(shx_curve_cache_create(argc > 1 ? argv[1] : "render.usda", &first, RATE, &cache));
   for (int frame = 0; frame <= FRAMES; frame++) {
-    set_head(0.6 * (1.0 - cos(6.0 * frame * FRAME_TIME)));
+    set_head(0.6 * (1.0 - cos(6.0 * frame / RATE)));
     follow(scalp, guide_places, GUIDES, guide_roots);
     follow(scalp, hair_places, HAIRS, hair_roots);
     if (frame > 0) {
-      CHECK(shx_solver_set_root_frames(solver, ids, GUIDES, IN(guide_roots, GUIDES, SHX_FORMAT_FRAME), FRAME_TIME));
-      CHECK(shx_solver_step(solver, FRAME_TIME, 2, NULL));
+      CHECK(shx_solver_set_root_frames(solver, ids, GUIDES, IN(guide_roots, GUIDES, SHX_FORMAT_FRAME), 1.0 / RATE));
+      CHECK(shx_solver_step(solver, 1.0 / RATE, 2, NULL));
     }
     CHECK(shx_solver_set_render_pose(solver, ids, GUIDES, 1, pose));
     CHECK(shx_render_pose_evaluate(pose, &view, OUT(points, HAIRS * POINTS, SHX_FORMAT_F32X3), NULL,
                                    OUT(velocities, HAIRS * POINTS, SHX_FORMAT_F32X3)));
-    CHECK(shx_curve_cache_write(cache, frame * FRAME_TIME, &first.points, &first.velocities));
+    CHECK(shx_curve_cache_write(cache, frame / RATE, &first.points, &first.velocities));
   }
   CHECK(shx_curve_cache_finish(cache));
   printf("%d frames of %d strands from %d guides\n", FRAMES + 1, HAIRS, GUIDES);

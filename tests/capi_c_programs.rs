@@ -351,7 +351,7 @@ fn example_render() {
         assert!([before[0], after[0]].iter().all(|root| (0.0892..0.0901).contains(&size(*root))), "{:?}", before[0]);
         let length = |strand: &[[f32; 3]]| strand.windows(2).map(|edge| from(edge[0], edge[1])).sum::<f32>();
         assert!(
-            (0.08..0.13).contains(&length(before)) && (0.08..0.13).contains(&length(after)),
+            (0.08..0.15).contains(&length(before)) && (0.08..0.15).contains(&length(after)),
             "{} {}",
             length(before),
             length(after)
