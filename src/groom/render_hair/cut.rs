@@ -1,25 +1,28 @@
 //! Strands cut short: as many points as before on the part that is left.
 
-/// Places before and after the first that a point is taken from.
+/// Points that one is taken from.
 const TAPS: usize = 4;
 
 /// Moves the points of rows (`stride` floats each, of which `points` count) down to the first `share` of the way from root to tip, along the
 /// Catmull–Rom spline through them: the root stays to the bit. `room` is scratch memory.
 #[inline(always)]
 pub(super) fn shorten(share: f32, stride: usize, points: usize, rows: &mut [f32], room: &mut Vec<f32>) {
-    // The spline's points, with one more before and behind them on the parabola (of two points: the line) through the ends.
-    room.resize(points + 2, 0.0);
-    for row in rows.chunks_exact_mut(stride) {
-        let row = &mut row[..points];
+    // Each row's points, with one more before and behind them on the parabola (of two points: the line) through the ends.
+    let size = points + 2;
+    room.resize(size * (rows.len() / stride), 0.0);
+    for (row, room) in rows.chunks_exact(stride).zip(room.chunks_exact_mut(size)) {
+        let row = &row[..points];
         room[1..=points].copy_from_slice(row);
         let beyond = |a: f32, b: f32, c: Option<&f32>| c.map_or(2.0 * a - b, |c| 3.0 * (a - b) + c);
         room[0] = beyond(row[0], row[1], row.get(2));
         room[points + 1] = beyond(row[points - 1], row[points - 2], points.checked_sub(3).map(|k| &row[k]));
-        for (k, value) in row.iter_mut().enumerate() {
-            let place = share * k as f32;
-            let before = (place as usize).min(points - 2);
-            let taps = &room[before..before + TAPS];
-            *value = weights(place - before as f32).iter().zip(taps).map(|(weight, tap)| weight * tap).sum();
+    }
+    for k in 0..points {
+        let place = share * k as f32;
+        let before = (place as usize).min(points - 2);
+        let weights = weights(place - before as f32);
+        for (row, room) in rows.chunks_exact_mut(stride).zip(room.chunks_exact(size)) {
+            row[k] = weights.iter().zip(&room[before..before + TAPS]).map(|(weight, tap)| weight * tap).sum();
         }
     }
 }
@@ -48,7 +51,8 @@ mod tests {
             }
             assert!(rows[points..].iter().all(|value| *value == 7.0));
         }
-        // A turn and a half in 32 edges: the spline's error is about the fourth power of an edge's angle (0.29) over 60, the chord's the square over 8.
+        // A turn and a half in 32 edges: the spline's error is about the cube of an edge's angle (0.29) over 60, 4e-4; the chord's
+        // the square over 8, 1e-2.
         let (points, stride) = (33, 40);
         let wave = |k: usize, share: f32| (1.5 * std::f32::consts::TAU * share * k as f32 / 32.0).cos();
         let mut rows: Vec<f32> = (0..stride).map(|k| wave(k, 1.0)).collect();
