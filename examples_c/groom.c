@@ -1,4 +1,4 @@
-/* A groom on a moving head: reads a groom file, fits a strand to each polyline, gives it the natural shape that holds it up under
+/* A groom on a moving head: reads a groom file, fits strands to its polylines, gives them the natural shapes that hold them up under
  * gravity, moves the head as recorded, steps, and writes every frame.
  *
  *   groom GROOM HEAD.csv OUTPUT_DIRECTORY [--scale METRES_PER_UNIT] [--seconds 3] [--rate 60] [--every 1] [--elements 0]
@@ -6,7 +6,7 @@
  *
  * GROOM       .hair, .tfx or .obj, y up, the first point of each strand is its root
  * HEAD.csv    a line of titles, then time (s), position (m), unit quaternion w, x, y, z: the head turns about the middle of the roots
- * --every n   takes every nth strand; --elements 0 takes one element for two points, 4 to 32 */
+ * --every n   takes every nth strand; --elements 0 takes one element for two points of the longest strand, 4 to 32 */
 #include <math.h>
 #include <string.h>
 #include <time.h>
@@ -167,69 +167,72 @@ typedef struct groom {
   shx_strand_def *defs;
   uint32_t *point_counts;
   shx_frame *rest_roots;
+  double *lengths, *shapes; /* what the definitions point to */
   double pivot[3]; /* the middle of the roots */
 } groom;
 
 static const double gravity[3] = {0.0, -9.81, 0.0}; /* y is up */
 
-/* Fits a strand to a polyline; false when the polyline is of no use (all points at one place). */
-static bool fit(const float *points, uint32_t point_count, long elements, shx_strand_def *def, double *rms) {
-  uint32_t count = elements > 0 ? (uint32_t)elements : point_count / 2;
-  if (elements == 0)
-    count = count < 4 ? 4 : count > 32 ? 32 : count;
-  double *lengths = allocate(count, sizeof *lengths), *shape = allocate(3 * count, sizeof *shape);
-  double *natural = allocate(3 * count, sizeof *natural);
-  const shx_input polyline = {points, 0, point_count, SHX_FORMAT_F32X3, 0};
-  shx_fit fitted;
-  CHECK(shx_fit_init(&fitted, sizeof fitted));
-  if (shx_fit_polyline(&polyline, count, &fitted, lengths, shape, count) != SHX_OK) {
-    free(lengths);
-    free(shape);
-    free(natural);
-    return false;
-  }
-  CHECK(shx_strand_def_init(def, sizeof *def));
-  def->element_count = count;
-  def->element_lengths = lengths;
-  def->root = fitted.root;
-  def->internal_friction = 1e-10;
-  /* The upper end of what was measured on real wisps (5e-6 to 5e-5): nothing else damps a strand that touches no other. */
-  def->air_drag = 5e-5;
-  CHECK(shx_fit_natural_curvatures(def, shape, count, gravity, natural));
-  def->natural = natural;
-  def->initial = shape;
-  *rms = fitted.rms_error;
-  return true;
-}
-
+/* Reads the file, and fits strands to its polylines, all in one call. */
 static groom read_groom(const options *o) {
   shx_curves *curves;
-  size_t strands, total;
+  size_t in_file, total;
   CHECK(shx_curves_read(o->groom, &curves));
-  CHECK(shx_curves_count(curves, &strands, &total));
-  uint32_t *counts = allocate(strands, sizeof *counts), most = 0;
-  CHECK(shx_curves_point_counts(curves, counts, strands));
-  for (size_t i = 0; i < strands; i++)
-    most = counts[i] > most ? counts[i] : most;
-  float *points = allocate(3 * (size_t)most, sizeof *points);
+  CHECK(shx_curves_count(curves, &in_file, &total));
+  uint32_t *counts = allocate(in_file, sizeof *counts), most = 0;
+  float *points = allocate(3 * total, sizeof *points);
+  CHECK(shx_curves_point_counts(curves, counts, in_file));
+  const shx_output all = {points, 0, total, SHX_FORMAT_F32X3, 0};
+  CHECK(shx_curves_points(curves, 0, in_file, o->scale, &all));
+  shx_curves_destroy(curves);
 
-  groom g = {0, 0, allocate(strands, sizeof *g.defs), allocate(strands, sizeof *g.point_counts),
-             allocate(strands, sizeof *g.rest_roots), {0.0, 0.0, 0.0}};
-  double worst = 0.0, sum = 0.0;
-  size_t skipped = 0;
-  for (size_t i = 0; i < strands; i += (size_t)o->every) {
-    const shx_output output = {points, 0, most, SHX_FORMAT_F32X3, 0};
-    CHECK(shx_curves_points(curves, i, 1, o->scale, &output));
-    double rms;
-    if (!fit(points, counts[i], o->elements, &g.defs[g.strand_count], &rms)) {
-      skipped++;
-      continue;
+  /* Those that are taken move to the front. */
+  size_t taken = 0, from = 0, to = 0;
+  for (size_t i = 0; i < in_file; i++) {
+    const uint32_t count = counts[i];
+    if (i % (size_t)o->every == 0) {
+      memmove(points + 3 * to, points + 3 * from, 3 * (size_t)count * sizeof *points);
+      counts[taken++] = count;
+      to += count;
+      most = count > most ? count : most;
     }
-    worst = rms > worst ? rms : worst;
-    sum += rms;
-    g.rest_roots[g.strand_count] = g.defs[g.strand_count].root;
+    from += count;
+  }
+
+  shx_fit_options how;
+  shx_fit_curves what;
+  CHECK(shx_fit_options_init(&how, sizeof how));
+  CHECK(shx_fit_curves_init(&what, sizeof what));
+  how.element_count = o->elements > 0 ? (uint32_t)o->elements : most / 2 < 4 ? 4 : most / 2 > 32 ? 32 : most / 2;
+  how.worker_count = (uint32_t)o->threads;
+  what.curve_count = taken;
+  what.points = (shx_input){points, 0, to, SHX_FORMAT_F32X3, 0};
+  what.point_counts = counts;
+  groom g = {0, 0, allocate(taken, sizeof *g.defs), allocate(taken, sizeof *g.point_counts), allocate(taken, sizeof *g.rest_roots),
+             NULL, NULL, {0.0, 0.0, 0.0}};
+  const size_t elements = taken * how.element_count;
+  shx_fitted_strand *fitted = allocate(taken, sizeof *fitted);
+  g.lengths = allocate(elements, sizeof *g.lengths);
+  g.shapes = allocate(3 * elements, sizeof *g.shapes);
+  CHECK(shx_fit_strands(&how, &what, fitted, 0, g.lengths, g.shapes, elements));
+
+  double worst = 0.0, sum = 0.0;
+  for (size_t i = 0; i < taken; i++) {
+    if (fitted[i].status != SHX_OK) /* of no use: all points at one place */
+      continue;
+    shx_strand_def *def = &g.defs[g.strand_count];
+    CHECK(shx_strand_def_init(def, sizeof *def));
+    def->element_count = fitted[i].element_count;
+    def->element_lengths = g.lengths + i * how.element_count;
+    def->natural = g.shapes + 3 * i * how.element_count;
+    def->root = g.rest_roots[g.strand_count] = fitted[i].root;
+    def->internal_friction = 1e-10;
+    /* The upper end of what was measured on real wisps (5e-6 to 5e-5): nothing else damps a strand that touches no other. */
+    def->air_drag = 5e-5;
+    worst = fitted[i].rms_error > worst ? fitted[i].rms_error : worst;
+    sum += fitted[i].rms_error;
     for (int k = 0; k < 3; k++)
-      g.pivot[k] += g.rest_roots[g.strand_count].origin[k];
+      g.pivot[k] += fitted[i].root.origin[k];
     g.point_counts[g.strand_count++] = counts[i];
     g.point_total += counts[i];
   }
@@ -240,22 +243,19 @@ static groom read_groom(const options *o) {
   for (int k = 0; k < 3; k++)
     g.pivot[k] /= (double)g.strand_count;
   printf("%s: %zu of %zu strands taken, %zu of no length left out; fitted to %.2f mm (mean; worst %.2f mm)\n", o->groom,
-         g.strand_count, strands, skipped, 1000.0 * sum / (double)g.strand_count, 1000.0 * worst);
+         g.strand_count, in_file, taken - g.strand_count, 1000.0 * sum / (double)g.strand_count, 1000.0 * worst);
+  free(fitted);
   free(points);
   free(counts);
-  shx_curves_destroy(curves);
   return g;
 }
 
 static void free_groom(groom *g) {
-  for (size_t i = 0; i < g->strand_count; i++) {
-    free((void *)g->defs[i].element_lengths);
-    free((void *)g->defs[i].natural);
-    free((void *)g->defs[i].initial);
-  }
   free(g->defs);
   free(g->point_counts);
   free(g->rest_roots);
+  free(g->lengths);
+  free(g->shapes);
 }
 
 /* Where the head has taken the roots, relative to its first pose. */
@@ -309,6 +309,7 @@ int main(int argc, char **argv) {
   CHECK(shx_solver_create(&def, &solver));
   shx_strand_id *ids = allocate(g.strand_count, sizeof *ids);
   CHECK(shx_solver_add_strands(solver, g.defs, sizeof *g.defs, g.strand_count, ids));
+  CHECK(shx_solver_take_rest_shapes(solver, ids, g.strand_count)); /* the groom as it is drawn is its shape at rest */
 
   shx_frame *roots = allocate(g.strand_count, sizeof *roots);
   float *points = allocate(3 * g.point_total, sizeof *points);

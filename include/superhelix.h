@@ -200,6 +200,12 @@
 // The strand may bend about n2.
 #define SHX_FREE_BEND2 4
 
+// Strands are made stiffer by Young's modulus, Poisson's ratio as it is.
+#define SHX_STIFFEN_YOUNGS_MODULUS 1
+
+// Strands are made stiffer by both semi-axes of their section, and with them heavier.
+#define SHX_STIFFEN_RADIUS 2
+
 // ---- Shapes of bodies ----------------------------------------------------------------------------------------------
 
 // A sphere about the body's origin: radius.
@@ -1521,6 +1527,8 @@ typedef struct shx_render_settings {
   void *parallel_for_user;
   // 0.
   uint64_t reserved[4];
+  // By which share strands are cut short at most, each by a random one of its own; 0 (default) to less than 1.
+  double length_variation;
 } shx_render_settings;
 
 // Guides at one moment, as curves of the host's: from a cache, or sampled from anything. Prepare with shx_render_guides_init, then set
@@ -1847,6 +1855,16 @@ SHX_API shx_result shx_solver_take_rest_shapes(shx_solver *solver, const shx_str
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
 SHX_API shx_result shx_solver_shape_stability(const shx_solver *solver, const shx_strand_id *ids, size_t count,
     double margin, double *out_eigenvalues, double *out_youngs_scales, double *out_radius_scales);
+
+// Makes those of count strands that would not rest stably in their present shapes as much stiffer as that takes, and no more, and takes the
+// shapes of all of them as rest shapes (shx_solver_take_rest_shapes). by: SHX_STIFFEN_. margin, 0 to less than 1, is what the smallest
+// eigenvalue of shx_solver_shape_stability is at least afterwards; at 0 a strand stands on the very border. out_scales receives count
+// factors, 1 where nothing was changed, in the order of ids, or is null. An identifier may be given once only.
+// Costs the cube of the number of elements. The work is shared among the solver's own threads; a parallel_for is not used.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (by, margin, an identifier given twice, a strand
+// that no finite stiffness holds up); then nothing has changed. Alone with the solver.
+SHX_API shx_result shx_solver_stiffen_strands(shx_solver *solver, const shx_strand_id *ids, size_t count, uint32_t by,
+    double margin, double *out_scales);
 
 // The present curvatures of count strands (rad/m): a row of three doubles an element, strand after strand in the order of ids, into
 // out_curvatures, which holds capacity rows (at least the strands' elements together). Kept by the host they are initial shapes for
@@ -2478,8 +2496,8 @@ SHX_API shx_result shx_render_guides_init(shx_render_guides *guides, size_t size
 SHX_API shx_result shx_render_view_init(shx_render_view *view, size_t size);
 
 // Makes render hair from guides in their rest pose and the places of the render strands' roots at the same moment, m (formats as
-// shx_render_guides.points; one strand for each). settings may be null: the defaults. Takes some microseconds a strand. *out_hair is
-// yours; free it with shx_render_hair_destroy.
+// shx_render_guides.points, or SHX_FORMAT_FRAME, of which the origin counts; one strand for each). settings may be null: the defaults.
+// Takes some microseconds a strand. *out_hair is yours; free it with shx_render_hair_destroy.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED (threads that could not be
 // started). Any thread.
 SHX_API shx_result shx_render_hair_create(const shx_render_settings *settings, const shx_render_guides *guides,

@@ -118,6 +118,124 @@ fn follicles_are_placed() {
     assert!(said["least_distance"].as_f64().expect("a distance") >= 0.01);
 }
 
+/// A square of 20 cm in the plane y = 0, facing up, in a mesh of centimetres, with texture coordinates from 0 to 1 along x and −z.
+fn sheet(path: &std::path::Path) {
+    let mut text = String::new();
+    for k in 0..121 {
+        let (x, z) = (2 * (k % 11) - 10, 10 - 2 * (k / 11));
+        text += &format!("v {x} 0 {z}\nvt {} {}\n", f64::from(k % 11) / 10.0, f64::from(k / 11) / 10.0);
+    }
+    for k in (0..110).filter(|k| k % 11 < 10) {
+        let [a, b, c, d] = [k + 1, k + 2, k + 13, k + 12];
+        text += &format!("f {a}/{a} {b}/{b} {c}/{c} {d}/{d}\n");
+    }
+    std::fs::write(path, text).expect("a mesh");
+}
+
+/// A picture whose upper left quarter is white, the lower right one transparent, the others black.
+fn checks(path: &std::path::Path) {
+    let mut picture = tiny_skia::Pixmap::new(64, 64).expect("a picture");
+    for (k, pixel) in picture.pixels_mut().iter_mut().enumerate() {
+        let (right, low) = (k % 64 >= 32, k / 64 >= 32);
+        let shade = if !right && !low { 255 } else { 0 };
+        let opacity = if right && low { 0 } else { 255 };
+        *pixel = tiny_skia::PremultipliedColorU8::from_rgba(shade, shade, shade, opacity).expect("a colour");
+    }
+    picture.save_png(path).expect("a file");
+}
+
+fn rows(path: &str) -> Vec<Vec<f64>> {
+    let text = std::fs::read_to_string(path).expect("a table");
+    text.lines().skip(1).map(|line| line.split(',').map(|word| word.parse().expect("a number")).collect()).collect()
+}
+
+#[test]
+fn texture_coordinates_place_follicles_and_pictures_say_how_densely() {
+    let place = directory("place_uv");
+    let (mesh, picture, uvs) = (place.join("sheet.obj"), place.join("checks.png"), place.join("uvs.txt"));
+    sheet(&mesh);
+    checks(&picture);
+    let (mesh, picture, out) =
+        (mesh.display().to_string(), picture.display().to_string(), place.join("out.csv").display().to_string());
+    std::fs::write(&uvs, "0.25, 0.5\n0.9 0.1\n").expect("a file");
+    let uvs = uvs.display().to_string();
+    let fixed = ["place", &mesh, "--scale", "0.01", "--out", &out, "--json"];
+    answer(&[&fixed[..], &["--uvs", &uvs]].concat());
+    let found = rows(&out);
+    assert_eq!(found.len(), 2);
+    for (row, [x, z]) in found.iter().zip([[-0.05, 0.0], [0.08, 0.08]]) {
+        assert!((row[3] - x).abs() < 1e-12 && row[4].abs() < 1e-12 && (row[5] - z).abs() < 1e-12, "{row:?}");
+        // n0 up, n1 along u, which is x: a quarter turn about z takes x to y; y to -x; half a turn about the normal more brings n1 to x.
+        let [qx, qy, qz, qw] = [row[6], row[7], row[8], row[9]];
+        let turn = |v: [f64; 3]| {
+            let q = nalgebra::UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(qw, qx, qy, qz));
+            q * nalgebra::Vector3::from(v)
+        };
+        assert!((turn([1.0, 0.0, 0.0]) - nalgebra::Vector3::y()).norm() < 1e-9, "{row:?}");
+        assert!((turn([0.0, 1.0, 0.0]) - nalgebra::Vector3::x()).norm() < 1e-9, "{row:?}");
+    }
+    // Jitter moves them a little, by the seed.
+    answer(&[&fixed[..], &["--uvs", &uvs, "--jitter", "0.02", "--seed", "4"]].concat());
+    for (row, still) in rows(&out).iter().zip(&found) {
+        let away = ((row[3] - still[3]).abs(), (row[5] - still[5]).abs());
+        assert!(away.0 <= 0.004 + 1e-12 && away.1 <= 0.004 + 1e-12 && away != (0.0, 0.0), "{away:?}");
+    }
+    // White is the upper left quarter: u below, v above a half. Bare half a pixel (1.6 mm) beyond the border.
+    answer(&[&fixed[..], &["--count", "300", "--density-picture", &picture]].concat());
+    let white = rows(&out);
+    // Pictures repeat: half a pixel at the opposite borders sees white too.
+    let in_white = |at: f64| !(0.004..=0.098).contains(&at);
+    assert!(white.len() == 300 && white.iter().all(|row| in_white(row[3]) && in_white(row[5])), "{white:?}");
+    assert!(white.iter().filter(|row| row[3] < 0.0 && row[5] < 0.0).count() > 270);
+    // With what is near a groom's roots: both count.
+    let groom = place.join("guides.obj");
+    std::fs::write(&groom, "v -6 0 -6\nv -6 4 -6\nl 1 2\nv 6 0 6\nv 6 4 6\nl 3 4\n").expect("a groom");
+    let groom = groom.display().to_string();
+    answer(&[&fixed[..], &["--count", "60", "--density-picture", &picture, "--near", &groom, "--within", "0.02"]].concat());
+    for row in rows(&out) {
+        let away = (row[3] + 0.06).hypot(row[5] + 0.06);
+        assert!(away < 0.06 && row[3] < 0.004 && row[5] < 0.004, "{row:?}");
+    }
+    // Render hair grows where the map says, however few the guides; without a map near them.
+    let hair = place.join("render.hair").display().to_string();
+    let grow = |more: &[&str]| {
+        let fixed = ["interpolate", &groom, "--scale", "0.01", "--scalp", &mesh, "--count", "200", "--out", &hair, "--json"];
+        answer(&[&fixed[..], more].concat());
+        let curves = Curves::read(&hair).expect("a groom");
+        curves.strands().map(|strand| strand[0]).collect::<Vec<_>>()
+    };
+    let everywhere = grow(&["--density-picture", &picture]);
+    let in_white = |at: f32| in_white(0.01 * f64::from(at));
+    assert!(everywhere.iter().all(|root| root[1].abs() < 1e-5 && in_white(root[0]) && in_white(root[2])));
+    assert!(everywhere.iter().any(|root| root[0] < -9.0) && everywhere.iter().any(|root| root[0] > -1.0));
+    let near = grow(&["--within", "0.01"]);
+    assert!(near.iter().all(|root| (root[0].abs() - 6.0).hypot(root[2].abs() - 6.0) < 4.5), "{near:?}");
+    // A .usda file takes the widths too, and says the unit.
+    let usda = place.join("render.usda").display().to_string();
+    answer(&["interpolate", &groom, "--scale", "0.01", "--count", "20", "--out", &usda, "--json"]);
+    let made = Curves::read(&usda).expect("a groom");
+    let widths = made.extras().thickness.as_ref().expect("widths");
+    assert!(made.strand_count() == 20 && made.extras().metres_per_unit == Some(0.01) && (0.007..0.009).contains(&widths[0]));
+    // Which is taken when it comes back.
+    let said =
+        answer(&["interpolate", &usda, "--count", "20", "--radius", "1e-4", "--radius-variation", "0", "--out", &hair, "--json"]);
+    assert_eq!(said["guides"].as_u64(), Some(20));
+    let widths = Curves::read(&hair).expect("a groom").extras().thickness.clone().expect("widths");
+    assert!((widths[0] - 0.02).abs() < 1e-6, "{}", widths[0]);
+    // Strands cut short by the seed are shorter.
+    let length = |path: &str| {
+        let curves = Curves::read(path).expect("a groom");
+        let of = |strand: &[[f32; 3]]| {
+            strand.windows(2).map(|e| (0..3).map(|k| (e[1][k] - e[0][k]).powi(2)).sum::<f32>().sqrt()).sum()
+        };
+        curves.strands().map(of).collect::<Vec<f32>>()
+    };
+    grow(&["--within", "0.01", "--length-variation", "0.5"]);
+    let cut = length(&hair);
+    assert!(cut.iter().all(|length| (1.99..4.01).contains(length)), "{cut:?}");
+    assert!(cut.iter().any(|length| *length < 2.3) && cut.iter().any(|length| *length > 3.7));
+}
+
 #[test]
 fn what_is_wrong_is_said() {
     let place = directory("interpolate_errors");
@@ -126,15 +244,33 @@ fn what_is_wrong_is_said() {
     let density = place.join("density.txt");
     std::fs::write(&density, "1 2 three").expect("a file");
     let density = density.display().to_string();
-    let cases: [(&[&str], &str); 8] = [
+    let uvs = place.join("uvs.txt");
+    std::fs::write(&uvs, "0.5 0.5 0.5").expect("a file");
+    let uvs = uvs.display().to_string();
+    let mesh = place.join("sheet.obj");
+    sheet(&mesh);
+    let mesh = mesh.display().to_string();
+    let cases: [(&[&str], &str); 17] = [
         (&["interpolate", &groom, "--out", &out, "--curliness", "2"], "0 to 1"),
         (&["interpolate", &groom, "--out", &out, "--wisp-profile", "1,2"], "three numbers"),
-        (&["interpolate", &groom, "--out", &out, "--frizz-waves", "5000"], "--frizz_waves"),
+        (&["interpolate", &groom, "--out", &out, "--frizz-waves", "5000"], "--frizz-waves"),
         (&["interpolate", "no/such.tfx", "--out", &out], "no/such.tfx"),
         (&["interpolate", &groom, "--out", &out, "--scalp", &groom], "sintel_hair_001.tfx"),
         (&["place", &bust, "--out", &out], "--count"),
         (&["place", &bust, "--out", &out, "--count", "5", "--density", &density], "density.txt"),
         (&["place", &bust, "--out", &out, "--spacing", "1e-9"], "--spacing"),
+        (
+            &["interpolate", &groom, "--out", &out, "--length-variation", "1"],
+            "--length-variation is 1; expected 0 to less than 1",
+        ),
+        (&["interpolate", &groom, "--out", &out, "--density", &density], "give --scalp"),
+        (&["place", &bust, "--out", &out, "--count", "5", "--within", "0.01"], "--near"),
+        (&["place", &bust, "--out", &out, "--count", "5", "--jitter", "0.01"], "--uvs"),
+        (&["place", &bust, "--out", &out, "--count", "5", "--uvs", &uvs], "--uvs"),
+        (&["place", &bust, "--out", &out, "--uvs", &uvs], "sintel_bust.obj: --uvs needs texture coordinates"),
+        (&["place", &bust, "--out", &out, "--count", "5", "--density-picture", &uvs], "sintel_bust.obj: --density-picture needs"),
+        (&["place", &mesh, "--out", &out, "--uvs", &uvs], "uvs.txt: 3 numbers"),
+        (&["place", &mesh, "--out", &out, "--count", "5", "--density-picture", &uvs], "uvs.txt: cannot be read as a picture"),
     ];
     for (arguments, text) in cases {
         let output = superhelix(arguments);

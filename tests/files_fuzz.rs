@@ -79,6 +79,7 @@ fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("walk.bvh", capture.into_bytes()),
         ("pendulum.curve", recorded.join("\n").into_bytes()),
         ("bust.mesh", bust()),
+        ("strip.mesh", strip()),
         ("written.tfx", tfx::write_to_bytes("written.tfx", &even(), TfxVersion::V3).unwrap()),
         ("placed.usda", std::fs::read(format!("{}/tests/data/usd/placed.usda", env!("CARGO_MANIFEST_DIR"))).unwrap()),
         ("groom.usda", groom()),
@@ -134,6 +135,13 @@ fn bust() -> Vec<u8> {
     format!("# a bust\n{}\n{faces}{polygon}", vertices.join("\n")).into_bytes()
 }
 
+/// A strip with texture coordinates.
+fn strip() -> Vec<u8> {
+    let row = |k: u32| format!("v {k} 0 0.1\nv {k} 1 -0.1\nvt 0.{k} 0\nvt 0.{k} 1 0\n");
+    let face = |k: u32| format!("f {0}/{0} {1}/{1} {2}/-1 {3}/{3}\n", 2 * k + 1, 2 * k + 3, 2 * k + 4, 2 * k + 2);
+    ((0..9).map(row).collect::<String>() + &(0..8).map(face).collect::<String>()).into_bytes()
+}
+
 /// A small grid of distances.
 fn ball() -> Vec<u8> {
     let at = |node: u32, axis: u32| f64::from(node / 6_u32.pow(axis) % 6) - 2.5;
@@ -186,6 +194,15 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
             let count = mesh.vertices.len() as u32;
             assert!(mesh.triangles.iter().all(|[a, b, c]| a != b && b != c && c != a && [a, b, c].iter().all(|at| **at < count)));
         }
+        let (textured, more) = peak(|| obj_mesh::read_textured_from_bytes(name, bytes));
+        if let Ok((with, texture)) = textured {
+            assert_eq!(Some(&with), mesh.as_ref());
+            if let Some(texture) = texture {
+                assert_eq!(texture.triangles.len(), with.triangles.len());
+                assert!(texture.corners().iter().flatten().flatten().all(|value| value.is_finite()));
+            }
+        }
+        let memory = memory.max(more);
         return (mesh.map(|mesh| mesh.vertices.len()), memory);
     }
     if name.ends_with(".shxgrid") {

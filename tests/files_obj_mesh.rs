@@ -50,6 +50,44 @@ fn what_other_programs_write_is_read() {
 }
 
 #[test]
+fn texture_coordinates_are_read_where_they_are_wanted() {
+    let textured = |text: &str| obj_mesh::read_textured_from_bytes("mesh.obj", text.as_bytes());
+    let corners = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\n";
+    // A quadrilateral is cut somewhere: every corner keeps its own coordinates, here those of its place. Vertex 4 has another in the triangle.
+    let text = format!("{corners}vt 0 0\nvt 1 0 0\nvt 1 0.5\nvt 0 0.5\nvt -3\nf 1/1 2/2 3/3 4/4\nf 1/1/9 -2/-3 4/5/\n");
+    let (mesh, texture) = textured(&text).unwrap();
+    assert_eq!(mesh, read(&text));
+    let uvs = texture.expect("coordinates").corners();
+    assert_eq!((mesh.triangles.len(), uvs.len()), (3, 3));
+    for (triangle, uvs) in mesh.triangles.iter().zip(&uvs).take(2) {
+        for (vertex, uv) in triangle.iter().zip(uvs) {
+            let place = mesh.vertices[*vertex as usize];
+            assert_eq!(*uv, [0.5 * place.x, 0.5 * place.y]);
+        }
+    }
+    assert_eq!(uvs[2], [[0.0, 0.0], [1.0, 0.5], [-3.0, 0.0]]);
+    // A corner without: the mesh is there, coordinates are not.
+    for faces in ["f 1/1 2/1 3/1\nf 1 2 4\n", "f 1/1 2 3/1\n", "f 1//1 2//1 3//1\n"] {
+        let text = format!("{corners}vt 0 0\n{faces}");
+        assert_eq!(textured(&text).unwrap(), (read(&text), None));
+    }
+    for (text, parts) in [
+        (format!("{corners}vt 0 0\nf 1/1 2/2 3/1\n"), ["line 6", "texture coordinate \"2\"", "1 to 1"]),
+        (format!("{corners}vt 0 0\nf 1/1 2/0 3/1\n"), ["line 6", "texture coordinate \"0\"", "1 to 1"]),
+        (format!("{corners}vt 0 nan\nf 1/1 2/1 3/1\n"), ["line 5", "v is", "nan"]),
+        (format!("{corners}vt\nf 1/1 2/1 3/1\n"), ["line 5", "vt", "vt u v"]),
+        (format!("{corners}vt 0 0 0 0\nf 1/1 2/1 3/1\n"), ["line 5", "vt 0 0 0 0", "vt u v"]),
+    ] {
+        let Err(Error::File { reason, .. }) = textured(&text) else { panic!("{text} was read") };
+        for part in parts {
+            assert!(reason.contains(part), "`{part}` is not in `{reason}`");
+        }
+        // Contact does not need them.
+        read(&text);
+    }
+}
+
+#[test]
 fn nonsense_is_refused_with_line_and_value() {
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     let many = |count: usize| {

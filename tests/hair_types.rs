@@ -7,7 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::contact::body::BodyDef;
 use superhelix::contact::shape::Shape;
 use superhelix::error::Error;
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
+use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders, curled_shape};
 use superhelix::groom::hair_type::{HairType, MeasuredHair, youngs_modulus_from_bending};
 use superhelix::groom::variation::Variation;
 use superhelix::math::frame::Frame;
@@ -293,6 +293,83 @@ fn sliders_are_monotone_in_every_parameter_and_do_nothing_in_the_middle() {
         let moved = hair.with_sliders(&sliders(1, 0.7)).unwrap();
         assert_eq!(HairParameters { material: hair.material, ..moved }, hair);
     }
+}
+
+/// A strand with a shape of its own: bends and twists that change along it.
+fn own_shape() -> (Vec<f64>, Vec<[f64; 3]>) {
+    let lengths = (0..12).map(|k| 0.01 + 0.001 * f64::from(k)).collect();
+    let rows =
+        (0..12).map(f64::from).map(|k| [3.0 * (0.7 * k).sin(), 20.0 + 30.0 * (0.4 * k).cos(), 15.0 * (0.9 * k).sin()]).collect();
+    (lengths, rows)
+}
+
+/// The root mean square of a strand's curvature.
+fn mean_curvature(lengths: &[f64], rows: &[[f64; 3]]) -> f64 {
+    let square: f64 = lengths.iter().zip(rows).map(|(length, [_, k1, k2])| length * (k1 * k1 + k2 * k2)).sum();
+    (square / lengths.iter().sum::<f64>()).sqrt()
+}
+
+#[test]
+fn curliness_scales_a_shape_of_ones_own_as_it_does_a_type() {
+    let (lengths, rows) = own_shape();
+    let own = mean_curvature(&lengths, &rows);
+    let straight = vec![[0.5, 0.0, 0.0]; 12];
+    let tight: Vec<_> = rows.iter().map(|row| row.map(|value| 20.0 * value)).collect();
+    for shape in [&rows, &tight] {
+        let mean = mean_curvature(&lengths, shape);
+        let moved: Vec<_> = POSITIONS.iter().map(|x| curled_shape(&lengths, shape, *x).unwrap()).collect();
+        let curvatures: Vec<f64> = moved.iter().map(|rows| mean_curvature(&lengths, rows)).collect();
+        assert_rising("mean curvature", &curvatures, true);
+        assert!(curvatures[0] == 0.0 && moved[4] == *shape);
+        // One factor for all rows, and the one that hair of a type with that curvature gets.
+        let mut hair = HairType::Caucasian2.measured().parameters(CurlFormula::Exact).unwrap();
+        hair.natural = [0.1 * mean, mean, 0.0];
+        for (x, moved) in POSITIONS.iter().zip(&moved) {
+            let factor = hair.with_sliders(&sliders(0, *x)).unwrap().natural[1] / mean;
+            for (row, before) in moved.iter().zip(shape) {
+                for axis in 0..3 {
+                    assert!((row[axis] - factor * before[axis]).abs() <= 1e-12 * (1.0 + (factor * before[axis]).abs()));
+                }
+            }
+        }
+        assert!((curvatures[8] - (1.5 * mean).max(400.0)).abs() < 1e-9 * curvatures[8]);
+    }
+    assert!(own < 60.0 && mean_curvature(&lengths, &tight) > 400.0);
+    // What is straight curls as straight types do, about its own twist.
+    let asian = HairType::Asian.measured().parameters(CurlFormula::Exact).unwrap();
+    for x in POSITIONS {
+        let [twist, first, second] = asian.with_sliders(&sliders(0, x)).unwrap().natural;
+        let own_twist = 0.5 * (1.0 + x.min(0.0));
+        assert_eq!(curled_shape(&lengths, &straight, x).unwrap(), vec![[own_twist + twist, first, second]; 12]);
+    }
+    for (result, name) in [
+        (curled_shape(&lengths, &rows, 1.5), "curliness"),
+        (curled_shape(&lengths, &rows, f64::NAN), "curliness"),
+        (curled_shape(&lengths[1..], &rows, 0.5), "natural (count)"),
+        (curled_shape(&[0.0; 12], &rows, 0.5), "element_lengths[0]"),
+        (curled_shape(&lengths, &[[f64::NAN; 3]; 12], 0.5), "natural[0][0]"),
+    ] {
+        let text = result.unwrap_err().to_string();
+        assert!(text.contains(name), "{text}");
+    }
+}
+
+#[test]
+fn a_shape_of_ones_own_varies_as_that_of_a_type() {
+    let (lengths, rows) = own_shape();
+    let none = Variation { seed: 5, ..Variation::none() };
+    assert_eq!(none.of_shape(3, &lengths, &rows).unwrap(), rows);
+    // A shape that is a type's own varies to what that type's strand is.
+    let hair = HairParameters {
+        variation: Variation::natural(),
+        ..HairType::Caucasian2.measured().parameters(CurlFormula::Exact).unwrap()
+    };
+    let varied = hair.variation.of_shape(7, &lengths, &[hair.natural; 12]).unwrap();
+    assert_eq!(varied, hair.strand(7, &lengths).unwrap().natural);
+    assert_ne!(hair.variation.of_shape(8, &lengths, &rows).unwrap(), hair.variation.of_shape(7, &lengths, &rows).unwrap());
+    assert!(hair.variation.of_shape(7, &lengths, &rows[1..]).unwrap_err().to_string().contains("natural (count)"));
+    let bad = Variation { along: 0.3, ..none };
+    assert!(bad.of_shape(7, &lengths, &rows).unwrap_err().to_string().contains("variation.along"));
 }
 
 /// The places of the tips of strands at rest under gravity, their roots side by side at the origin and leaving along `direction`.

@@ -192,6 +192,13 @@ fn density_follows_the_map() {
     assert!(
         !rows.iter().any(|y| (0.125..0.375).contains(y)) && rows.iter().filter(|y| (0.625..0.875).contains(*y)).count() > 120
     );
+    // Maps that are multiplied: bands times quarters across them; what one leaves bare stays bare.
+    let by_vertices = Density::Vertices(scalp.vertices().iter().map(|p| density(p.x / side)).collect());
+    let upper = Density::Picture { width: 1, height: 4, values: vec![0.0, 0.0, 1.0, 1.0] };
+    let (follicles, _) = scatter(&scalp, Amount::Count(2000), Density::Product(vec![by_vertices, upper]), 0);
+    assert!(!follicles.iter().any(|f| (0.125..0.375).contains(&(scalp.place(f).y / side))));
+    let found = chi_square(&scalp, &follicles, side, &shares);
+    assert!(found < 1.5, "{found}");
     // A spacing is kept where the density is the largest, and grows as its root falls.
     let quarter = Density::Vertices(scalp.vertices().iter().map(|p| if p.x < 0.5 * side { 0.25 } else { 1.0 }).collect());
     let (follicles, _) = scatter(&scalp, Amount::Spacing(0.003), quarter, 0);
@@ -320,6 +327,8 @@ fn bad_input_is_named() {
     refused(scatter(&scalp, one, Density::Vertices(vec![0.0; 9])), "density");
     refused(scatter(&scalp, one, Density::Picture { width: 2, height: 2, values: vec![1.0; 3] }), "density (count)");
     refused(scatter(&plain, one, Density::Picture { width: 1, height: 1, values: vec![1.0] }), "density");
+    let product = Density::Product(vec![Density::Uniform, Density::Vertices(vec![1.0; 8])]);
+    refused(scatter(&scalp, one, product), "density (count)");
     refused(plain.follicles_at(&[[0.0; 2]], Jitter::default()).map(|_| ()), "scalp");
     refused(scalp.follicles_at(&[[0.5, 0.5], [1.5, 0.0]], Jitter::default()).map(|_| ()), "uvs[1]");
     refused(scalp.follicles_at(&[[f64::NAN, 0.0]], Jitter::default()).map(|_| ()), "uvs[0][0]");

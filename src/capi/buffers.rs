@@ -328,6 +328,9 @@ impl Reader {
 pub(crate) const POINT_FORMATS: &[u32] = &[SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4];
 /// Formats of vectors.
 pub(crate) const VECTOR_FORMATS: &[u32] = &[SHX_FORMAT_F32X3, SHX_FORMAT_F64X3];
+/// Formats of places: points, or frames, whose origin counts.
+pub(crate) const PLACE_FORMATS: &[u32] =
+    &[SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, SHX_FORMAT_FRAME];
 /// Formats of frames: whole, or the quaternion alone.
 pub(crate) const FRAME_FORMATS: &[u32] = &[SHX_FORMAT_FRAME, SHX_FORMAT_F32X4, SHX_FORMAT_F64X4];
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::buffers::{FRAME_FORMATS, POINT_FORMATS, Reader, VECTOR_FORMATS, array};
+use super::buffers::{FRAME_FORMATS, PLACE_FORMATS, POINT_FORMATS, Reader, VECTOR_FORMATS, array};
 use super::errors::shx_result;
 use super::parallel::{HostParallelFor, shx_parallel_for_fn};
 use super::render_hair::shx_render_pose;
@@ -71,11 +71,13 @@ pub struct shx_render_settings {
     pub parallel_for_user: *mut c_void,
     /// 0.
     pub reserved: [u64; 4],
+    /// By which share strands are cut short at most, each by a random one of its own; 0 (default) to less than 1.
+    pub length_variation: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, a pointer and an optional function only.
 unsafe impl Versioned for shx_render_settings {
-    const FIRST_SIZE: usize = size_of::<Self>();
+    const FIRST_SIZE: usize = offset_of!(shx_render_settings, length_variation);
 
     fn defaults() -> Self {
         let settings = RenderSettings::default();
@@ -102,12 +104,13 @@ unsafe impl Versioned for shx_render_settings {
             parallel_for: None,
             parallel_for_user: std::ptr::null_mut(),
             reserved: [0; 4],
+            length_variation: settings.length_variation,
         }
     }
 }
 
 const _: () = {
-    assert!(size_of::<shx_render_settings>() == 184 && offset_of!(shx_render_settings, curliness) == 16);
+    assert!(size_of::<shx_render_settings>() == 192 && offset_of!(shx_render_settings, curliness) == 16);
     assert!(offset_of!(shx_render_settings, wisp_profile) == 48 && offset_of!(shx_render_settings, seed) == 120);
     assert!(offset_of!(shx_render_settings, parallel_for) == 136 && offset_of!(shx_render_settings, reserved) == 152);
 };
@@ -151,6 +154,7 @@ impl shx_render_settings {
             tip_radius: self.tip_radius,
             taper_from: self.taper_from,
             radius_variation: self.radius_variation,
+            length_variation: self.length_variation,
             seed: self.seed,
             workers: if let Some(function) = self.parallel_for {
                 Workers::Host(Arc::new(HostParallelFor::new(function, self.parallel_for_user)))
@@ -393,9 +397,8 @@ impl shx_render_view {
         if is_absent(input) {
             return Ok(None);
         }
-        let formats = [POINT_FORMATS, &[super::types::SHX_FORMAT_FRAME]].concat();
         // SAFETY: the same.
-        let reader = unsafe { Reader::new(argument, input, &formats)? };
+        let reader = unsafe { Reader::new(argument, input, PLACE_FORMATS)? };
         if reader.count() != count {
             return Err(Error::invalid(
                 format!("{argument}.count"),

@@ -4,7 +4,7 @@ use std::sync::{Arc, RwLock, TryLockError};
 
 use nalgebra::Vector3;
 
-use super::buffers::{POINT_FORMATS, Place, Places, Reader, Writer, strand_ids};
+use super::buffers::{PLACE_FORMATS, Place, Places, Reader, Writer, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, read, shx_solver};
 use super::render_def::{OwnedGuides, shx_render_guides, shx_render_settings, shx_render_view};
@@ -49,7 +49,7 @@ fn in_use<T>(error: TryLockError<T>) -> Error {
 /// `roots` is null or a shx_input whose memory is there.
 unsafe fn places(roots: *const shx_input) -> Result<Vec<Vector3<f64>>> {
     // SAFETY: the same.
-    let reader = unsafe { Reader::new("roots", roots, POINT_FORMATS)? };
+    let reader = unsafe { Reader::new("roots", roots, PLACE_FORMATS)? };
     Ok((0..reader.count()).map(|index| reader.point(index).into()).collect())
 }
 
@@ -62,8 +62,8 @@ fn bind(settings: &RenderSettings, guides: &GuideSamples, roots: &[Vector3<f64>]
 }
 
 /// Makes render hair from guides in their rest pose and the places of the render strands' roots at the same moment, m (formats as
-/// shx_render_guides.points; one strand for each). settings may be null: the defaults. Takes some microseconds a strand. *out_hair is
-/// yours; free it with shx_render_hair_destroy.
+/// shx_render_guides.points, or SHX_FORMAT_FRAME, of which the origin counts; one strand for each). settings may be null: the defaults.
+/// Takes some microseconds a strand. *out_hair is yours; free it with shx_render_hair_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED (threads that could not be
 /// started). Any thread.
 #[unsafe(no_mangle)]

@@ -7,8 +7,13 @@ use super::thread::on_own_thread;
 use super::types::shx_strand_id;
 use crate::error::{Error, Result};
 use crate::groom::stability::check_margin;
-use crate::solver::Solver;
 use crate::solver::id::StrandId;
+use crate::solver::{Solver, Stiffening};
+
+/// Strands are made stiffer by Young's modulus, Poisson's ratio as it is.
+pub const SHX_STIFFEN_YOUNGS_MODULUS: u32 = 1;
+/// Strands are made stiffer by both semi-axes of their section, and with them heavier.
+pub const SHX_STIFFEN_RADIUS: u32 = 2;
 
 /// Elements of strands together.
 fn total(core: &Solver, ids: &[StrandId]) -> Result<usize> {
@@ -92,6 +97,39 @@ pub unsafe extern "C" fn shx_solver_shape_stability(
     };
     // SAFETY: the caller's handle, null or alive.
     unsafe { read("shx_solver_shape_stability", solver, body) }
+}
+
+/// Makes those of count strands that would not rest stably in their present shapes as much stiffer as that takes, and no more, and takes the
+/// shapes of all of them as rest shapes (shx_solver_take_rest_shapes). by: SHX_STIFFEN_. margin, 0 to less than 1, is what the smallest
+/// eigenvalue of shx_solver_shape_stability is at least afterwards; at 0 a strand stands on the very border. out_scales receives count
+/// factors, 1 where nothing was changed, in the order of ids, or is null. An identifier may be given once only.
+/// Costs the cube of the number of elements. The work is shared among the solver's own threads; a parallel_for is not used.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (by, margin, an identifier given twice, a strand
+/// that no finite stiffness holds up); then nothing has changed. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_stiffen_strands(
+    solver: *mut shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    by: u32,
+    margin: f64,
+    out_scales: *mut f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and place for count values.
+    unsafe {
+        write("shx_solver_stiffen_strands", solver, |core, _| {
+            let ids = strand_ids(ids, count)?;
+            let places = Places::optional("out_scales", "count", out_scales, count)?;
+            let by = match by {
+                SHX_STIFFEN_YOUNGS_MODULUS => Stiffening::YoungsModulus,
+                SHX_STIFFEN_RADIUS => Stiffening::Radius,
+                other => return Err(Error::invalid("by", other, "one of SHX_STIFFEN_")),
+            };
+            check_margin(margin)?;
+            let scales = on_own_thread(|| core.stiffen(&ids, by, margin))?;
+            places.map_or(Ok(()), |places| places.write(&scales))
+        })
+    }
 }
 
 /// The present curvatures of count strands (rad/m): a row of three doubles an element, strand after strand in the order of ids, into

@@ -1,7 +1,8 @@
 //! Wavefront OBJ with faces: `v x y z` for each vertex, `f a b c ...` for each triangle or polygon.
 //!
-//! Groups, objects, materials, normals, texture coordinates and comments are read past, as is what stands after x, y and z (a weight, a
-//! colour). Polygons are cut into triangles. Lines, points and curved surfaces are refused.
+//! Groups, objects, materials, normals and comments are read past, as is what stands after x, y and z (a weight, a colour). Polygons are cut
+//! into triangles. Lines, points and curved surfaces are refused. Texture coordinates are for those who ask for them ([`read_textured`]):
+//! contact does not need them, and a file is not refused for them there.
 
 use std::path::Path;
 
@@ -30,6 +31,23 @@ pub struct ObjMesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
+/// Texture coordinates of a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Texture {
+    /// u and v, in the file's order.
+    pub coordinates: Vec<[f64; 2]>,
+    /// For each triangle of the mesh the coordinates of its corners, as indices (from 0): one vertex may have several, so that seams may run
+    /// through the mesh.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Texture {
+    /// Coordinates of every triangle's corners, as [`Scalp::new`](crate::groom::scalp::Scalp::new) takes them.
+    pub fn corners(&self) -> Vec<[[f64; 2]; 3]> {
+        self.triangles.iter().map(|triangle| triangle.map(|index| self.coordinates[index as usize])).collect()
+    }
+}
+
 /// Reads the faces of an OBJ file. May be called from any thread.
 ///
 /// # Errors
@@ -46,37 +64,71 @@ pub fn read(path: impl AsRef<Path>) -> Result<ObjMesh> {
 /// # Errors
 /// As [`read`].
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<ObjMesh> {
+    Ok(read_parts(name, bytes, false)?.0)
+}
+
+/// Reads the faces and their texture coordinates (`vt u v`; v is 0 where there is none, a third number is read past); none where a corner of
+/// a face has none.
+///
+/// # Errors
+/// As [`read`], and for coordinates that are no finite numbers or a corner that names one that is not above its line.
+pub fn read_textured(path: impl AsRef<Path>) -> Result<(ObjMesh, Option<Texture>)> {
+    let path = path.as_ref();
+    read_textured_from_bytes(&path.display().to_string(), &bytes::read_file(path)?)
+}
+
+/// [`read_textured`] from memory. `name` stands for the path in errors.
+///
+/// # Errors
+/// As [`read_textured`].
+pub fn read_textured_from_bytes(name: &str, bytes: &[u8]) -> Result<(ObjMesh, Option<Texture>)> {
+    read_parts(name, bytes, true)
+}
+
+fn read_parts(name: &str, bytes: &[u8], textured: bool) -> Result<(ObjMesh, Option<Texture>)> {
     // A first pass counts, so that memory is asked for once and no larger than the file warrants.
-    let (mut vertex_count, mut triangle_count) = (0, 0);
+    let (mut vertex_count, mut coordinate_count, mut triangle_count) = (0, 0, 0);
     let mut text = Text::new(name, bytes);
     while let Some((_, content)) = text.next_full_line()? {
         let mut words = content.split_ascii_whitespace();
         match words.next() {
             Some("v") => vertex_count += 1,
+            Some("vt") => coordinate_count += usize::from(textured),
             Some("f") => triangle_count += words.count().saturating_sub(2),
             _ => {}
         }
     }
     let most = u32::MAX as usize - 1;
-    if vertex_count > most || triangle_count > most {
+    if vertex_count > most || coordinate_count > most || triangle_count > most {
         return Err(Error::file(
             name,
-            format_args!("has {vertex_count} vertices and {triangle_count} triangles; at most {most}"),
+            format_args!(
+                "has {vertex_count} vertices, {coordinate_count} texture coordinates and {triangle_count} triangles; at most {most}"
+            ),
         ));
     }
 
     let mut vertices: Vec<Vector3<f64>> = bytes::list(vertex_count)?;
     let mut triangles = bytes::list(triangle_count)?;
+    let mut coordinates: Vec<[f64; 2]> = bytes::list(coordinate_count)?;
+    // As long as all corners have one.
+    let mut texture: Option<Vec<[u32; 3]>> = if textured { Some(bytes::list(triangle_count)?) } else { None };
     let (mut corners, mut sorted): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
+    let mut texture_corners: Vec<Option<u32>> = Vec::new();
     let mut text = Text::new(name, bytes);
     while let Some((line, content)) = text.next_full_line()? {
         let mut words = content.split_ascii_whitespace();
         match words.next() {
             Some("v") => vertices.push(vertex(&text, line, content)?),
+            Some("vt") if textured => coordinates.push(coordinate(&text, line, content)?),
             Some("f") => {
                 corners.clear();
+                texture_corners.clear();
                 for word in words {
                     corners.push(corner(&text, line, word, vertices.len())?);
+                    if texture.is_some() {
+                        texture_corners.push(texture_corner(&text, line, word, coordinates.len())?);
+                    }
                     if corners.len() > MAX_CORNERS {
                         return Err(text.error(line, format_args!("a face of more than {MAX_CORNERS} corners")));
                     }
@@ -89,12 +141,26 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<ObjMesh> {
                 if let Some(twice) = polygon::named_twice(&mut sorted) {
                     return Err(text.error(line, format_args!("a face that names vertex {} twice", twice + 1)));
                 }
+                let first = triangles.len();
                 if !polygon::cut(&vertices, &corners, &mut triangles) {
                     let count = corners.len();
                     return Err(text.error(
                         line,
                         format_args!("a face of {count} corners that crosses itself or has no area; expected a simple polygon"),
                     ));
+                }
+                if let Some(list) = &mut texture {
+                    // A face names each of its vertices once: the vertex tells the corner.
+                    let of = |vertex: &u32| corners.iter().position(|corner| corner == vertex).and_then(|at| texture_corners[at]);
+                    for [a, b, c] in &triangles[first..] {
+                        match (of(a), of(b), of(c)) {
+                            (Some(a), Some(b), Some(c)) => list.push([a, b, c]),
+                            _ => {
+                                texture = None;
+                                break;
+                            }
+                        }
+                    }
                 }
             }
             Some(word) if is_left(word) || OF_VERTICES.contains(&word) => {}
@@ -107,7 +173,30 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<ObjMesh> {
     if triangles.is_empty() {
         return Err(Error::file(name, "has no faces (\"f\" lines)"));
     }
-    Ok(ObjMesh { vertices, triangles })
+    let texture = texture.map(|triangles| Texture { coordinates, triangles });
+    Ok((ObjMesh { vertices, triangles }, texture))
+}
+
+/// A texture coordinate.
+fn coordinate(text: &Text<'_>, line: usize, content: &str) -> Result<[f64; 2]> {
+    let words: Vec<&str> = content.split_ascii_whitespace().skip(1).take(4).collect();
+    match words[..] {
+        [u] => Ok([number(text, line, "u", u)?, 0.0]),
+        [u, v] | [u, v, _] => Ok([number(text, line, "u", u)?, number(text, line, "v", v)?]),
+        _ => Err(text.error(line, format_args!("{}; expected \"vt u v\"", Quote(content)))),
+    }
+}
+
+/// The texture coordinate of a face's corner, if it names one.
+fn texture_corner(text: &Text<'_>, line: usize, word: &str, known: usize) -> Result<Option<u32>> {
+    let Some(part) = word.split('/').nth(1).filter(|part| !part.is_empty()) else { return Ok(None) };
+    match vertex_index(part, known) {
+        Some(index) => Ok(Some(index as u32)),
+        None => {
+            let expected = format_args!("expected 1 to {known} (those above this line)");
+            Err(text.error(line, format_args!("texture coordinate {}; {expected}", Quote(part))))
+        }
+    }
 }
 
 /// A vertex's place. What stands after it may be a weight, a colour, or both.

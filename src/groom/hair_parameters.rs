@@ -4,9 +4,10 @@
 //! 1 + (F − 1) x above zero, its reciprocal below, so that x and −x undo each other and no number comes from a platform's own functions.
 
 use crate::contact::options::{Friction, StrandContact};
-use crate::error::{Error, Result, check_not_negative};
+use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::groom::hair_type::{DISCIPLINED_DRAG, FUZZY_DRAG};
 use crate::groom::variation::Variation;
+use crate::rod::definition::check_rows;
 use crate::rod::material::Material;
 
 /// How natural curvatures follow from a measured helix of radius r and step Δ, with p = Δ/2π.
@@ -146,6 +147,34 @@ impl HairParameters {
             ..own
         }
     }
+}
+
+/// Curvature below which a strand counts as straight, rad/m: a circle of a million kilometres.
+const STRAIGHT: f64 = 1e-9;
+
+/// The natural twist and curvatures of a strand that has a shape of its own (rows of (κ0, κ1, κ2), rad/m, of elements of these lengths, m) with
+/// the slider [`Sliders::curliness`] moved. All rows are scaled by one factor, the one that the slider means for hair of this strand's
+/// curvature, the root of its mean square along the strand: −1 is straight, 1 is 1.5 times its own or 400 rad/m in the mean. What is straight
+/// curls as straight types do.
+///
+/// # Errors
+/// [`Error::InvalidArgument`] for a slider out of range (`curliness`), lengths that are not above zero, rows that are not finite or not as many
+/// as elements.
+pub fn curled_shape(element_lengths: &[f64], natural: &[[f64; 3]], curliness: f64) -> Result<Vec<[f64; 3]>> {
+    Sliders { curliness, ..Sliders::default() }.check("").map_err(|error| error.renamed(".", ""))?;
+    check_rows("natural", natural, element_lengths.len())?;
+    let (mut square, mut length) = (0.0, 0.0);
+    for (index, (part, [_, first, second])) in element_lengths.iter().zip(natural).enumerate() {
+        check_positive(|| format!("element_lengths[{index}]"), *part)?;
+        square += part * (first * first + second * second);
+        length += part;
+    }
+    let mean = (square / length).sqrt();
+    if mean < STRAIGHT {
+        return Ok(natural.iter().map(|[twist, ..]| curled([*twist, 0.0, 0.0], curliness)).collect());
+    }
+    let [_, wanted, _] = curled([0.0, mean, 0.0], curliness);
+    Ok(natural.iter().map(|row| row.map(|value| value * (wanted / mean))).collect())
 }
 
 /// See [`Sliders::curliness`].

@@ -1,6 +1,7 @@
 //! From measured and modelled hair to strands.
 
 pub mod fit;
+pub mod guide_roots;
 pub mod hair_parameters;
 pub mod hair_type;
 pub mod polyline;

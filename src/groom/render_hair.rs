@@ -10,6 +10,7 @@
 
 mod align;
 mod curvature;
+mod cut;
 mod evaluate;
 mod frames;
 mod guide_samples;
@@ -107,7 +108,7 @@ impl RenderHair {
             gathered_rows.extend((0..stride).map(|k| gathered(curliness, place(k)) as f32));
         }
         let nearness = Guides::new(guides.points, points);
-        let numbers = [2, 3, 4].map(|purpose| Seeded::new(settings.seed, purpose));
+        let numbers = [2, 3, 4, 11].map(|purpose| Seeded::new(settings.seed, purpose));
         let (mut strands, mut curls) = (Vec::with_capacity(roots.len()), Vec::new());
         let mut found = Vec::new();
         for (index, root) in roots.iter().enumerate() {
@@ -133,6 +134,7 @@ impl RenderHair {
                 frizz: (numbers[0].bits(index as u64) % FRIZZ_CURVES as u64) as u32,
                 frizz_turn: turn.map(|value| (amplitude * value) as f32),
                 radius: (1.0 + settings.radius_variation * (2.0 * numbers[2].unit(index as u64) - 1.0)) as f32,
+                length: (1.0 - settings.length_variation * numbers[3].unit(index as u64)) as f32,
                 wisp: 0,
             });
             if reference.curved {

@@ -8,6 +8,7 @@
 use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::groom::hair_parameters::HairParameters;
 use crate::math::random::mixed;
+use crate::rod::definition::check_rows;
 use crate::rod::material::Material;
 
 /// How strands of a head vary.
@@ -115,6 +116,43 @@ impl Variation {
     }
 }
 
+fn check_lengths(element_lengths: &[f64]) -> Result<()> {
+    for (index, length) in element_lengths.iter().enumerate() {
+        check_positive(|| format!("element_lengths[{index}]"), *length)?;
+    }
+    Ok(())
+}
+
+impl Variation {
+    /// The natural twist and curvatures of a strand that has a shape of its own (rows of (κ0, κ1, κ2), rad/m, of elements of these lengths, m),
+    /// varied as those of the strand of that number: `between`, `along` and `frizz`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a variation out of range (`variation`), lengths that are not above zero, rows that are not finite or not
+    /// as many as elements.
+    pub fn of_shape(&self, strand: u64, element_lengths: &[f64], natural: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
+        self.check("variation")?;
+        check_lengths(element_lengths)?;
+        check_rows("natural", natural, element_lengths.len())?;
+        Ok(self.varied(strand, element_lengths, |element| natural[element]))
+    }
+
+    fn varied(&self, strand: u64, element_lengths: &[f64], of: impl Fn(usize) -> [f64; 3]) -> Vec<[f64; 3]> {
+        let own = 1.0 + self.between * self.number(strand, Of::Curl, 0);
+        let mut begin = 0.0;
+        let one = |(element, length): (usize, &f64)| {
+            let middle = begin + 0.5 * length;
+            begin += length;
+            let varied = |of: Of, share: f64| if share == 0.0 { 0.0 } else { share * self.along(strand, of, middle) };
+            let curl = own * (1.0 + varied(Of::AlongCurl, self.along));
+            let twist = own * (1.0 + varied(Of::AlongTwist, self.along));
+            let [k0, k1, k2] = of(element);
+            [k0 * twist, k1 * curl + varied(Of::FrizzFirst, self.frizz), k2 * curl + varied(Of::FrizzSecond, self.frizz)]
+        };
+        element_lengths.iter().enumerate().map(one).collect()
+    }
+}
+
 impl HairParameters {
     /// The strand of that number (any number: the same one always gives the same strand) with elements of these lengths, m. What varies
     /// along it is taken at the elements' middles.
@@ -123,26 +161,10 @@ impl HairParameters {
     /// [`Error::InvalidArgument`] for parameters out of range (`hair`) and lengths that are not above zero.
     pub fn strand(&self, strand: u64, element_lengths: &[f64]) -> Result<VariedStrand> {
         self.check("hair")?;
-        for (index, length) in element_lengths.iter().enumerate() {
-            check_positive(|| format!("element_lengths[{index}]"), *length)?;
-        }
+        check_lengths(element_lengths)?;
         let v = &self.variation;
-        let own = 1.0 + v.between * v.number(strand, Of::Curl, 0);
         let thickness = 1.0 + v.thickness * v.number(strand, Of::Thickness, 0);
-        let mut begin = 0.0;
-        let natural = element_lengths.iter().map(|length| {
-            let middle = begin + 0.5 * length;
-            begin += length;
-            let varied = |of: Of, share: f64| if share == 0.0 { 0.0 } else { share * v.along(strand, of, middle) };
-            let curl = own * (1.0 + varied(Of::AlongCurl, v.along));
-            let twist = own * (1.0 + varied(Of::AlongTwist, v.along));
-            [
-                self.natural[0] * twist,
-                self.natural[1] * curl + varied(Of::FrizzFirst, v.frizz),
-                self.natural[2] * curl + varied(Of::FrizzSecond, v.frizz),
-            ]
-        });
-        let natural = natural.collect();
+        let natural = v.varied(strand, element_lengths, |_| self.natural);
         // A uniform number is enough here, and the sum of four is bounded: a quarter of its range either way.
         let turn = v.number(strand, Of::Turn, 0) / (2.0 * 3.0_f64.sqrt());
         let mut material = self.material;

@@ -82,6 +82,18 @@ int main(void) {
   EXPECT(shx_step_report_init(&full, sizeof full) == SHX_OK);
   EXPECT(shx_solver_step(solver, 0.01, 2, &full) == SHX_OK && full.substeps == 2 && full.struct_size == sizeof full);
 
+  /* Older render settings: what they do not have is as if it were not there. */
+  shx_render_settings settings;
+  memset(&settings, 0xee, sizeof settings);
+  EXPECT(shx_render_settings_init(&settings, offsetof(shx_render_settings, length_variation)) == SHX_OK);
+  float place[3] = {0.0f, 0.0f, 0.0f};
+  const shx_input root = {place, 0, 1, SHX_FORMAT_F32X3, 0};
+  shx_render_hair *hair;
+  EXPECT(shx_solver_create_render_hair(solver, ids, 3, &settings, &root, &hair) == SHX_OK);
+  shx_render_hair_destroy(hair);
+  settings.struct_size = sizeof settings;
+  EXPECT(shx_solver_create_render_hair(solver, ids, 3, &settings, &root, &hair) == SHX_ERROR_INVALID_ARGUMENT);
+
   /* Bodies, constraints and what strands are to contact: newer hosts, in structures of their own. */
   struct { char name[16]; shx_body_def def; uint64_t future; } bodies[2];
   struct { shx_constraint_def def; uint64_t future; int note; } pins[2];

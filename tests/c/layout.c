@@ -438,7 +438,7 @@ AT(shx_material, poisson_ratio, 40);
 AT(shx_material, internal_friction, 48);
 AT(shx_material, viscosity, 56);
 AT(shx_material, air_drag, 64);
-SIZE(shx_render_settings, 184);
+SIZE(shx_render_settings, 192);
 AT(shx_render_settings, struct_size, 0);
 AT(shx_render_settings, points_per_strand, 4);
 AT(shx_render_settings, space, 8);
@@ -461,6 +461,7 @@ AT(shx_render_settings, reserved0, 132);
 AT(shx_render_settings, parallel_for, 136);
 AT(shx_render_settings, parallel_for_user, 144);
 AT(shx_render_settings, reserved, 152);
+AT(shx_render_settings, length_variation, 184);
 
 SIZE(shx_render_guides, 184);
 AT(shx_render_guides, struct_size, 0);

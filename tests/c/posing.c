@@ -1,5 +1,5 @@
-/* Strands posed from C: dragged, brushed, cut, grown, mirrored, an element changed, and given another material; any number of threads
- * gives the same bits. */
+/* Strands posed from C: dragged, brushed, cut, grown, mirrored, an element changed, given another material, and stiffened; any number of
+ * threads gives the same bits. */
 #include <math.h>
 #include "expect.h"
 
@@ -89,6 +89,32 @@ static uint64_t play(uint32_t threads) {
   material.youngs_modulus = 4e9;
   EXPECT(shx_solver_set_materials(solver, ids, SCENE_STRANDS, &material, sizeof material, 1) == SHX_OK);
   EXPECT(shx_solver_get_material(solver, ids[3], &got) == SHX_OK && memcmp(&got, &material, sizeof got) == 0);
+
+  /* Upright strands of limp hair, stiffened until they stand; the others are as they were. */
+  shx_strand_def upright[2];
+  shx_strand_id standing[2];
+  double scales[2], eigenvalues[2];
+  for (int i = 0; i < 2; i++) {
+    EXPECT(shx_strand_def_init(&upright[i], sizeof upright[i]) == SHX_OK);
+    upright[i].length = i == 0 ? 0.3 : 0.05;
+    upright[i].element_count = 10;
+    upright[i].root.rotation[1] = -sqrt(0.5);
+    upright[i].root.rotation[3] = sqrt(0.5);
+  }
+  EXPECT(shx_solver_add_strands(solver, upright, sizeof upright[0], 2, standing) == SHX_OK);
+  EXPECT(shx_solver_shape_stability(solver, standing, 2, 0.1, eigenvalues, scales, NULL) == SHX_OK);
+  EXPECT(eigenvalues[0] < 0 && eigenvalues[1] > 0.1 && scales[0] > 1 && scales[1] == 1);
+  const double youngs = scales[0];
+  EXPECT(shx_solver_stiffen_strands(solver, standing, 2, SHX_STIFFEN_YOUNGS_MODULUS, 0.1, scales) == SHX_OK);
+  EXPECT(scales[0] == youngs && scales[1] == 1);
+  EXPECT(shx_solver_get_material(solver, standing[0], &got) == SHX_OK && got.youngs_modulus == upright[0].youngs_modulus * youngs);
+  EXPECT(shx_solver_shape_stability(solver, standing, 2, 0.1, eigenvalues, NULL, NULL) == SHX_OK);
+  EXPECT(fabs(eigenvalues[0] - 0.1) < 1e-6);
+  EXPECT(shx_solver_stiffen_strands(solver, standing, 2, SHX_STIFFEN_RADIUS, 0.5, scales) == SHX_OK);
+  EXPECT(scales[0] > 1 && shx_solver_get_material(solver, standing[0], &got) == SHX_OK);
+  EXPECT(got.radius[0] == upright[0].radius[0] * scales[0] && got.radius[1] == upright[0].radius[1] * scales[0]);
+  EXPECT(shx_solver_stiffen_strands(solver, standing, 2, SHX_STIFFEN_RADIUS, 0.5, NULL) == SHX_OK);
+  EXPECT(shx_solver_remove_strands(solver, standing, 2) == SHX_OK);
 
   /* The pose is the rest: a step moves nothing. */
   EXPECT(shx_solver_take_rest_shapes(solver, ids, SCENE_STRANDS) == SHX_OK);

@@ -38,7 +38,7 @@ impl Cache {
             return Err(Failure::file(&path, "is there already"));
         }
         let samples = arguments.samples as usize;
-        let [a1, a2] = arguments.material.material()?.radius;
+        let [a1, a2] = arguments.material.groom()?.material.radius;
         let extras = Extras {
             velocities: Some(vec![[0.0; 3]; strands * samples]),
             thickness: Some(vec![(2.0 * (a1 * a2).sqrt() / scale) as f32; strands * samples]),

@@ -14,11 +14,13 @@ use superhelix::workers::Workers;
 
 use crate::failure::Failure;
 use crate::fit_scene;
+use crate::groom_statistics::ranked;
 use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_length, check_stiffening, definition};
 use crate::material_arguments::MaterialArguments;
 use crate::picture::view::Up;
 use crate::rest_arguments::StiffeningArguments;
 use crate::simulate::{not_negative, positive};
+use crate::unit;
 
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
 #[derive(Debug, Args)]
@@ -29,10 +31,10 @@ pub struct FitArguments {
     /// Helical elements a strand; several numbers make a table. With --tolerance: the most. Default: 3,5,10,20, or with --tolerance 100.
     #[arg(long, value_name = "N,..", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=10_000))]
     elements: Vec<u32>,
-    /// The fewest elements for which no point is farther than this from its strand at equal arclength, m. Needs --scale.
-    #[arg(long, value_name = "METRES", value_parser = positive, requires = "scale")]
+    /// The fewest elements for which no point is farther than this from its strand at equal arclength, m. Needs the groom's unit.
+    #[arg(long, value_name = "METRES", value_parser = positive)]
     tolerance: Option<f64>,
-    /// Metres a unit of the groom. Without it errors are given in per cent of the length alone.
+    /// Metres a unit of the groom. Default: what the file says (.usda). Without either errors are given in per cent of the length alone.
     #[arg(long, value_name = "METRES", value_parser = positive)]
     scale: Option<f64>,
     /// Whether the elements of a strand may differ in length.
@@ -53,8 +55,8 @@ pub struct FitArguments {
     /// Threads.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
     threads: u32,
-    /// Writes the strands of the last fit as a scene for `superhelix run`. Needs --scale.
-    #[arg(long, short, value_name = "SCENE.json", requires = "scale")]
+    /// Writes the strands of the last fit as a scene for `superhelix run`. Needs the groom's unit.
+    #[arg(long, short, value_name = "SCENE.json")]
     out: Option<PathBuf>,
     /// For --out: the groom's axis that points up; gravity points the other way.
     #[arg(long, value_enum, value_name = "AXIS", default_value_t = Up::Y)]
@@ -95,7 +97,7 @@ struct Percentiles {
 impl Percentiles {
     fn of(mut values: Vec<f64>) -> Self {
         values.sort_by(f64::total_cmp);
-        let at = |share: f64| values[((values.len() - 1) as f64 * share).round() as usize];
+        let at = |share: f64| ranked(&values, share);
         Self { p50: at(0.5), p95: at(0.95), p99: at(0.99), max: at(1.0) }
     }
 }
@@ -115,7 +117,7 @@ struct Row {
     element_count: Percentiles,
     /// Strands with an element that turns by more than a quarter turn: it moves too stiffly.
     coarse_strands: usize,
-    /// Metres, with --scale.
+    /// Metres, where the groom's unit is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     max_metres: Option<Percentiles>,
     /// Strands that do not keep the tolerance.
@@ -138,10 +140,16 @@ struct Answer {
 
 /// Runs the command.
 pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
-    check_stiffening(arguments.natural, &arguments.stiffening)?;
-    let material = arguments.material.material()?;
+    let hair = arguments.material.groom()?;
+    check_stiffening(arguments.natural, &arguments.stiffening, &arguments.material)?;
     let curves = Curves::read(&arguments.groom)?;
-    let scale = arguments.scale.unwrap_or(1.0);
+    let unit = unit::stated(arguments.scale, &curves);
+    for (given, flag) in [(arguments.tolerance.is_some(), "--tolerance"), (arguments.out.is_some(), "--out")] {
+        if given {
+            unit::needed(arguments.scale, &curves, &arguments.groom, flag)?;
+        }
+    }
+    let scale = unit.unwrap_or(1.0);
     if arguments.out.is_some() {
         arguments.up.check_groom(&arguments.groom, &curves)?;
     }
@@ -149,9 +157,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         .strands()
         .enumerate()
         .step_by(arguments.every as usize)
-        .map(|(index, strand)| {
-            (index, strand.iter().map(|point| Vector3::from(point.map(|value| f64::from(value) * scale))).collect())
-        })
+        .map(|(index, strand)| (index, unit::in_metres(strand, scale)))
         .unzip();
     let workers = if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) };
     let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|points| FitCurve::polyline(points)).collect();
@@ -199,12 +205,12 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
             let why = answer.skipped.first().map_or_else(|| "it has none".to_string(), |skipped| skipped.because.clone());
             return Err(Failure::file(&arguments.groom, format!("no strand can be fitted: {why}")));
         }
-        answer.rows.push(row(count, &last, arguments, seconds));
+        answer.rows.push(row(count, &last, arguments, unit, seconds));
     }
     if let Some(path) = &arguments.out {
         let recipe = StrandRecipe {
             elements: 0,
-            material,
+            hair,
             natural: arguments.natural,
             stiffening: arguments.stiffening.stiffening(),
             gravity: arguments.up.gravity(),
@@ -212,8 +218,8 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         };
         let mut strands = Vec::new();
         for (index, fit) in last {
-            let made = check_length(fit.element_lengths.iter().sum(), &material)
-                .and_then(|()| definition(fit, &recipe).map_err(|error| error.to_string()));
+            let made = check_length(fit.element_lengths.iter().sum(), &recipe.hair.material)
+                .and_then(|()| definition(index, fit, &recipe).map_err(|error| error.to_string()));
             match made {
                 Ok(strand) => strands.push(strand),
                 Err(because) => answer.skipped.push(Skipped { strand: index, because }),
@@ -229,7 +235,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
     crate::print_line(&text)
 }
 
-fn row(elements: u32, fits: &[(usize, Fit)], arguments: &FitArguments, seconds: f64) -> Row {
+fn row(elements: u32, fits: &[(usize, Fit)], arguments: &FitArguments, unit: Option<f64>, seconds: f64) -> Row {
     let over = |value: &dyn Fn(&Fit) -> f64| Percentiles::of(fits.iter().map(|(_, fit)| value(fit)).collect());
     let length = |fit: &Fit| fit.element_lengths.iter().sum::<f64>();
     Row {
@@ -243,7 +249,7 @@ fn row(elements: u32, fits: &[(usize, Fit)], arguments: &FitArguments, seconds: 
             .iter()
             .filter(|(_, fit)| largest_turn(&fit.element_lengths, &fit.curvatures) > LARGEST_TURN * (1.0 + 1e-9))
             .count(),
-        max_metres: arguments.scale.map(|_| over(&|fit| fit.max_error)),
+        max_metres: unit.map(|_| over(&|fit| fit.max_error)),
         unmet: arguments.tolerance.map(|tolerance| fits.iter().filter(|(_, fit)| fit.max_error > tolerance).count()),
         seconds,
     }

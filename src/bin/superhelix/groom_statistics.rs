@@ -20,11 +20,16 @@ pub struct Spread {
     pub max: f64,
 }
 
+/// The value below which such a share of ascending values lies, by nearest rank; of at least one.
+pub fn ranked(ascending: &[f64], share: f64) -> f64 {
+    ascending[((ascending.len() - 1) as f64 * share).round() as usize]
+}
+
 impl Spread {
     /// Of at least one value; by nearest rank.
     pub fn of(mut values: Vec<f64>) -> Option<Self> {
         values.sort_by(f64::total_cmp);
-        let at = |share: f64| values[((values.len() - 1) as f64 * share).round() as usize];
+        let at = |share: f64| ranked(&values, share);
         let (min, max) = (*values.first()?, *values.last()?);
         Some(Self { min, p10: at(0.1), median: at(0.5), p90: at(0.9), p99: at(0.99), max })
     }

@@ -6,12 +6,14 @@ use rayon::prelude::*;
 use serde::Serialize;
 use superhelix::error::Error;
 use superhelix::groom::fit::{Fit, FitOptions, fit_polyline, natural_under_gravity_with};
+use superhelix::groom::hair_parameters::curled_shape;
 use superhelix::groom::stability::stability_under_gravity;
 use superhelix::rod::material::Material;
 use superhelix::solver::Stiffening;
 use superhelix::solver::definition::StrandDef;
 
 use crate::failure::Failure;
+use crate::material_arguments::{GroomHair, MaterialArguments};
 use crate::rest_arguments::StiffeningArguments;
 
 /// What a strand's natural shape is.
@@ -28,8 +30,8 @@ pub enum NaturalShape {
 pub struct StrandRecipe {
     /// Helical elements a strand.
     pub elements: usize,
-    /// Section and material.
-    pub material: Material,
+    /// Section, material, and what the sliders do to natural shapes.
+    pub hair: GroomHair,
     /// Natural shape.
     pub natural: NaturalShape,
     /// By what strands that hang unstably are made stiffer, and how far from the border they are to be then; for sag-free ones.
@@ -93,19 +95,31 @@ pub fn make(
 
 fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Result<GroomStrand, String> {
     let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
-    check_length(length, &recipe.material)?;
+    check_length(length, &recipe.hair.material)?;
     let fit = fit_polyline(points, &FitOptions::elements(recipe.elements)).map_err(|error| error.to_string())?;
     let fit_error = (fit.rms_error, fit.max_error);
-    let definition = definition(fit, recipe).map_err(|error| error.to_string())?;
+    let definition = definition(index, fit, recipe).map_err(|error| error.to_string())?;
     Ok(GroomStrand { index, definition, fit_error })
 }
 
 /// Strands whose natural shape is the drawn one hang in another, which is not known yet.
-pub fn check_stiffening(natural: NaturalShape, stiffening: &StiffeningArguments) -> Result<(), Failure> {
-    if natural == NaturalShape::AsDrawn && stiffening.stiffening().is_some() {
+pub fn check_stiffening(
+    natural: NaturalShape,
+    stiffening: &StiffeningArguments,
+    material: &MaterialArguments,
+) -> Result<(), Failure> {
+    if stiffening.stiffening().is_none() {
+        return Ok(());
+    }
+    if natural == NaturalShape::AsDrawn {
         return Err(Failure::Other("--stiffen needs --natural sag-free: it is rest that takes stiffness".into()));
     }
-    Ok(())
+    match material.reshaping() {
+        Some(flag) => {
+            Err(Failure::Other(format!("--stiffen with {flag}: strands would not rest in the shape that is stiffened")))
+        }
+        None => Ok(()),
+    }
 }
 
 /// A strand that is not longer than wide cannot be simulated.
@@ -117,11 +131,11 @@ pub fn check_length(length: f64, material: &Material) -> Result<(), String> {
     Ok(())
 }
 
-/// A fitted strand with a material and a natural shape.
-pub fn definition(fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, Error> {
+/// A fitted strand, number `index` of its file, with a material and a natural shape. It begins as it was drawn.
+pub fn definition(index: usize, fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, Error> {
     let mut definition = StrandDef {
         element_lengths: fit.element_lengths,
-        material: recipe.material,
+        material: recipe.hair.material,
         root: fit.root,
         natural: fit.curvatures.clone(),
         ..StrandDef::straight(1.0, 1)
@@ -133,7 +147,14 @@ pub fn definition(fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, Error> {
         }
         definition.natural =
             natural_under_gravity_with(&definition, &fit.curvatures, recipe.gravity, recipe.quadrature_tolerance)?;
+    }
+    if recipe.natural == NaturalShape::SagFree || recipe.hair.reshapes() {
         definition.initial = Some(fit.curvatures);
+    }
+    if recipe.hair.reshapes() {
+        let GroomHair { curliness, variation, .. } = &recipe.hair;
+        let curled = curled_shape(&definition.element_lengths, &definition.natural, *curliness)?;
+        definition.natural = variation.of_shape(index as u64, &definition.element_lengths, &curled)?;
     }
     Ok(definition)
 }

@@ -10,6 +10,7 @@ use crate::failure::Failure;
 use crate::groom_statistics::{GroomStatistics, Spread};
 use crate::simulate::positive;
 use crate::suggested::Suggested;
+use crate::unit;
 
 /// Says what a groom file holds: strands, lengths, turning, degenerate strands, and a guess of its unit.
 #[derive(Debug, Args)]
@@ -18,10 +19,10 @@ pub struct InfoArguments {
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
     /// How many elements strands need so that no point of the groom is farther from its strand than this, m, and none turns by more than
-    /// pi/2: fitted for 32 of the strands. Needs --scale.
-    #[arg(long, value_name = "METRES", value_parser = positive, requires = "scale")]
+    /// pi/2: fitted for 32 of the strands. Needs the groom's unit.
+    #[arg(long, value_name = "METRES", value_parser = positive)]
     suggest: Option<f64>,
-    /// Metres a unit of the groom, for --suggest.
+    /// Metres a unit of the groom, for --suggest. Default: what the file says (.usda).
     #[arg(long, value_name = "METRES", value_parser = positive, requires = "suggest")]
     scale: Option<f64>,
     /// The answer as JSON.
@@ -46,13 +47,20 @@ struct Answer {
 /// Runs the command.
 pub fn run(arguments: &InfoArguments) -> Result<(), Failure> {
     let curves = Curves::read(&arguments.groom)?;
+    let suggested = match arguments.suggest {
+        Some(tolerance) => {
+            let scale = unit::needed(arguments.scale, &curves, &arguments.groom, "--suggest")?;
+            Some(Suggested::of(&curves, tolerance, scale))
+        }
+        None => None,
+    };
     let answer = Answer {
         file: arguments.groom.display().to_string(),
         format: curves.format().name(),
         statistics: GroomStatistics::of(&curves),
         metres_per_unit: curves.extras().metres_per_unit,
         up: curves.extras().up.map(|up| if up == UpAxis::Y { "y" } else { "z" }),
-        suggested: arguments.suggest.zip(arguments.scale).map(|(tolerance, scale)| Suggested::of(&curves, tolerance, scale)),
+        suggested,
         held_points: curves.extras().held.as_ref().map(|held| held.iter().filter(|held| **held).count()),
     };
     let text = if arguments.json {

@@ -7,9 +7,11 @@ use std::time::Instant;
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde_json::json;
-use superhelix::files::curves::{Curves, Extras};
-use superhelix::files::hair;
+use superhelix::error::Error;
+use superhelix::files::curve_cache::CurveCache;
+use superhelix::files::curves::{Curves, CurvesFormat, Extras};
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
+use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::render_hair::{
     GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, resampled,
 };
@@ -18,38 +20,39 @@ use superhelix::workers::Workers;
 
 use crate::failure::Failure;
 use crate::picture::list_frames;
-use crate::place;
-use crate::roots_among::roots_among;
+use crate::region::{DensityArguments, Mesh, groom_roots};
 use crate::simulate::{not_negative, positive};
+use crate::unit;
 
 /// Makes render strands from few guides: interpolated at the root, gathered in wisps at the tip, as curly as the hair is.
 #[derive(Debug, Args)]
 pub struct InterpolateArguments {
-    /// The guides: a groom (.hair, .tfx, .obj with lines), or a directory of frames (name.0001.hair ...), whose first is the rest pose.
+    /// The guides: a groom (.hair, .tfx, .obj with lines, .usda), or a directory of frames (name.0001.hair ...), whose first is the rest pose.
     #[arg(value_name = "GUIDES")]
     guides: PathBuf,
-    /// Where the strands go: a .hair file, with the widths of the strands; of a directory of frames a directory.
+    /// Where the strands go: a .hair or .usda file, with the widths of the strands (or .tfx, .obj, without); of a directory of frames a
+    /// directory of .hair files.
     #[arg(long, short, value_name = "OUT")]
     out: PathBuf,
-    /// Metres a unit of the files. Lengths below are in metres.
-    #[arg(long, value_name = "METRES", default_value_t = 1.0, value_parser = positive)]
-    scale: f64,
+    /// Metres a unit of the files. Lengths below are in metres. Default: what the guides' file says (.usda), else 1.
+    #[arg(long, value_name = "METRES", value_parser = positive)]
+    scale: Option<f64>,
     /// How many strands.
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     count: u32,
     /// Use each K-th strand as a guide only.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     every: u32,
-    /// Roots are scattered over this mesh (.obj with faces, in the guides' units) near the guides' roots. Without it, among these.
+    /// Roots are scattered over this mesh (.obj with faces, in the guides' units): where --density and --density-picture say, or without them
+    /// near the guides' roots. Without a mesh, among the guides' roots.
     #[arg(long, value_name = "MESH.obj")]
     scalp: Option<PathBuf>,
-    /// With --scalp: how near to a guide's root, m. Default: one and a half times the distance from which on nine tenths of the guides have
-    /// another beside them.
+    /// With --scalp: how near to a guide's root, m. Default: with a density anywhere, without one and a half times the distance within which
+    /// nine tenths of the guides have another beside them.
     #[arg(long, value_name = "METRES", value_parser = positive, requires = "scalp")]
     within: Option<f64>,
-    /// With --scalp: relative densities, a text file with a number of 0 or above for each vertex.
-    #[arg(long, value_name = "NUMBERS.txt", requires = "scalp")]
-    density: Option<PathBuf>,
+    #[command(flatten)]
+    density: DensityArguments,
     /// Roots are those of another groom's strands (in the guides' units).
     #[arg(long, value_name = "GROOM", conflicts_with_all = ["scalp", "count"])]
     roots: Option<PathBuf>,
@@ -83,12 +86,18 @@ pub struct InterpolateArguments {
     /// Waves of that along a strand.
     #[arg(long, value_name = "N", default_value_t = 3.0, value_parser = positive)]
     frizz_waves: f64,
+    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1.
+    #[arg(long, value_name = "SHARE", default_value_t = 0.0, value_parser = not_negative)]
+    length_variation: f64,
     /// Radius at the root, m.
     #[arg(long, value_name = "METRES", default_value_t = 40e-6, value_parser = not_negative)]
     radius: f64,
     /// Radius at the tip, m.
     #[arg(long, value_name = "METRES", default_value_t = 15e-6, value_parser = not_negative)]
     tip_radius: f64,
+    /// By which share radii differ between strands at most.
+    #[arg(long, value_name = "SHARE", default_value_t = 0.1, value_parser = not_negative)]
+    radius_variation: f64,
     /// Seed.
     #[arg(long, default_value_t = 0)]
     seed: u64,
@@ -153,50 +162,51 @@ impl InterpolateArguments {
             frizz_waves: self.frizz_waves,
             radius: self.radius,
             tip_radius: self.tip_radius,
+            radius_variation: self.radius_variation,
+            length_variation: self.length_variation,
             seed: self.seed,
             workers: if self.threads == 1 { Workers::Serial } else { Workers::Pool(self.threads as usize) },
             ..RenderSettings::default()
         };
-        settings.check("--").map_err(|error| Failure::Other(error.to_string()))?;
+        settings.check("--").map_err(|error| match error {
+            Error::InvalidArgument { argument, value, expected } => {
+                Failure::Other(format!("{} is {value}; expected {expected}", argument.replace('_', "-")))
+            }
+            other => Failure::from(other),
+        })?;
         Ok(settings)
     }
 
     /// The guides of a frame, sampled, m.
-    fn guides(&self, path: &Path, points: usize) -> Result<Vec<Vector3<f64>>, Failure> {
-        let curves = Curves::read(path)?;
+    fn guides(&self, path: &Path, curves: &Curves, scale: f64) -> Result<Vec<Vector3<f64>>, Failure> {
         let strands: Vec<_> = curves.strands().step_by(self.every as usize).collect();
         let counts: Vec<u32> = strands.iter().map(|strand| strand.len() as u32).collect();
-        let all = strands.iter().flat_map(|strand| strand.iter());
-        let all: Vec<_> = all.map(|point| Vector3::from(point.map(f64::from)) * self.scale).collect();
-        Ok(resampled(&all, &counts, None, points).map_err(|error| Failure::file(path, error))?.points)
+        let all: Vec<_> = strands.iter().flat_map(|strand| unit::in_metres(strand, scale)).collect();
+        Ok(resampled(&all, &counts, None, self.points as usize).map_err(|error| Failure::file(path, error))?.points)
     }
 
-    fn places(&self, guides: &[Vector3<f64>]) -> Result<Vec<Vector3<f64>>, Failure> {
+    fn places(&self, guides: &[Vector3<f64>], scale: f64) -> Result<Vec<Vector3<f64>>, Failure> {
         if let Some(path) = &self.roots {
-            return place::groom_roots(path, self.scale);
+            return groom_roots(path, scale);
         }
-        let roots: Vec<_> = guides.iter().step_by(self.points as usize).copied().collect();
+        let roots = GuideRoots::new(guides.iter().step_by(self.points as usize).copied().collect())?;
         let Some(path) = &self.scalp else {
-            return Ok(roots_among(&roots, self.count as usize, self.seed));
+            if self.density.is_given() {
+                return Err(Failure::Other("--density and --density-picture are of a mesh: give --scalp".into()));
+            }
+            return Ok(roots.among(self.count as usize, self.seed));
         };
-        let scalp = place::read_scalp(path, self.scale)?;
-        let within = self.within.unwrap_or_else(|| 1.5 * reach(&roots));
+        let mesh = Mesh::read(path, scale)?;
+        // A map of where hair grows needs no help from the guides.
+        let within = self.within.or_else(|| (!self.density.is_given()).then(|| 1.5 * roots.spacing().unwrap_or(LONE)));
         let amount = Amount::Count(self.count as usize);
-        let scattered = place::scatter(&scalp, amount, self.density.as_deref(), Some((&roots, within)), self.seed)?;
-        Ok(scattered.follicles.iter().map(|follicle| scalp.place(follicle)).collect())
+        let scattered = mesh.scatter(amount, &self.density, within.map(|within| (&roots, within)), self.seed)?;
+        Ok(scattered.follicles.iter().map(|follicle| mesh.scalp.place(follicle)).collect())
     }
 }
 
-/// From which distance on nine tenths of the roots have another beside them.
-fn reach(roots: &[Vector3<f64>]) -> f64 {
-    let nearest = |root: &Vector3<f64>| {
-        let away = roots.iter().map(|other| (other - root).norm()).filter(|away| *away > 0.0);
-        away.fold(f64::INFINITY, f64::min)
-    };
-    let mut all: Vec<f64> = roots.iter().map(nearest).filter(|away| away.is_finite()).collect();
-    all.sort_by(f64::total_cmp);
-    all.get(all.len() * 9 / 10).copied().unwrap_or(0.01)
-}
+/// How far guides count that have no other beside them, m.
+const LONE: f64 = 0.01;
 
 /// Points and widths in file units.
 struct Frame {
@@ -217,8 +227,8 @@ impl StrandSink for Frame {
     }
 }
 
-/// The strands of a pose, as curves with widths.
-fn evaluated(pose: &RenderPose, scale: f64) -> Result<Curves, Failure> {
+/// The strands of a pose, as curves with widths, of the unit and axis that `of` has.
+fn evaluated(pose: &RenderPose, scale: f64, of: &Extras) -> Result<Curves, Failure> {
     let (count, per_strand) = (pose.hair().strand_count(), pose.hair().settings().points_per_strand);
     let room = Mutex::new((vec![[0.0; 3]; count * per_strand], vec![0.0; count * per_strand]));
     let frame = Frame { per_strand, scale, room };
@@ -226,15 +236,27 @@ fn evaluated(pose: &RenderPose, scale: f64) -> Result<Curves, Failure> {
     pose.evaluate(&view, &frame)?;
     let (points, widths) = frame.room.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
     let curves = Curves::from_counts(vec![per_strand as u32; count], points)?;
-    Ok(curves.with_extras(Extras { thickness: Some(widths), ..Extras::default() })?)
+    Ok(curves.with_extras(Extras { thickness: Some(widths), ..of.clone() })?)
 }
 
 /// Runs the command.
 pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let settings = arguments.settings()?;
     let frames = list_frames(std::slice::from_ref(&arguments.guides))?;
-    let guides = arguments.guides(&frames[0], settings.points_per_strand)?;
-    let roots = arguments.places(&guides)?;
+    let first = Curves::read(&frames[0])?;
+    if first.format() == CurvesFormat::Usda {
+        let samples = CurveCache::read(&frames[0])?.times().len();
+        if samples > 1 {
+            eprintln!(
+                "warning: {}: has {samples} frames, of which the first is taken: superhelix convert makes a directory of frames of it",
+                frames[0].display()
+            );
+        }
+    }
+    let of = Extras { metres_per_unit: unit::stated(arguments.scale, &first), up: first.extras().up, ..Extras::default() };
+    let scale = of.metres_per_unit.unwrap_or(1.0);
+    let guides = arguments.guides(&frames[0], &first, scale)?;
+    let roots = arguments.places(&guides, scale)?;
     let begun = Instant::now();
     let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&guides), &roots)?;
     let (bound, guide_count) = (begun.elapsed().as_secs_f64(), hair.guide_count());
@@ -243,7 +265,7 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let mut frame = |guides: &[Vector3<f64>]| -> Result<Curves, Failure> {
         let begun = Instant::now();
         pose.set(&GuideSamples::at_rest(guides))?;
-        let curves = evaluated(&pose, arguments.scale)?;
+        let curves = evaluated(&pose, scale, &of)?;
         seconds += begun.elapsed().as_secs_f64();
         Ok(curves)
     };
@@ -252,12 +274,12 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
         let mut writer = SequenceWriter::create(&arguments.out, "render", CacheFormat::Hair, 1, existing)?;
         writer.write(&frame(&guides)?)?;
         for path in &frames[1..] {
-            let guides = arguments.guides(path, settings.points_per_strand)?;
+            let guides = arguments.guides(path, &Curves::read(path)?, scale)?;
             let made = frame(&guides).map_err(|failure| Failure::file(path, failure))?;
             writer.write(&made)?;
         }
     } else {
-        hair::write(&arguments.out, &frame(&guides)?)?;
+        frame(&guides)?.write(&arguments.out)?;
     }
     let answer = json!({
         "guides": guide_count,

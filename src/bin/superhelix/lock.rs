@@ -38,15 +38,9 @@ pub struct LockArguments {
     /// How natural curvatures follow from the measured helix.
     #[arg(long, value_enum, default_value_t = Formula::Exact)]
     curl: Formula,
-    /// Slider -1 to 1: curlier.
-    #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
-    curliness: f64,
     /// No variation between and along strands (but for what --discipline below 0 adds).
     #[arg(long)]
     alike: bool,
-    /// Another seed, another lock of the same kind.
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    seed: u64,
     /// The axis that points up; gravity points the other way.
     #[arg(long, value_enum, value_name = "AXIS", default_value_t = Up::Z)]
     up: Up,
@@ -73,8 +67,7 @@ pub fn run(arguments: &LockArguments) -> Result<(), Failure> {
         Formula::Paper => CurlFormula::Paper,
     };
     let variation = if arguments.alike { Variation::none() } else { Variation::natural() };
-    let variation = Variation { seed: arguments.seed, ..variation };
-    let hair = arguments.material.parameters(formula, arguments.curliness, variation)?;
+    let hair = arguments.material.parameters(formula, variation)?;
     check_length(arguments.length, &hair.material).map_err(Failure::Other)?;
     let Some(direction) = arguments.direction.try_normalize(1e-12) else {
         return Err(Failure::Other("--direction is no direction; expected three numbers that are not all zero".into()));

@@ -42,6 +42,9 @@ pub struct MaterialArguments {
     /// Air drag nu, kg/(m s).
     #[arg(long, value_name = "NU")]
     air_drag: Option<f64>,
+    /// Slider -1 to 1: curlier, straight at -1. Of a groom: its strands' own natural curvatures, in proportion.
+    #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
+    curliness: f64,
     /// Slider -1 to 1: stiffer than the values above (docs/hair_types.md has what all sliders do).
     #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
     stiffness: f64,
@@ -54,6 +57,27 @@ pub struct MaterialArguments {
     /// Slider -1 to 1: easier to comb, less friction.
     #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
     combing_ease: f64,
+    /// Seed of what varies between and along strands.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+}
+
+/// What the strands of a groom, which have shapes of their own, are given.
+#[derive(Debug, Clone, Copy)]
+pub struct GroomHair {
+    /// Section and material.
+    pub material: Material,
+    /// The slider, for natural shapes.
+    pub curliness: f64,
+    /// How natural shapes vary: not at all, unless discipline is below 0.
+    pub variation: Variation,
+}
+
+impl GroomHair {
+    /// Whether natural shapes are others than the groom's.
+    pub fn reshapes(&self) -> bool {
+        self.curliness != 0.0 || self.variation.frizz > 0.0
+    }
 }
 
 /// A kind of hair by its name, for clap.
@@ -80,18 +104,27 @@ pub fn in_words_of_flags(error: Error) -> Failure {
 }
 
 impl MaterialArguments {
-    /// The material, checked.
-    pub fn material(&self) -> Result<Material, Failure> {
-        Ok(self.parameters(CurlFormula::Exact, 0.0, Variation::none())?.material)
+    /// What strands of a groom are given, checked.
+    pub fn groom(&self) -> Result<GroomHair, Failure> {
+        let HairParameters { material, variation, .. } = self.parameters(CurlFormula::Exact, Variation::none())?;
+        Ok(GroomHair { material, curliness: self.curliness, variation })
+    }
+
+    /// The flag, if there is one, by which a groom's natural shapes become others.
+    pub fn reshaping(&self) -> Option<&'static str> {
+        if self.curliness != 0.0 {
+            return Some("--curliness");
+        }
+        (self.discipline < 0.0).then_some("--discipline below 0")
     }
 
     /// Friction and radius for contact, and all else as the engine has it.
     pub fn contact(&self) -> Result<StrandContact, Failure> {
-        Ok(self.parameters(CurlFormula::Exact, 0.0, Variation::none())?.contact())
+        Ok(self.parameters(CurlFormula::Exact, Variation::none())?.contact())
     }
 
-    /// Material, natural curl, friction and variation, with the sliders of these arguments and the one that is given.
-    pub fn parameters(&self, formula: CurlFormula, curliness: f64, variation: Variation) -> Result<HairParameters, Failure> {
+    /// Material, natural curl, friction and variation, with the sliders and the seed of these arguments.
+    pub fn parameters(&self, formula: CurlFormula, variation: Variation) -> Result<HairParameters, Failure> {
         let mut hair = self.kind.measured();
         for (value, place) in [
             (self.radius, &mut hair.mean_radius),
@@ -105,11 +138,11 @@ impl MaterialArguments {
             *place = value.unwrap_or(*place);
         }
         let mut parameters = hair.parameters(formula).map_err(in_words_of_flags)?;
-        parameters.variation = variation;
+        parameters.variation = Variation { seed: self.seed, ..variation };
         parameters.material.viscosity = self.viscosity.unwrap_or(0.0);
         parameters.material.check("material").map_err(in_words_of_flags)?;
         let sliders = Sliders {
-            curliness,
+            curliness: self.curliness,
             stiffness: self.stiffness,
             discipline: self.discipline,
             weight: self.weight,

@@ -35,7 +35,7 @@ use crate::settings::preset;
 use crate::simulate_body::{BodyArguments, HeadBody};
 use crate::simulate_report::{FitReport, SimulateReport};
 use crate::surface::Surface;
-use crate::{progress, resolution, scene, settled};
+use crate::{progress, resolution, scene, settled, unit};
 
 /// Simulates a groom on a moving head: fits strands, steps them, writes a cache of frames and a picture.
 ///
@@ -219,7 +219,7 @@ fn precision(text: &str) -> Result<Precision, String> {
 /// Runs the command.
 pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let begun = Instant::now();
-    groom_strands::check_stiffening(arguments.natural, &arguments.stiffening)?;
+    groom_strands::check_stiffening(arguments.natural, &arguments.stiffening, &arguments.material)?;
     let (motion, duration) = read_motion(arguments)?;
     let curves = Curves::read(&arguments.groom)?;
     arguments.up.check_groom(&arguments.groom, &curves)?;
@@ -228,7 +228,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let body = arguments.bodies.read(scale)?;
     let recipe = StrandRecipe {
         elements: fineness.elements as usize,
-        material: arguments.material.material()?,
+        hair: arguments.material.groom()?,
         natural: arguments.natural,
         stiffening: arguments.stiffening.stiffening(),
         gravity: arguments.up.gravity(),
@@ -247,9 +247,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         .strands()
         .enumerate()
         .step_by(arguments.every as usize)
-        .map(|(index, strand)| {
-            (index, strand.iter().map(|point| Vector3::from(point.map(|value| f64::from(value) * scale))).collect())
-        })
+        .map(|(index, strand)| (index, unit::in_metres(strand, scale)))
         .collect();
     let bar = progress::bar(polylines.len() as u64, "strands fitted", arguments.quiet);
     let (mut strands, skipped) = groom_strands::make(&polylines, &recipe, arguments.threads as usize, || bar.inc(1))?;
@@ -382,7 +380,7 @@ fn read_motion(arguments: &SimulateArguments) -> Result<(Option<Motion>, f64), F
 
 /// Metres a file unit. Not given, it is 1, unless strands of that size could not be hair.
 fn choose_scale(arguments: &SimulateArguments, curves: &Curves) -> Result<f64, Failure> {
-    if let Some(scale) = arguments.scale.or(curves.extras().metres_per_unit) {
+    if let Some(scale) = unit::stated(arguments.scale, curves) {
         return Ok(scale);
     }
     let statistics = GroomStatistics::of(curves);

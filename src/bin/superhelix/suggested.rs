@@ -7,6 +7,7 @@ use superhelix::groom::fit::{FitCurve, FitOptions, FitScratch, fit_curve, fit_po
 use superhelix::rod::turning::{LARGEST_TURN, largest_turn};
 
 use crate::groom_statistics::Spread;
+use crate::unit;
 
 /// Elements at most.
 const MOST: usize = 100;
@@ -34,8 +35,7 @@ impl Suggested {
         let every = curves.strand_count().div_ceil(SAMPLE).max(1);
         let (mut needed, mut strands, mut unmet) = (Vec::new(), 0, 0);
         for strand in curves.strands().step_by(every) {
-            let points: Vec<Vector3<f64>> =
-                strand.iter().map(|point| Vector3::from(point.map(|value| f64::from(value) * metres_per_unit))).collect();
+            let points = unit::in_metres(strand, metres_per_unit);
             if fit_polyline(&points, &FitOptions::elements(1)).is_err() {
                 continue;
             }

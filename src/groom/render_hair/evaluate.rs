@@ -3,11 +3,12 @@
 use nalgebra::Vector3;
 
 use super::curvature::{self, WIDTH};
+use super::cut::shorten;
 use super::frames::frames;
 use super::pose::{RenderPose, VELOCITY_STEP};
 use super::position::{Roots, mix};
 use super::settings::MOST_GUIDES;
-use super::shape::Shape;
+use super::shape::{N1, Shape};
 use super::strand::RenderStrand;
 use crate::error::{Error, Result, check_finite, check_positive};
 use crate::math::lane::Kernel;
@@ -89,6 +90,7 @@ pub(super) struct Scratch {
     now: Vec<f32>,
     before: Vec<f32>,
     rotations: Vec<f32>,
+    guide_n1: Vec<f32>,
     room: Vec<f32>,
     bends: curvature::Room,
     bends_before: curvature::Room,
@@ -208,7 +210,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
         let Self { pose, view, earlier, first, count, scratch, sink } = self;
         let hair = &**pose.hair();
         let (stride, points) = (hair.reference.stride, hair.reference.points);
-        let Scratch { now, before, rotations, room, bends, bends_before } = scratch;
+        let Scratch { now, before, rotations, guide_n1, room, bends, bends_before } = scratch;
         now.resize(3 * stride, 0.0);
         before.resize(3 * stride, 0.0);
         rotations.resize(4 * stride, 0.0);
@@ -231,6 +233,11 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                 let roots = roots(&pose.now, strand, given.unwrap_or(followed), view.origin);
                 let range = 3 * stride * lane..3 * stride * (lane + 1);
                 mix(hair, &pose.now, strand, &roots, bends.places.get(range.clone()).filter(|_| hair.reference.curved), now);
+                // A strand that is not cut costs nothing and keeps its bits.
+                let cut = strand.length < 1.0;
+                if cut {
+                    shorten(strand.length, stride, points, now, room);
+                }
                 if let Some(earlier) = &earlier {
                     let back = follow(earlier.shape, strand);
                     let root = match (earlier.carry, given) {
@@ -240,13 +247,23 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                     let roots = self::roots(earlier.shape, strand, root, view.origin);
                     let bent = bends_before.places.get(range).filter(|_| hair.reference.curved);
                     mix(hair, earlier.shape, strand, &roots, bent, before);
+                    if cut {
+                        shorten(strand.length, stride, points, before, room);
+                    }
                     for (before, now) in before.iter_mut().zip(now.iter()) {
                         *before = (*now - *before) * earlier.rate;
                     }
                 }
                 if view.rotations {
-                    let rows = &pose.now.rows[strand.guides[0] as usize * hair.reference.size()..][..hair.reference.size()];
-                    frames(stride, points, rows, now, room, rotations);
+                    let rows = &pose.now.rows[strand.guides[0] as usize * hair.reference.size()..];
+                    let mut across = &rows[N1 * stride..(N1 + 3) * stride];
+                    if cut {
+                        guide_n1.clear();
+                        guide_n1.extend_from_slice(across);
+                        shorten(strand.length, stride, points, guide_n1, room);
+                        across = guide_n1;
+                    }
+                    frames(stride, points, across, now, room, rotations);
                 }
                 let part = |k: usize| k * stride..k * stride + points;
                 let none: &[f32] = &[];

@@ -1,7 +1,6 @@
 //! Material frames along a strand, from its points.
 
 use super::quaternion::quaternion;
-use super::shape::N1;
 
 /// Points that go side by side.
 const STEP: usize = 8;
@@ -13,10 +12,10 @@ fn pick(yes: bool, a: f32, b: f32) -> f32 {
     if yes { a } else { b }
 }
 
-/// Rows of x, y, z and w of the frames: n0 by differences of the points (rows of x, y, z), n1 as near as can be to that of the guide. `room` is
-/// scratch memory.
+/// Rows of x, y, z and w of the frames: n0 by differences of the points (rows of x, y, z), n1 as near as can be to that of the guide (rows
+/// of x, y, z in `guide_n1`). `room` is scratch memory.
 #[inline(always)]
-pub(super) fn frames(stride: usize, points: usize, guide: &[f32], places: &[f32], room: &mut Vec<f32>, out: &mut [f32]) {
+pub(super) fn frames(stride: usize, points: usize, guide_n1: &[f32], places: &[f32], room: &mut Vec<f32>, out: &mut [f32]) {
     // Differences, and how far n1 is from being along the strand.
     room.resize(4 * stride, 0.0);
     for axis in 0..3 {
@@ -35,7 +34,7 @@ pub(super) fn frames(stride: usize, points: usize, guide: &[f32], places: &[f32]
             out
         };
         let ahead = [0, 1, 2].map(|axis| row(room, axis));
-        let n1 = [0, 1, 2].map(|axis| row(guide, N1 + axis));
+        let n1 = [0, 1, 2].map(|axis| row(guide_n1, axis));
         let (mut q, mut across) = ([[0.0; STEP]; 4], [0.0; STEP]);
         for k in 0..STEP {
             let [x, y, z] = [ahead[0][k], ahead[1][k], ahead[2][k]];
@@ -76,7 +75,7 @@ pub(super) fn frames(stride: usize, points: usize, guide: &[f32], places: &[f32]
         let across = room[3 * stride + k];
         if across.is_nan() || across < ALONG {
             let ahead = [0, 1, 2].map(|axis| room[axis * stride + k]);
-            let n1 = [0, 1, 2].map(|axis| guide[(N1 + axis) * stride + k]);
+            let n1 = [0, 1, 2].map(|axis| guide_n1[axis * stride + k]);
             for (number, value) in degenerate(ahead, n1).into_iter().enumerate() {
                 out[number * stride + k] = value;
             }

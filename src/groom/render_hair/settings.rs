@@ -57,6 +57,8 @@ pub struct RenderSettings {
     pub taper_from: f64,
     /// By which share radii differ between strands at most, 0 to 1. Default 0.1.
     pub radius_variation: f64,
+    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.
+    pub length_variation: f64,
     /// Seed of all that is random.
     pub seed: u64,
     /// Who evaluates.
@@ -83,6 +85,7 @@ impl Default for RenderSettings {
             tip_radius: 15e-6,
             taper_from: 0.5,
             radius_variation: 0.1,
+            length_variation: 0.0,
             seed: 0,
             workers: Workers::Serial,
             instruction_set: None,
@@ -133,8 +136,10 @@ impl RenderSettings {
         }
         check_not_negative(|| format!("{outer}radius"), self.radius)?;
         check_not_negative(|| format!("{outer}tip_radius"), self.tip_radius)?;
-        if !(0.0..1.0).contains(&self.taper_from) {
-            return Err(Error::invalid(format!("{outer}taper_from"), self.taper_from, "0 to less than 1"));
+        for (name, value) in [("taper_from", self.taper_from), ("length_variation", self.length_variation)] {
+            if !(0.0..1.0).contains(&value) {
+                return Err(Error::invalid(format!("{outer}{name}"), value, "0 to less than 1"));
+            }
         }
         within("radius_variation", self.radius_variation, 0.0, 1.0)?;
         if let Some(set) = self.instruction_set

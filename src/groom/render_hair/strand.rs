@@ -20,6 +20,8 @@ pub(super) struct RenderStrand {
     pub frizz_turn: [f32; 2],
     /// Factor on the radius.
     pub radius: f32,
+    /// How much of its length it has.
+    pub length: f32,
     /// Which of the first guide's wisps it belongs to.
     pub wisp: u32,
 }

@@ -20,6 +20,8 @@ pub enum Density {
         /// width·height numbers.
         values: Vec<f64>,
     },
+    /// All of them, multiplied.
+    Product(Vec<Density>),
 }
 
 impl Density {
@@ -27,6 +29,7 @@ impl Density {
     pub(super) fn check(&self, scalp: &Scalp) -> Result<()> {
         let numbers = match self {
             Density::Uniform => return Ok(()),
+            Density::Product(factors) => return factors.iter().try_for_each(|factor| factor.check(scalp)),
             Density::Vertices(values) => {
                 let needed = scalp.vertices.len();
                 if values.len() != needed {
@@ -58,10 +61,11 @@ impl Density {
         Ok(())
     }
 
-    /// The largest density.
+    /// No density is larger.
     pub(super) fn most(&self) -> f64 {
         match self {
             Density::Uniform => 1.0,
+            Density::Product(factors) => factors.iter().map(Density::most).product(),
             Density::Vertices(values) | Density::Picture { values, .. } => values.iter().copied().fold(0.0, f64::max),
         }
     }
@@ -71,6 +75,7 @@ impl Density {
         let (index, weights) = (follicle.triangle as usize, follicle.weights());
         match self {
             Density::Uniform => 1.0,
+            Density::Product(factors) => factors.iter().map(|factor| factor.at(scalp, follicle)).product(),
             Density::Vertices(values) => {
                 let triangle = &scalp.triangles[index];
                 (0..3).map(|corner| weights[corner] * values[triangle[corner] as usize]).sum::<f64>().max(0.0)

@@ -1,0 +1,111 @@
+//! Where on a mesh follicles stand: meshes as scalps, maps of density, nearness to a groom's roots.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use nalgebra::Vector3;
+use superhelix::error::Error;
+use superhelix::files::curves::Curves;
+use superhelix::files::obj_mesh;
+use superhelix::groom::guide_roots::GuideRoots;
+use superhelix::groom::scalp::{Amount, Density, Scalp, ScatterOptions, Scattered};
+
+use crate::failure::Failure;
+
+/// How densely follicles stand; several maps are multiplied.
+#[derive(Debug, Args)]
+pub struct DensityArguments {
+    /// Relative densities: a text file with a number of 0 or above for each vertex of the mesh.
+    #[arg(long, value_name = "NUMBERS.txt")]
+    density: Option<PathBuf>,
+    /// Relative densities painted over the texture coordinates of the mesh: white is densest, black and what is transparent is bare. The
+    /// picture's lower left corner is u = 0, v = 0.
+    #[arg(long, value_name = "PICTURE.png")]
+    density_picture: Option<PathBuf>,
+}
+
+impl DensityArguments {
+    /// Whether there is a map.
+    pub fn is_given(&self) -> bool {
+        self.density.is_some() || self.density_picture.is_some()
+    }
+}
+
+/// A mesh that follicles stand on, m.
+pub struct Mesh {
+    path: PathBuf,
+    /// The mesh; with texture coordinates where the file has one at every corner.
+    pub scalp: Scalp,
+    textured: bool,
+}
+
+impl Mesh {
+    /// Reads it.
+    pub fn read(path: &Path, scale: f64) -> Result<Self, Failure> {
+        let (mesh, texture) = obj_mesh::read_textured(path)?;
+        let vertices = mesh.vertices.iter().map(|vertex| vertex * scale).collect();
+        let uvs = texture.map(|texture| texture.corners());
+        let textured = uvs.is_some();
+        let scalp = Scalp::new(vertices, mesh.triangles, uvs, Vector3::x()).map_err(|error| Failure::file(path, error))?;
+        Ok(Self { path: path.to_owned(), scalp, textured })
+    }
+
+    /// Refuses a mesh without texture coordinates, which `flag` needs.
+    pub fn check_textured(&self, flag: &str) -> Result<(), Failure> {
+        if self.textured {
+            return Ok(());
+        }
+        let reason = format!("{flag} needs texture coordinates at every corner of its faces (\"vt\", \"f 1/1 2/2 3/3\")");
+        Err(Failure::file(&self.path, reason))
+    }
+
+    /// Follicles, near some places where there are any. Names of what is wrong are those of the command line.
+    pub fn scatter(
+        &self,
+        amount: Amount,
+        maps: &DensityArguments,
+        near: Option<(&GuideRoots, f64)>,
+        seed: u64,
+    ) -> Result<Scattered, Failure> {
+        let mut factors = Vec::new();
+        if let Some(path) = &maps.density {
+            let text = std::fs::read_to_string(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
+            let numbers: Result<Vec<f64>, _> = text.split_ascii_whitespace().map(str::parse).collect();
+            let numbers = numbers.map_err(|error| Failure::file(path, format!("{error}: expected a number for each vertex")))?;
+            factors.push(Density::Vertices(numbers));
+        }
+        if let Some(path) = &maps.density_picture {
+            self.check_textured("--density-picture")?;
+            factors.push(read_picture(path)?);
+        }
+        if let Some((roots, within)) = near {
+            factors.push(Density::Vertices(roots.nearness(self.scalp.vertices(), within)?));
+        }
+        let options = ScatterOptions { amount, density: Density::Product(factors), seed };
+        self.scalp.scatter(&options).map_err(|error| match error {
+            Error::InvalidArgument { ref argument, .. } if argument == "density" && near.is_some() => {
+                Failure::Other(format!("--{error} (with what is near the roots)"))
+            }
+            other => Failure::Other(format!("--{other}")),
+        })
+    }
+}
+
+/// A picture's brightness (ITU-R BT.709's weights, of the pixels' numbers as they are) times its opacity, from the bottom row up.
+fn read_picture(path: &Path) -> Result<Density, Failure> {
+    let bytes = std::fs::read(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
+    let picture = tiny_skia::Pixmap::decode_png(&bytes)
+        .map_err(|error| Failure::file(path, format!("cannot be read as a picture in PNG: {error}")))?;
+    let (width, height) = (picture.width() as usize, picture.height() as usize);
+    let of = |pixel: &tiny_skia::PremultipliedColorU8| {
+        let [red, green, blue] = [pixel.red(), pixel.green(), pixel.blue()].map(f64::from);
+        (0.2126 * red + 0.7152 * green + 0.0722 * blue) / 255.0
+    };
+    let values = picture.pixels().chunks(width).rev().flatten().map(of).collect();
+    Ok(Density::Picture { width, height, values })
+}
+
+/// The roots of a groom's strands, m.
+pub fn groom_roots(path: &Path, scale: f64) -> Result<Vec<Vector3<f64>>, Failure> {
+    Ok(Curves::read(path)?.strands().map(|strand| Vector3::from(strand[0].map(f64::from)) * scale).collect())
+}
