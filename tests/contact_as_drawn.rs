@@ -84,7 +84,7 @@ fn strands_pinned_where_they_are_drawn_lie_still() {
     let ids = solver.add_strands(&defs).unwrap();
     assert!(moves(&mut solver, &ids, 0.5).0 > 1e-2, "as drawn they sag");
     solver.set_shapes(&ids, &defs.iter().flat_map(|def| def.natural.clone()).collect::<Vec<_>>()).unwrap();
-    // Curls that hang are stable, these all but one.
+    // These curls are as limp as hair, and would not rest stably where they stand.
     solver.stiffen(&ids, Stiffening::YoungsModulus, 0.05).unwrap();
     let frame = |k: usize, arclength: f64| {
         let mut frame = Frame::default();
@@ -96,7 +96,13 @@ fn strands_pinned_where_they_are_drawn_lie_still() {
     let constraints: Vec<ConstraintDef> =
         [(0, 0.1, Hold::Point), (0, 0.2, Hold::Point), (1, 0.2, Hold::Frame), (2, 0.12, Hold::Direction), (3, 0.13, ring)]
             .into_iter()
-            .map(|(k, arclength, hold)| ConstraintDef { strand: ids[k], arclength, hold, target: frame(k, arclength), compliance: 0.0 })
+            .map(|(k, arclength, hold)| ConstraintDef {
+                strand: ids[k],
+                arclength,
+                hold,
+                target: frame(k, arclength),
+                compliance: 0.0,
+            })
             .collect();
     let held = solver.add_constraints(&constraints).unwrap();
     let (moved, _) = moves(&mut solver, &ids, 10.0);

@@ -73,11 +73,17 @@ mod tests {
 
     #[test]
     fn it_is_linear_between_stations_and_constant_beyond() {
-        let allowance = Allowance { along: vec![0.01, 0.02, 0.04], wisp_shares: vec![1.0, 0.5, 0.0], sunk: vec![0.0, 0.002, 0.001] };
+        let allowance =
+            Allowance { along: vec![0.01, 0.02, 0.04], wisp_shares: vec![1.0, 0.5, 0.0], sunk: vec![0.0, 0.002, 0.001] };
         allowance.check("a").unwrap();
-        for (along, share, sunk) in
-            [(0.0, 1.0, 0.0), (0.015, 0.75, 0.001), (0.02, 0.5, 0.002), (0.03, 0.25, 0.0015), (0.04, 0.0, 0.001), (1.0, 0.0, 0.001)]
-        {
+        for (along, share, sunk) in [
+            (0.0, 1.0, 0.0),
+            (0.015, 0.75, 0.001),
+            (0.02, 0.5, 0.002),
+            (0.03, 0.25, 0.0015),
+            (0.04, 0.0, 0.001),
+            (1.0, 0.0, 0.001),
+        ] {
             assert!((allowance.wisp_share(along) - share).abs() < 1e-12, "{along}");
             assert!((allowance.sunk(along) - sunk).abs() < 1e-12, "{along}");
         }

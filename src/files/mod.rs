@@ -20,6 +20,7 @@ mod polygon;
 pub mod recorded_curve;
 pub mod sequence;
 mod text;
+pub mod strand_data;
 pub mod tfx;
 mod tfx_binary;
 mod tfx_text;

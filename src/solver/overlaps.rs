@@ -224,7 +224,9 @@ impl Solver {
     fn deep_in_hair(&self, curves: &[(usize, Curve)], deep: &mut Vec<Deep>) {
         let (mut of, mut wisps, mut paths) = (Vec::new(), Vec::new(), Vec::new());
         for (index, curve) in curves {
-            let Some(contact) = self.strands[*index].contact.as_deref().filter(|contact| contact.wisp_radius > 0.0) else { continue };
+            let Some(contact) = self.strands[*index].contact.as_deref().filter(|contact| contact.wisp_radius > 0.0) else {
+                continue;
+            };
             let StrandContact { wisp_radius: radius, exempt_length: exempt, groups: group, mask, .. } = *contact;
             of.push(*index);
             wisps.push(Wisp { radius, exempt, group, mask, meets_itself: false });

@@ -273,7 +273,12 @@ impl Strand {
         let root_move = self.root_move.as_ref().map_or(0, |_| size_of::<(PoseMove, f64)>());
         let contact = self.contact.as_ref().map_or(0, |_| size_of::<StrandContact>());
         let allowance = self.allowance.as_ref().map_or(0, |allowance| size_of::<Allowance>() + allowance.heap_bytes());
-        let own = contact + allowance + authored + root_move + lists(&self.model.lengths, &self.model.natural) + self.state.heap_bytes();
+        let own = contact
+            + allowance
+            + authored
+            + root_move
+            + lists(&self.model.lengths, &self.model.natural)
+            + self.state.heap_bytes();
         own as f64 + sections::share(self.model.section())
     }
 }
