@@ -144,7 +144,10 @@ impl Curves {
             "usda" | "usd" => usda::read_from_bytes(name, bytes),
             "data" => strand_data::read_from_bytes(name, bytes),
             _ if tfx::is_text(bytes) || tfx::is_binary(bytes) => tfx::read_from_bytes(name, bytes),
-            _ => Err(Error::file(name, "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4), .obj, .usda or .data")),
+            _ => Err(Error::file(
+                name,
+                "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4), .obj, .usda or .data",
+            )),
         }
     }
 
