@@ -2338,9 +2338,8 @@ SHX_API shx_result shx_suggest_elements(const shx_strand_def *strand, const shx_
 
 // ---- Groom files and caches ----------------------------------------------------------------------------------------
 
-// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines or USD as text (.usda, at its first time
-// sample). path is UTF-8 (on Unix any
-// bytes). *out_curves is yours; free it with shx_curves_destroy.
+// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines, USD as text (.usda, at its first time
+// sample) or plain .data. path is UTF-8 (on Unix any bytes). *out_curves is yours; free it with shx_curves_destroy.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (cannot be read, unknown, truncated, oversized,
 // nonsense), SHX_ERROR_OUT_OF_MEMORY. Any thread.
 SHX_API shx_result shx_curves_read(const char *path, shx_curves **out_curves);

@@ -33,10 +33,10 @@ def grooms():
         lines.append((head if row["groom"] != last else ("", "", "")) + (row["elements"],)
                      + tuple(" / ".join(percent(row[f"{norm}{rank}"]) for rank in (50, 95, 99, 100)) for norm in ("rms", "max"))
                      + (share(row["within1"]), percent(row["distance95"]), f"{100 * int(row['unequal']) / int(row['strands']):.0f}",
-                        f"{float(row['seconds']):.2f}", f"{float(row['processor_seconds']):.2f}"))
+                        f"{float(row['processor_seconds']):.2f}"))
         last = row["groom"]
     put(table(("groom", "strands", "turning, degrees", "N", "rms, %: 50 / 95 / 99 / 100", "largest, %: 50 / 95 / 99 / 100",
-               "largest under 1 %, %", "nearest, %: 95", "unequal, %", "time, s", "processor time, s"), lines), "grooms")
+               "under 1 %, %", "nearest, %: 95", "unequal, %", "processor time, s"), lines), "grooms")
 
 
 def rest():
