@@ -267,10 +267,22 @@ fn bad_allowances_are_named_and_change_nothing() {
     assert_eq!(solver.state_hash(), hash);
 }
 
+/// Metres a unit of Sintel's files.
+const SCALE: f64 = 0.01;
+
+fn file(name: &str) -> String {
+    format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+fn bust() -> Arc<Shape> {
+    let bust = obj_mesh::read(file("sintel_bust.obj")).unwrap();
+    let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
+    let mesh = Shape::new_mesh(vertices, bust.triangles, Sides::Front { depth: 0.02 }).unwrap();
+    Arc::new(Shape::new_grid(DistanceGrid::bake(mesh.mesh().unwrap(), 5e-3, 0.02).unwrap()))
+}
+
 /// Sintel's hair and her bust, as they are drawn.
-fn sintel(model: ContactModel, every: usize, wisp_radius: f64) -> (Solver, Vec<StrandId>) {
-    const SCALE: f64 = 0.01;
-    let file = |name: &str| format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"));
+fn sintel(model: ContactModel, bust: &Arc<Shape>, every: usize, wisp_radius: f64) -> (Solver, Vec<StrandId>) {
     let curves = Curves::read(file("sintel_hair_001.tfx")).unwrap();
     let strand = |points: &[[f32; 3]]| {
         let points: Vec<_> = points.iter().map(|p| Vector3::from(p.map(f64::from)) * SCALE).collect();
@@ -282,11 +294,7 @@ fn sintel(model: ContactModel, every: usize, wisp_radius: f64) -> (Solver, Vec<S
     let defs: Vec<StrandDef> = curves.strands().step_by(every).map(strand).collect();
     let mut solver = solver(model, Vector3::new(0.0, -9.81, 0.0));
     let ids = solver.add_strands(&defs).unwrap();
-    let bust = obj_mesh::read(file("sintel_bust.obj")).unwrap();
-    let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
-    let mesh = Shape::new_mesh(vertices, bust.triangles, Sides::Front { depth: 0.02 }).unwrap();
-    let grid = DistanceGrid::bake(mesh.mesh().unwrap(), 4e-3, 0.02).unwrap();
-    solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_grid(grid)))]).unwrap();
+    solver.add_bodies(vec![BodyDef::new(Arc::clone(bust))]).unwrap();
     // None of it is exempt: what is drawn into the bust at the roots counts too.
     let contact = StrandContact { wisp_radius, ..StrandContact::default() };
     solver.set_contact(&ids, Some(&contact)).unwrap();
@@ -297,9 +305,10 @@ fn sintel(model: ContactModel, every: usize, wisp_radius: f64) -> (Solver, Vec<S
 #[test]
 fn a_real_groom_drawn_into_itself_and_into_a_head_lies_still() {
     let every = std::env::var("AS_DRAWN_EVERY").map_or(4, |text| text.parse().unwrap());
+    let bust = bust();
     for model in [ContactModel::Hard, ContactModel::Penalty] {
         // A quarter of the strands or more are in others, some in the bust.
-        let (mut solver, ids) = sintel(model, every, 2e-3);
+        let (mut solver, ids) = sintel(model, &bust, every, 2e-3);
         let drawn = solver.allow_overlaps(&ids).unwrap();
         let deep = |of: fn(&superhelix::solver::Overlap) -> f64| {
             let all: Vec<f64> = drawn.iter().map(of).filter(|depth| *depth > 0.0).collect();

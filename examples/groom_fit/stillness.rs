@@ -34,6 +34,8 @@ const SCALES: [(&str, f64); 13] = [
     ("arnold_motion", 0.03),
     ("tinyusdz_hair", 0.04),
 ];
+/// Of those that do not state which way is up, these have z up; all others y.
+const Z_UP: [&str; 1] = ["yuksel"];
 /// m.
 const MEDIAN: f64 = 0.1;
 /// Curls from this turning on (median, degrees) get ten elements, others five.
@@ -60,7 +62,8 @@ pub fn measure(name: &str, curves: &Curves, turning: f64, workers: &Workers, out
         natural: fit.curvatures,
         ..StrandDef::straight(1.0, 1)
     });
-    let gravity = if curves.extras().up == Some(UpAxis::Z) { -Vector3::z() } else { -Vector3::y() } * 9.81;
+    let z_up = curves.extras().up.map_or(Z_UP.iter().any(|known| name.starts_with(known)), |up| up == UpAxis::Z);
+    let gravity = if z_up { -Vector3::z() } else { -Vector3::y() } * 9.81;
     let mut solver = Solver::new(SolverOptions { gravity, workers: workers.clone(), ..SolverOptions::default() })?;
     let ids = solver.add_strands(&defs.collect::<Vec<_>>())?;
     let unstable = solver.shape_stability(&ids)?.iter().filter(|found| !found.is_stable()).count();
