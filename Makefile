@@ -48,7 +48,7 @@ pictures: ## hair on shoulders and a combed sphere, from the scenes of examples/
 	@scripts/setup.sh build
 	scripts/contact_figures.sh
 
-fit: ## how close strands come to real grooms: the tables of docs/groom_fit.md (GROOMS=directory of .hair and .tfx, also .gz; a few minutes)
+fit: ## how close strands come to real grooms: the tables of docs/groom_fit.md and how still they lie (GROOMS=directory of .hair, .tfx, .usda and .data, also .gz; a few minutes)
 	@scripts/setup.sh build figures
 	scripts/groom_fit.sh
 

@@ -2131,6 +2131,42 @@ SHX_API shx_result shx_solver_contact_count(const shx_solver *solver, size_t *ou
 SHX_API shx_result shx_solver_contacts(const shx_solver *solver, shx_contact *contacts, size_t stride, size_t capacity,
     size_t *out_count);
 
+// How deep count strands are in others (where the contact options' hair is set) and in bodies as they are now, less what they are allowed.
+// Strands without contact overlap nothing; what is exempt or filtered out does not count. Moves nothing. Each output holds count values
+// or is null:
+// out_hair_depths: m, what the distance of the centrelines lacks to the sum of the wisps' radii where that is most; 0: in none.
+// out_strands: the strand that it is deepest in; bits 0: none.
+// out_body_depths: m, how deep the strand's surface is in a body where that is most; 0: in none.
+// out_bodies: the body that it is deepest in; bits 0: none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+SHX_API shx_result shx_solver_overlaps(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    double *out_hair_depths, shx_strand_id *out_strands, double *out_body_depths, shx_body_id *out_bodies);
+
+// Allows count strands what they overlap now, so that no touch presses as long as they stay as they are: with
+// shx_solver_take_rest_shapes the groom as it stands is at rest, however its wisps and bodies were drawn into each other. Where two
+// wisps overlap both keep the same share of their radii (of a strand that is not among ids the other one keeps what is left), where a
+// strand is in a body it may be as deep there; to either side as far as the element goes. What was allowed before is forgotten. Away
+// from these places strands touch as before.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a strand named twice). Alone with the solver.
+SHX_API shx_result shx_solver_allow_overlaps(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// Says what a strand may overlap, at station_count stations along it, linear between them and constant beyond the first and the last;
+// station_count 0 (the lists may be null then): nothing, which is how strands begin. A host that stores a groom keeps what
+// shx_solver_get_allowance gave for this; snapshots hold it.
+// along: arclengths of the stations from the root, m, rising, the first zero or above.
+// wisp_shares: what is left of the wisp's radius at each, 0 to 1.
+// sunk: how far the strand's surface may be in a body at each, m, zero or above.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names "sunk[2]"). Alone with the solver.
+SHX_API shx_result shx_solver_set_allowance(shx_solver *solver, shx_strand_id id, const double *along,
+    const double *wisp_shares, const double *sunk, size_t station_count);
+
+// What a strand may overlap, as shx_solver_set_allowance takes it: the number of its stations into *out_station_count (0: nothing), and
+// their values into the lists, which hold capacity numbers each or are null.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other
+// reading calls.
+SHX_API shx_result shx_solver_get_allowance(const shx_solver *solver, shx_strand_id id, double *out_along,
+    double *out_wisp_shares, double *out_sunk, size_t capacity, size_t *out_station_count);
+
 // ---- Constraints ---------------------------------------------------------------------------------------------------
 
 // Fills a definition with the defaults. size is sizeof(shx_constraint_def).
@@ -2320,9 +2356,8 @@ SHX_API shx_result shx_suggest_elements(const shx_strand_def *strand, const shx_
 
 // ---- Groom files and caches ----------------------------------------------------------------------------------------
 
-// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines or USD as text (.usda, at its first time
-// sample). path is UTF-8 (on Unix any
-// bytes). *out_curves is yours; free it with shx_curves_destroy.
+// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines, USD as text (.usda, at its first time
+// sample) or plain .data. path is UTF-8 (on Unix any bytes). *out_curves is yours; free it with shx_curves_destroy.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (cannot be read, unknown, truncated, oversized,
 // nonsense), SHX_ERROR_OUT_OF_MEMORY. Any thread.
 SHX_API shx_result shx_curves_read(const char *path, shx_curves **out_curves);

@@ -10,18 +10,18 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   BENCH_DRAW=no scripts/bench.sh
   scripts/instructions.sh
   cargo bench --locked --profile demo --bench sampling -- --csv docs/figures/sampling.csv
-  cargo run --quiet --locked --release --example convergence -- docs/figures/convergence.csv
-  cargo run --quiet --locked --release --example limits -- docs/figures/limits.csv
-  cargo run --quiet --locked --release --example newton -- docs/figures/newton.csv
-  cargo run --quiet --locked --release --example quadrature -- angles docs/figures/quadrature_angles.csv
-  cargo run --quiet --locked --release --example quadrature -- motions docs/figures/quadrature_motions.csv
+  cargo run --quiet --locked --profile demo --example convergence -- docs/figures/convergence.csv
+  cargo run --quiet --locked --profile demo --example limits -- docs/figures/limits.csv
+  cargo run --quiet --locked --profile demo --example newton -- docs/figures/newton.csv
+  cargo run --quiet --locked --profile demo --example quadrature -- angles docs/figures/quadrature_angles.csv
+  cargo run --quiet --locked --profile demo --example quadrature -- motions docs/figures/quadrature_motions.csv
   scripts/quadrature_cost.sh
-  cargo run --quiet --locked --release --example single_precision -- docs/figures/single_precision.csv
+  cargo run --quiet --locked --profile demo --example single_precision -- docs/figures/single_precision.csv
   mkdir -p out
-  cargo run --quiet --locked --release --example hair_types -- docs/figures out/hair_types_points.csv
+  cargo run --quiet --locked --profile demo --example hair_types -- docs/figures out/hair_types_points.csv
   VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test validation_statics --test validation_vibration \
     --test validation_dynamics --test validation_whirl
-  cargo run --quiet --locked --release --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
+  cargo run --quiet --locked --profile demo --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
   scripts/demo.sh
   "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \
     --title "Sintel's hair on a recorded walk" --cell 220 --moments 5 --quiet

@@ -359,6 +359,28 @@ fn strands_touch_each_other_when_the_scene_says_so() {
 }
 
 #[test]
+fn a_scene_drawn_into_itself_rests_where_that_is_allowed() {
+    // Two strands across each other, half a wisp's radius too near, the first a millimetre in the ground.
+    let strand =
+        |origin: Value, rotation: Value| json!({"elements": 4, "length": 0.1, "root": {"origin": origin, "rotation": rotation}});
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let strands =
+        json!([strand(json!([0, 0, -1e-3]), json!([0, 0, 0, 1])), strand(json!([0.05, -0.05, 5e-4]), json!([0, 0, half, half]))]);
+    let moved = |allowed: bool| {
+        let scene = with(scene_of(strands.clone(), 1.0), "/colliders", json!([{"shape": "halfspace"}]));
+        let scene = with(scene, "/contact", json!({"allow_overlaps": allowed, "strands": {"exempt_length": 0.01}}));
+        let scene = with(scene, "/hair_contact", json!({"wisp_radius": 1e-3}));
+        let scene = with(scene, "/posing", json!([{"do": "take", "shape": "rest"}]));
+        let result = run(&directory(&format!("overlaps_{allowed}")), &scene);
+        let flat = |state: &Value| state.as_array().unwrap().iter().flat_map(numbers).collect::<Vec<f64>>();
+        let points = result["strands"].as_array().unwrap().iter().map(|strand| &strand["points"]);
+        points.map(|points| difference(&flat(&points[0]), &flat(last(points)))).fold(0.0, f64::max)
+    };
+    assert!(moved(false) > 1e-4);
+    assert!(moved(true) < 1e-9);
+}
+
+#[test]
 fn attachments_hold() {
     let directory = directory("attachments");
     // Not straight: of a straight one the length alone says how far down a point is.

@@ -75,6 +75,7 @@ fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("sintel.tfx", sintel),
         ("text.tfx", text.into_bytes()),
         ("curly.obj", obj::write_to_bytes(&few)),
+        ("few.data", strand_data(&few)),
         ("table.csv", lines("walk_figure8_head.csv", 40)),
         ("walk.bvh", capture.into_bytes()),
         ("pendulum.curve", recorded.join("\n").into_bytes()),
@@ -86,6 +87,16 @@ fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("written.usda", usda::write_to_bytes(&even())),
         ("ball.shxgrid", ball()),
     ]
+}
+
+/// Strands as a `.data` file has them.
+fn strand_data(curves: &Curves) -> Vec<u8> {
+    let mut bytes = (curves.strand_count() as u32).to_le_bytes().to_vec();
+    for strand in curves.strands() {
+        bytes.extend((strand.len() as u32).to_le_bytes());
+        bytes.extend(strand.iter().flatten().flat_map(|x| x.to_le_bytes()));
+    }
+    bytes
 }
 
 /// Strands of as many points, with all that can go along.

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 38] = [
+const SOURCES: [&str; 39] = [
     "version",
     "errors",
     "types",
@@ -28,6 +28,7 @@ const SOURCES: [&str; 38] = [
     "bodies",
     "contact",
     "contacts",
+    "overlaps",
     "constraints",
     "state",
     "fit",

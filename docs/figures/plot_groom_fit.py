@@ -14,6 +14,13 @@ def put(lines, name):
     print(f"docs/{PAGE.name}: table of {name}")
 
 
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def share(value):
+    return f"{100 * float(value):.4g}"
+
+
 def percent(value):
     return f"{100 * float(value):.3g}"
 
@@ -25,10 +32,24 @@ def grooms():
         head = (row["groom"].replace("_", " "), row["strands"], f"{float(row['turning_degrees']):.0f}")
         lines.append((head if row["groom"] != last else ("", "", "")) + (row["elements"],)
                      + tuple(" / ".join(percent(row[f"{norm}{rank}"]) for rank in (50, 95, 99, 100)) for norm in ("rms", "max"))
-                     + (percent(row["distance95"]), f"{100 * int(row['unequal']) / int(row['strands']):.0f}", f"{float(row['processor_seconds']):.2f}"))
+                     + (share(row["within1"]), percent(row["distance95"]), f"{100 * int(row['unequal']) / int(row['strands']):.0f}",
+                        f"{float(row['processor_seconds']):.2f}"))
         last = row["groom"]
     put(table(("groom", "strands", "turning, degrees", "N", "rms, %: 50 / 95 / 99 / 100", "largest, %: 50 / 95 / 99 / 100",
-               "nearest, %: 95", "unequal, %", "processor time, s"), lines), "grooms")
+               "under 1 %, %", "nearest, %: 95", "unequal, %", "processor time, s"), lines), "grooms")
+
+
+def rest():
+    lines = []
+    for row in rows("groom_rest.csv"):
+        unit = f"{float(row['metres_per_unit']):.3g}" + ("" if row["known"] == "1" else " (chosen)")
+        told = [f"{row[name]} {name}" for name in ("unconverged", "quarantined") if row[name] != "0"]
+        mantissa, exponent = row["moved"].split("e")
+        moved = f"{float(mantissa):.0f}·10{str(int(exponent)).translate(RAISED)}" if float(mantissa) else "0"
+        lines.append((row["groom"].replace("_", " "), unit, row["strands"], row["elements"],
+                      f"{row['unstable']} ({100 * int(row['unstable']) / int(row['strands']):.1f} %)",
+                      f"{float(row['stiffening95']):.3g} / {float(row['stiffening100']):.3g}", "; ".join([moved] + told)))
+    put(table(("groom", "metres a unit", "strands", "N", "unstable as drawn", "stiffening of E: 95 % / largest", "moved in 10 s, of L"), lines), "rest")
 
 
 def methods():
@@ -54,5 +75,6 @@ def tolerances():
 
 if __name__ == "__main__":
     grooms()
+    rest()
     methods()
     tolerances()

@@ -50,9 +50,8 @@ pub(super) unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Cu
     }
 }
 
-/// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines or USD as text (.usda, at its first time
-/// sample). path is UTF-8 (on Unix any
-/// bytes). *out_curves is yours; free it with shx_curves_destroy.
+/// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines, USD as text (.usda, at its first time
+/// sample) or plain .data. path is UTF-8 (on Unix any bytes). *out_curves is yours; free it with shx_curves_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (cannot be read, unknown, truncated, oversized,
 /// nonsense), SHX_ERROR_OUT_OF_MEMORY. Any thread.
 #[unsafe(no_mangle)]

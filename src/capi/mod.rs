@@ -33,6 +33,7 @@ pub mod hair;
 pub mod level_of_detail;
 pub mod log;
 pub mod materials;
+pub mod overlaps;
 pub mod parallel;
 pub mod pose_def;
 pub mod posing;

@@ -297,6 +297,11 @@ impl HairPairs {
         (counts.pieces, counts.candidates, counts.groups) = (pieces.len(), candidates.len(), groups.len());
     }
 
+    /// Gaps up to this are touches, m.
+    pub fn activation(&self) -> f64 {
+        self.activation
+    }
+
     /// Pairs of strands that may touch, by first and second strand. Stays until the next search.
     pub fn groups(&self) -> &[Group] {
         &self.groups

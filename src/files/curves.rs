@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::error::{Error, Result, check_positive};
 use crate::files::hair::HairHeader;
-use crate::files::{bytes, hair, obj, tfx, usda};
+use crate::files::{bytes, hair, obj, strand_data, tfx, usda};
 
 /// Where a set of curves came from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,10 +24,12 @@ pub enum CurvesFormat {
     Obj,
     /// USD as text, `.usda`: its `BasisCurves` and `NurbsCurves`.
     Usda,
+    /// `.data`: counts and points, nothing else.
+    StrandData,
 }
 
 impl CurvesFormat {
-    /// A short name for people: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "usda", "memory".
+    /// A short name for people: "hair", "tfx 2 (text)", "tfx 3", "tfx 4", "obj", "usda", "data", "memory".
     pub fn name(self) -> &'static str {
         match self {
             CurvesFormat::Memory => "memory",
@@ -37,10 +39,11 @@ impl CurvesFormat {
             CurvesFormat::TfxV4 => "tfx 4",
             CurvesFormat::Obj => "obj",
             CurvesFormat::Usda => "usda",
+            CurvesFormat::StrandData => "data",
         }
     }
 
-    /// The format that a file's name asks for by its extension: `.hair`, `.tfx` (version 4), `.obj` or `.usda`.
+    /// The format that a file's name asks for by its extension, of those that are written: `.hair`, `.tfx` (version 4), `.obj` or `.usda`.
     pub fn of_name(path: impl AsRef<Path>) -> Option<Self> {
         match path.as_ref().extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "hair" => Some(CurvesFormat::Hair),
@@ -103,7 +106,7 @@ pub struct Extras {
 }
 
 impl Curves {
-    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4), `.obj` with polylines or `.usda`, told apart by content first and by the
+    /// Reads a groom: `.hair`, `.tfx` (versions 2, 3 and 4), `.obj` with polylines, `.usda` or `.data`, told apart by content first and by the
     /// name's extension where content does not say. Of a `.usda` file with time samples the first is taken
     /// ([`CurveCache`](crate::files::curve_cache::CurveCache) has all), and cubic curves are made into points, four a span.
     ///
@@ -139,8 +142,12 @@ impl Curves {
             "tfx" => tfx::read_from_bytes(name, bytes),
             "obj" => obj::read_from_bytes(name, bytes),
             "usda" | "usd" => usda::read_from_bytes(name, bytes),
+            "data" => strand_data::read_from_bytes(name, bytes),
             _ if tfx::is_text(bytes) || tfx::is_binary(bytes) => tfx::read_from_bytes(name, bytes),
-            _ => Err(Error::file(name, "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4), .obj or .usda")),
+            _ => Err(Error::file(
+                name,
+                "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4), .obj, .usda or .data",
+            )),
         }
     }
 

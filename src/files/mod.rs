@@ -19,6 +19,7 @@ pub mod obj_mesh;
 mod polygon;
 pub mod recorded_curve;
 pub mod sequence;
+pub mod strand_data;
 mod text;
 pub mod tfx;
 mod tfx_binary;

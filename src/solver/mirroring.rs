@@ -48,7 +48,7 @@ fn rows(rows: &[[f64; 3]]) -> Vec<[f64; 3]> {
 }
 
 fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
-    let Strand { model, state, user_data, authored, energies, fared, contact, .. } = strand;
+    let Strand { model, state, user_data, authored, energies, fared, contact, allowance, .. } = strand;
     let velocities = |list: &[Vec3<f64>]| list.iter().map(|v| Vec3::from(plane.direction((*v).into()))).collect::<Vec<_>>();
     let mut past = Past::default();
     if state.past.step > 0.0 {
@@ -87,5 +87,6 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         held: false,
         touched: false,
         contact: contact.clone(),
+        allowance: allowance.clone(),
     }
 }

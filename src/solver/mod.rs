@@ -10,6 +10,7 @@ pub mod id;
 mod level_of_detail;
 mod materials;
 mod mirroring;
+mod overlaps;
 mod population;
 mod posing;
 mod reading;
@@ -30,6 +31,7 @@ use nalgebra::Vector3;
 
 pub use bulk_sampling::{SampleSink, Tile, Wanted};
 pub use materials::Stiffening;
+pub use overlaps::Overlap;
 pub use render_guides::SolverGuides;
 pub use sampling::Sample;
 pub use snapshot::SNAPSHOT_VERSION;

@@ -31,7 +31,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use bytes::{Reader, Writer, bad, of_part};
 
 /// Changes whenever an image of an older version could not be read.
-pub const SNAPSHOT_VERSION: u32 = 4;
+pub const SNAPSHOT_VERSION: u32 = 5;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -152,6 +152,7 @@ fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         let mut strand = reader.strand(id, rules, &mut sections)?;
         strand.authored = reader.authored(strand.model.length())?;
         (strand.contact, strand.touched) = (reader.strand_contact()?, reader.flag()?);
+        strand.allowance = reader.allowance()?;
         strands.push(strand);
     }
     let bodies = reader.bodies(&body_slots)?;
@@ -210,6 +211,7 @@ impl Solver {
             writer.authored(strand.authored.as_deref());
             writer.strand_contact(strand.contact.as_deref());
             writer.flag(strand.touched);
+            writer.allowance(strand.allowance.as_deref());
         }
         writer.bodies(&self.bodies, |writer, body| writer.u64(body.id.bits()));
         writer.constraints(&self.constraints, &self.slots, |writer, constraint| writer.u64(constraint.id.bits()));
@@ -258,6 +260,12 @@ impl Solver {
             writer.bodies(&self.bodies, |_, _| ());
             writer.constraints(&self.constraints, &self.slots, |_, _| ());
             writer.touches(&self.holding.memory());
+        }
+        // And one without allowances that which it had before there were any.
+        if self.strands.iter().any(|strand| strand.allowance.is_some()) {
+            for strand in &self.strands {
+                writer.allowance(strand.allowance.as_deref());
+            }
         }
         fnv1a(&writer.0)
     }

@@ -8,6 +8,7 @@ use super::definition::StrandDef;
 use super::id::StrandId;
 use super::report::{Energies, StrandStatus};
 use super::sections;
+use crate::contact::allowance::Allowance;
 use crate::contact::options::StrandContact;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
@@ -43,6 +44,8 @@ pub(super) struct Strand {
     pub touched: bool,
     /// What it is to contact; none: it touches nothing.
     pub contact: Option<Box<StrandContact>>,
+    /// What it may overlap; none: nothing.
+    pub allowance: Option<Box<Allowance>>,
 }
 
 /// What is kept of how a substep went; the rest goes into the call's [`Tally`].
@@ -144,6 +147,7 @@ impl Strand {
             held: false,
             touched: false,
             contact: None,
+            allowance: None,
         }
     }
 
@@ -268,7 +272,13 @@ impl Strand {
             self.authored.as_ref().map_or(0, |authored| size_of::<Authored>() + lists(&authored.lengths, &authored.natural));
         let root_move = self.root_move.as_ref().map_or(0, |_| size_of::<(PoseMove, f64)>());
         let contact = self.contact.as_ref().map_or(0, |_| size_of::<StrandContact>());
-        let own = contact + authored + root_move + lists(&self.model.lengths, &self.model.natural) + self.state.heap_bytes();
+        let allowance = self.allowance.as_ref().map_or(0, |allowance| size_of::<Allowance>() + allowance.heap_bytes());
+        let own = contact
+            + allowance
+            + authored
+            + root_move
+            + lists(&self.model.lengths, &self.model.natural)
+            + self.state.heap_bytes();
         own as f64 + sections::share(self.model.section())
     }
 }

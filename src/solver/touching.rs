@@ -1,19 +1,22 @@
 //! Who touches whom in a substep: bodies and strands found near held strands, as joints.
 
+mod allowances;
 mod memory;
 
 use nalgebra::Vector3;
 
 pub(super) use memory::{NearStrands, TouchMemory};
 
-use super::constraints::{ConstraintStatus, Hold};
+use super::constraints::{Constraint, ConstraintStatus, Hold};
 use super::holding::Scene;
+use super::id::StrandId;
 use crate::chain::load::Station;
 use crate::contact::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
 use crate::contact::joint::{Joint, JointEnd, JointKind, Standing};
 use crate::contact::law::Law;
+use crate::contact::options::ContactOptions;
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
@@ -71,6 +74,8 @@ pub(super) struct Touching {
     parts: Vec<PairPart>,
     /// Which of the wisps are tied together.
     ties: Vec<Tie>,
+    /// Some of the strands may overlap others or bodies.
+    allows: bool,
     remembered: Vec<Remembered>,
 }
 
@@ -100,14 +105,19 @@ impl Touching {
     /// other is known. At a substep's start also those that may come to touch, later only what is in each other.
     pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand], at_start: bool) {
         self.hair.clear();
+        self.allows = scene.strands.iter().any(|strand| strand.allowance.is_some());
         let unseen = UNSEEN * scene.options.tolerance;
         for held in strands.iter_mut() {
             held.found.clear();
         }
         if !scene.bodies.is_empty() {
+            let all = &*scene.strands;
             scene.crew.for_each(strands, |held, _| {
                 if held.has_gone(unseen) {
                     held.find_bodies(scene.bodies, NEAR);
+                    if let Some(allowance) = all[held.index as usize].allowance.as_deref() {
+                        allowances::give_way_to_bodies(held, allowance, NEAR);
+                    }
                 }
             });
         }
@@ -126,11 +136,10 @@ impl Touching {
         if !(self.ready && same) {
             self.of = wisps().map(|(_, held)| held.index).collect();
             self.wisps = wisps().map(|(_, held)| held.wisp()).collect();
-            let largest = self.wisps.iter().fold(0.0_f64, |a, wisp| a.max(wisp.radius));
-            let options = PairOptions { activation: NEAR.min(NEAR_HAIR * largest), margin: MARGIN * largest };
-            self.ready = self.pairs.set(&self.wisps, &options).is_ok();
+            self.ready = self.pairs.set(&self.wisps, &pair_options(&self.wisps)).is_ok();
         }
-        self.find_ties(scene);
+        let Self { of, ties, .. } = self;
+        tied(scene.constraints, |id| of.binary_search(&(scene.slots.index(id)? as u32)).ok(), ties);
         if self.pairs.set_ties(&self.ties).is_err() || self.pairs.update(&paths).is_err() {
             self.ready = false;
             return;
@@ -143,34 +152,21 @@ impl Touching {
         for (k, part) in self.parts[..parts].iter_mut().enumerate() {
             part.from = k * PART;
         }
-        let pairs = &self.pairs;
+        let (pairs, allows, all) = (&self.pairs, self.allows, &*scene.strands);
         scene.crew.for_each_task(&mut self.parts[..parts], 1, 1, |parts, _| {
             for PairPart { from, touches, scratch } in parts {
                 touches.clear();
                 for group in groups[*from..].iter().take(PART) {
                     pairs.touches(group, &paths, within, scratch, touches);
                 }
+                if allows {
+                    allowances::give_way_to_hair(all, strands, within.min(pairs.activation()), touches);
+                }
             }
         });
         for part in &self.parts[..parts] {
             self.hair.extend_from_slice(&part.touches);
         }
-    }
-
-    /// Finds which of the wisps constraints tie together: the wisps give way to each other there.
-    fn find_ties(&mut self, scene: &Scene) {
-        let wisp = |id| {
-            let index = scene.slots.index(id)?;
-            Some(self.of.binary_search(&(index as u32)).ok()? as u32)
-        };
-        self.ties.clear();
-        self.ties.extend(scene.constraints.iter().filter_map(|constraint| match constraint.def.hold {
-            Hold::Tie { other, arclength } if constraint.state.status != ConstraintStatus::Released => Some(Tie {
-                strands: [wisp(constraint.def.strand)?, wisp(other)?],
-                along: [constraint.state.arclength, arclength],
-            }),
-            _ => None,
-        }));
     }
 
     /// The joints of all touches found.
@@ -191,7 +187,7 @@ impl Touching {
         let (second, kind, with) = match touch.partner {
             Partner::Body { body, feature } => {
                 let at = &scene.bodies[body as usize];
-                let margin = strand.contact.radius + at.thickness;
+                let margin = allowances::radius(scene.strands, strand, &first.station) + at.thickness;
                 let point = strand.end_state(&first.station).now - touch.normal * (touch.gap + margin);
                 let (normal, carried) = (touch.normal, touch.carried);
                 let kind = JointKind::Body {
@@ -208,10 +204,10 @@ impl Touching {
             Partner::Strand(place) => {
                 let other = &strands[place.strand as usize];
                 let second = end(place.strand, &place);
-                let margin = if self.ties.is_empty() {
+                let margin = if self.ties.is_empty() && !self.allows {
                     strand.contact.wisp_radius + other.contact.wisp_radius
                 } else {
-                    // What a knot near by has left of the radii.
+                    // What a knot near by, or what the strands may overlap, has left of the radii.
                     let apart = strand.end_state(&first.station).now - other.end_state(&second.station).now;
                     touch.normal.dot(&apart) - touch.gap
                 };
@@ -249,7 +245,7 @@ impl Touching {
         let (allowed, at) = (DEEP * scene.options.tolerance, strand.end_state(&first.station).start);
         match (kind, second) {
             (JointKind::Body { body, .. }, _) => {
-                let radius = strand.contact.radius;
+                let radius = allowances::radius(scene.strands, strand, &first.station);
                 radius + scene.bodies[body as usize].depth_at_start(at, DEEPEST) > allowed
             }
             (JointKind::Hair { margin, .. }, Some(end)) => {
@@ -354,6 +350,24 @@ impl Touching {
         }
         self.remembered.sort_by(|a, b| (a.strand, a.with).cmp(&(b.strand, b.with)).then(a.along.total_cmp(&b.along)));
     }
+}
+
+/// How far to look for what touches these wisps.
+pub(super) fn pair_options(wisps: &[Wisp]) -> PairOptions {
+    let largest = wisps.iter().fold(0.0_f64, |a, wisp| a.max(wisp.radius));
+    PairOptions { activation: NEAR.min(NEAR_HAIR * largest), margin: MARGIN * largest }
+}
+
+/// Which of the wisps constraints tie together: the wisps give way to each other there. `wisp` gives a strand's place among them.
+pub(super) fn tied(constraints: &[Constraint], wisp: impl Fn(StrandId) -> Option<usize>, ties: &mut Vec<Tie>) {
+    ties.clear();
+    ties.extend(constraints.iter().filter_map(|constraint| match constraint.def.hold {
+        Hold::Tie { other, arclength } if constraint.state.status != ConstraintStatus::Released => Some(Tie {
+            strands: [wisp(constraint.def.strand)? as u32, wisp(other)? as u32],
+            along: [constraint.state.arclength, arclength],
+        }),
+        _ => None,
+    }));
 }
 
 fn end(held: u32, place: &Place) -> JointEnd {

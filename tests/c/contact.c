@@ -364,12 +364,52 @@ static void images(void) {
   EXPECT(hashes[0] == hashes[1]);
 }
 
+/* A strand that is drawn into a ball rests where that is allowed, and is pushed out where it is not. */
+static void overlaps(void) {
+  shx_solver *solver;
+  shx_strand_contact contact;
+  shx_body_id ball, in;
+  shx_strand_id with;
+  shx_step_report report;
+  double depth = 0, hair = 7, along[8], shares[8], sunk[8];
+  size_t stations = 0;
+  EXPECT(shx_solver_create(NULL, &solver) == SHX_OK);
+  const shx_strand_id strand = add_strand(solver, 0);
+  shx_body_def def = body(SHX_SHAPE_SPHERE);
+  def.radius = 0.02;
+  def.pose = at(0.05, 0, -0.02 - 50e-6 + 1e-3);
+  EXPECT(shx_solver_add_bodies(solver, &def, sizeof def, 1, &ball) == SHX_OK);
+  EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
+  EXPECT(shx_solver_set_contact(solver, &strand, 1, &contact, 0) == SHX_OK);
+  EXPECT(shx_solver_take_rest_shapes(solver, &strand, 1) == SHX_OK);
+  EXPECT(shx_solver_overlaps(solver, &strand, 1, &hair, &with, &depth, &in) == SHX_OK);
+  EXPECT(hair == 0 && with.bits == 0 && fabs(depth - 1e-3) < 1e-9 && in.bits == ball.bits);
+  EXPECT(shx_solver_allow_overlaps(solver, &strand, 1) == SHX_OK);
+  EXPECT(shx_solver_overlaps(solver, &strand, 1, NULL, NULL, &depth, NULL) == SHX_OK && depth < 1e-15);
+  steps(solver, 60, &report);
+  EXPECT(fabs(tip(solver, strand, 2)) < 1e-9 && report.contacts == 0);
+  /* Kept by the host, taken away, given back. */
+  EXPECT(shx_solver_get_allowance(solver, strand, along, shares, sunk, 5, &stations) == SHX_ERROR_BUFFER_TOO_SMALL);
+  EXPECT(shx_solver_get_allowance(solver, strand, along, shares, sunk, 8, &stations) == SHX_OK && stations == 6);
+  EXPECT(along[0] == 0 && fabs(along[5] - 0.1) < 1e-15 && shares[2] == 1 && fabs(sunk[2] - 1e-3) < 1e-9 && sunk[0] == 0);
+  EXPECT(shx_solver_set_allowance(solver, strand, NULL, NULL, NULL, 0) == SHX_OK);
+  EXPECT(shx_solver_get_allowance(solver, strand, NULL, NULL, NULL, 0, &stations) == SHX_OK && stations == 0);
+  EXPECT(shx_solver_overlaps(solver, &strand, 1, NULL, NULL, &depth, NULL) == SHX_OK && fabs(depth - 1e-3) < 1e-9);
+  EXPECT(shx_solver_set_allowance(solver, strand, along, shares, sunk, 6) == SHX_OK);
+  EXPECT(shx_solver_overlaps(solver, &strand, 1, NULL, NULL, &depth, NULL) == SHX_OK && depth < 1e-15);
+  EXPECT(shx_solver_set_allowance(solver, strand, NULL, NULL, NULL, 0) == SHX_OK);
+  steps(solver, 60, &report);
+  EXPECT(fabs(tip(solver, strand, 2)) > 1e-4);
+  shx_solver_destroy(solver);
+}
+
 int main(void) {
   bodies();
   shared_shapes();
   grids();
   constraints();
   images();
+  overlaps();
   printf("strands rest on bodies, are held, and slip out of rings\n");
   return 0;
 }

@@ -14,6 +14,7 @@ mod fit_curves;
 mod friction_fit;
 mod hair;
 mod level_of_detail;
+mod overlaps;
 mod posing;
 mod render_hair;
 mod restyling;
@@ -47,6 +48,7 @@ use superhelix::capi::friction_fit::*;
 use superhelix::capi::hair::*;
 use superhelix::capi::level_of_detail::*;
 use superhelix::capi::materials::*;
+use superhelix::capi::overlaps::*;
 use superhelix::capi::pose_def::*;
 use superhelix::capi::posing::*;
 use superhelix::capi::restyling::*;
@@ -169,6 +171,7 @@ fn table() -> Vec<Case> {
         sampling::cases,
         bodies::cases,
         contact::cases,
+        overlaps::cases,
         constraints::cases,
         fit::cases,
         fit_curves::cases,

@@ -25,7 +25,7 @@ use crate::unit;
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
 #[derive(Debug, Args)]
 pub struct FitArguments {
-    /// The groom: .hair, .tfx, .obj with lines or .usda, root first.
+    /// The groom: .hair, .tfx, .obj with lines, .usda or .data, root first.
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
     /// Helical elements a strand; several numbers make a table. With --tolerance: the most. Default: 3,5,10,20, or with --tolerance 100.

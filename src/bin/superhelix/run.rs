@@ -101,6 +101,9 @@ impl Things {
         let constraints = scene.attachments.iter().map(|attachment| attachment.constraint(solver, &strands));
         let constraints = constraints.collect::<superhelix::error::Result<Vec<_>>>()?;
         let constraints = solver.add_constraints(&constraints)?;
+        if scene.allow_overlaps {
+            solver.allow_overlaps(&strands)?;
+        }
         Ok(Self { strands, bodies, constraints })
     }
 }

@@ -44,7 +44,7 @@ use crate::{progress, resolution, scene, settled, unit};
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct SimulateArguments {
-    /// The groom: .hair, .tfx, .obj with lines or .usda, root first.
+    /// The groom: .hair, .tfx, .obj with lines, .usda or .data, root first.
     #[arg(value_name = "GROOM")]
     groom: PathBuf,
     /// The head's motion: a .csv of poses or a .bvh. Without it the head stands still.

@@ -39,6 +39,9 @@ pub struct BodyArguments {
     /// So much of each strand, from its root, touches nothing, m.
     #[arg(long, value_name = "METRES", default_value_t = 0.0, value_parser = not_negative)]
     exempt: f64,
+    /// What the groom overlaps as it is drawn, strands in strands and in the body, is allowed: only what comes on top of it is kept apart.
+    #[arg(long)]
+    allow_overlaps: bool,
 }
 
 fn model(text: &str) -> Result<ContactModel, String> {
@@ -114,8 +117,12 @@ impl BodyArguments {
         let wisp_radius = self.hair_contact.unwrap_or(0.0);
         let contact = StrandContact { wisp_radius, exempt_length: self.exempt, ..own };
         solver.set_contact(strands, Some(&contact))?;
-        let Some(body) = body else { return Ok(None) };
-        Ok(solver.add_bodies(vec![BodyDef::new(Arc::clone(&body.shape))])?.first().copied())
+        let bodies = body.map(|body| BodyDef::new(Arc::clone(&body.shape)));
+        let added = solver.add_bodies(bodies.into_iter().collect())?;
+        if self.allow_overlaps {
+            solver.allow_overlaps(strands)?;
+        }
+        Ok(added.first().copied())
     }
 }
 

@@ -3,6 +3,7 @@
 use nalgebra::Matrix3;
 
 use super::bytes::{Reader, Writer, bad, of_part};
+use crate::contact::allowance::Allowance;
 use crate::contact::hair_pairs::PairMemory;
 use crate::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
 use crate::contact::pieces::{Piece, Wisp};
@@ -40,6 +41,14 @@ impl Writer {
             self.f64(contact.exempt_length);
             self.u32(contact.groups);
             self.u32(contact.mask);
+        }
+    }
+
+    /// What a strand may overlap.
+    pub fn allowance(&mut self, allowance: Option<&Allowance>) {
+        self.u64(allowance.map_or(0, |allowance| allowance.along.len() as u64));
+        for list in allowance.iter().flat_map(|allowance| [&allowance.along, &allowance.wisp_shares, &allowance.sunk]) {
+            list.iter().for_each(|x| self.f64(*x));
         }
     }
 
@@ -145,6 +154,18 @@ impl Reader<'_> {
         };
         contact.check("contact").map_err(|error| of_part("a strand", &error))?;
         Ok(Some(Box::new(contact)))
+    }
+
+    /// What a strand may overlap.
+    pub fn allowance(&mut self) -> Result<Option<Box<Allowance>>> {
+        let count = self.count(3 * 8)?;
+        if count == 0 {
+            return Ok(None);
+        }
+        let mut list = || (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>();
+        let allowance = Allowance { along: list()?, wisp_shares: list()?, sunk: list()? };
+        allowance.check("allowance").map_err(|error| of_part("a strand", &error))?;
+        Ok(Some(Box::new(allowance)))
     }
 
     /// Friction by direction.

@@ -164,6 +164,7 @@ impl Reader<'_> {
             held: false,
             touched: false,
             contact: None,
+            allowance: None,
         };
         strand.shrink();
         Ok(strand)

@@ -57,6 +57,8 @@ pub enum OfStrand {
 pub struct Touching {
     hair: bool,
     common: Given,
+    /// What strands overlap at the start is allowed.
+    pub allow_overlaps: bool,
 }
 
 /// Keys that a strand and all strands together may have.
@@ -66,6 +68,7 @@ const COMMON: [&str; 6] = ["radius", "friction", "viscous_friction", "exempt_len
 pub fn read(scene: &Entries) -> Result<(ContactOptions, Touching), Complaint> {
     let mut options = ContactOptions::default();
     let mut common = Given::default();
+    let mut allow_overlaps = false;
     if let Some(contact) = scene.get("contact") {
         let entries = contact.object(&[
             "model",
@@ -77,6 +80,7 @@ pub fn read(scene: &Entries) -> Result<(ContactOptions, Touching), Complaint> {
             "separation_speed",
             "max_iterations",
             "max_sweeps",
+            "allow_overlaps",
             "strands",
         ])?;
         options.model = entries.or("model", options.model, |node| node.choice(&MODELS))?;
@@ -89,6 +93,7 @@ pub fn read(scene: &Entries) -> Result<(ContactOptions, Touching), Complaint> {
         options.max_iterations =
             entries.or("max_iterations", options.max_iterations, |node| Ok(node.whole(1..=10_000)? as u32))?;
         options.max_sweeps = entries.or("max_sweeps", options.max_sweeps, |node| Ok(node.whole(1..=1_000_000)? as u32))?;
+        allow_overlaps = entries.or("allow_overlaps", false, Node::truth)?;
         if let Some(strands) = entries.get("strands") {
             common = read_given(strands, &COMMON)?;
         }
@@ -104,7 +109,7 @@ pub fn read(scene: &Entries) -> Result<(ContactOptions, Touching), Complaint> {
             false => hair.value.as_bool().ok_or_else(|| hair.complain("true, false, or an object"))?,
         };
     }
-    Ok((options, Touching { hair: options.hair, common }))
+    Ok((options, Touching { hair: options.hair, common, allow_overlaps }))
 }
 
 /// Reads a strand's own `contact`: values, or false.

@@ -48,6 +48,8 @@ pub struct Scene {
     pub colliders: Vec<Collider>,
     /// What holds them.
     pub attachments: Vec<Attachment>,
+    /// What strands overlap at the start is allowed.
+    pub allow_overlaps: bool,
     /// What to write.
     pub outputs: Vec<Request>,
 }
@@ -126,7 +128,17 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
     let attachments = scene.or("attachments", Vec::new(), |list| attachments::read(list, &strands))?;
     let outputs = outputs::read(&scene)?;
     let posing = scene.or("posing", Vec::new(), posing::read)?;
-    let mut scene = Scene { options, time_step, duration: seconds, output_interval, strands, colliders, attachments, outputs };
+    let mut scene = Scene {
+        options,
+        time_step,
+        duration: seconds,
+        output_interval,
+        strands,
+        colliders,
+        attachments,
+        allow_overlaps: touching.allow_overlaps,
+        outputs,
+    };
     posed::apply(&mut scene, &posing)?;
     Ok(scene)
 }

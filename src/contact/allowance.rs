@@ -1,0 +1,113 @@
+//! How far a strand may be in others and in bodies, place by place: grooms are drawn with wisps in wisps and hair in heads, and what was drawn so
+//! has to bear no force where the groom as drawn is to rest.
+
+use crate::error::{Error, Result, check_not_negative};
+
+/// What a strand may overlap, told at stations along it, linear between them and constant beyond the first and the last. It is bound to
+/// arclength, not to elements, and stays where it is when these change.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Allowance {
+    /// Arclength of the stations from the root, m, rising; the first zero or above. At least one.
+    pub along: Vec<f64>,
+    /// What is left of the wisp's radius at each station, 0 to 1.
+    pub wisp_shares: Vec<f64>,
+    /// How far the strand's surface may be in a body at each station, m, zero or above.
+    pub sunk: Vec<f64>,
+}
+
+impl Allowance {
+    /// Checks the lists; `name` goes before theirs in the error.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for lists of different lengths or without stations, or the first value out of range.
+    pub fn check(&self, name: &str) -> Result<()> {
+        let count = self.along.len();
+        if count == 0 {
+            return Err(Error::invalid(format!("{name}.along (count)"), count, "1 or more"));
+        }
+        for (list, length) in [("wisp_shares", self.wisp_shares.len()), ("sunk", self.sunk.len())] {
+            if length != count {
+                return Err(Error::invalid(format!("{name}.{list} (count)"), length, format!("{count}, one a station")));
+            }
+        }
+        for (k, along) in self.along.iter().enumerate() {
+            check_not_negative(|| format!("{name}.along[{k}]"), *along)?;
+            if k > 0 && *along <= self.along[k - 1] {
+                return Err(Error::invalid(format!("{name}.along[{k}]"), along, format!("above {}", self.along[k - 1])));
+            }
+        }
+        for (k, share) in self.wisp_shares.iter().enumerate() {
+            if !(0.0..=1.0).contains(share) {
+                return Err(Error::invalid(format!("{name}.wisp_shares[{k}]"), share, "0 to 1"));
+            }
+        }
+        self.sunk.iter().enumerate().try_for_each(|(k, sunk)| check_not_negative(|| format!("{name}.sunk[{k}]"), *sunk))
+    }
+
+    /// What is left of the wisp's radius at an arclength (m), 0 to 1.
+    pub fn wisp_share(&self, along: f64) -> f64 {
+        self.between(&self.wisp_shares, along)
+    }
+
+    /// How far the strand may be in a body at an arclength (m), m.
+    pub fn sunk(&self, along: f64) -> f64 {
+        self.between(&self.sunk, along)
+    }
+
+    fn between(&self, values: &[f64], along: f64) -> f64 {
+        let next = self.along.partition_point(|station| *station <= along).clamp(1, self.along.len().max(2) - 1);
+        let (Some(a), Some(b)) = (self.along.get(next - 1), self.along.get(next)) else { return values[0] };
+        let t = ((along - a) / (b - a)).clamp(0.0, 1.0);
+        values[next - 1] + t * (values[next] - values[next - 1])
+    }
+
+    /// Bytes on the heap.
+    pub fn heap_bytes(&self) -> usize {
+        (self.along.capacity() + self.wisp_shares.capacity() + self.sunk.capacity()) * size_of::<f64>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_linear_between_stations_and_constant_beyond() {
+        let allowance =
+            Allowance { along: vec![0.01, 0.02, 0.04], wisp_shares: vec![1.0, 0.5, 0.0], sunk: vec![0.0, 0.002, 0.001] };
+        allowance.check("a").unwrap();
+        for (along, share, sunk) in [
+            (0.0, 1.0, 0.0),
+            (0.015, 0.75, 0.001),
+            (0.02, 0.5, 0.002),
+            (0.03, 0.25, 0.0015),
+            (0.04, 0.0, 0.001),
+            (1.0, 0.0, 0.001),
+        ] {
+            assert!((allowance.wisp_share(along) - share).abs() < 1e-12, "{along}");
+            assert!((allowance.sunk(along) - sunk).abs() < 1e-12, "{along}");
+        }
+        let one = Allowance { along: vec![0.01], wisp_shares: vec![0.3], sunk: vec![0.1] };
+        one.check("a").unwrap();
+        assert_eq!([0.0, 0.01, 0.5].map(|along| one.wisp_share(along)), [0.3; 3]);
+    }
+
+    #[test]
+    fn bad_lists_are_named() {
+        let good = Allowance { along: vec![0.0, 0.1], wisp_shares: vec![1.0, 0.5], sunk: vec![0.0, 0.1] };
+        for (bad, named) in [
+            (Allowance::default(), "a.along (count)"),
+            (Allowance { sunk: vec![0.0], ..good.clone() }, "a.sunk (count)"),
+            (Allowance { wisp_shares: vec![0.0; 3], ..good.clone() }, "a.wisp_shares (count)"),
+            (Allowance { along: vec![0.0, 0.0], ..good.clone() }, "a.along[1]"),
+            (Allowance { along: vec![-1.0, 0.0], ..good.clone() }, "a.along[0]"),
+            (Allowance { along: vec![0.0, f64::NAN], ..good.clone() }, "a.along[1]"),
+            (Allowance { wisp_shares: vec![0.0, 1.1], ..good.clone() }, "a.wisp_shares[1]"),
+            (Allowance { wisp_shares: vec![f64::NAN, 1.0], ..good.clone() }, "a.wisp_shares[0]"),
+            (Allowance { sunk: vec![0.0, -0.1], ..good.clone() }, "a.sunk[1]"),
+        ] {
+            let error = bad.check("a").unwrap_err().to_string();
+            assert!(error.contains(named), "{error}");
+        }
+    }
+}

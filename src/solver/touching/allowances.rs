@@ -1,0 +1,45 @@
+//! Touches of strands that may overlap what they touch: their surfaces are nearer to their centrelines there.
+
+use crate::chain::load::Station;
+use crate::contact::allowance::Allowance;
+use crate::contact::held_strand::HeldStrand;
+use crate::contact::touch::{Partner, Touch};
+use crate::solver::strand::Strand;
+
+/// Takes back the surface of a strand in its touches with bodies; those that are farther than `within` (m) then are none.
+pub fn give_way_to_bodies(held: &mut HeldStrand, allowance: &Allowance, within: f64) {
+    let mut found = std::mem::take(&mut held.found);
+    let path = held.path();
+    found.retain_mut(|touch| {
+        touch.gap += allowance.sunk(path.now.along(touch.place.element as usize, touch.place.s));
+        touch.gap <= within
+    });
+    held.found = found;
+}
+
+/// The same for touches between strands.
+pub fn give_way_to_hair(all: &[Strand], strands: &[HeldStrand], activation: f64, touches: &mut Vec<Touch>) {
+    touches.retain_mut(|touch| {
+        let Partner::Strand(other) = touch.partner else { return true };
+        let ends = [touch.place, other].map(|place| (&strands[place.strand as usize], place));
+        let allowances = ends.map(|(held, _)| all[held.index as usize].allowance.as_deref());
+        if allowances == [None, None] {
+            return true;
+        }
+        let radius = |end: usize| {
+            let (held, place) = ends[end];
+            let share = |allowance: &Allowance| allowance.wisp_share(held.path().now.along(place.element as usize, place.s));
+            allowances[end].map_or(1.0, share) * held.contact.wisp_radius
+        };
+        let [a, b] = ends.map(|(held, place)| held.path().now.position(place.element as usize, place.s));
+        // A knot may have left less of the radii.
+        touch.gap = touch.gap.max(touch.normal.dot(&(a - b)) - (radius(0) + radius(1)));
+        touch.gap <= activation
+    });
+}
+
+/// How far from the centreline a strand begins for bodies at a station, m; below zero where it may be in one by more than its radius.
+pub fn radius(all: &[Strand], held: &HeldStrand, station: &Station) -> f64 {
+    let allowance = all[held.index as usize].allowance.as_deref();
+    held.contact.radius - allowance.map_or(0.0, |allowance| allowance.sunk(held.along(station)))
+}
