@@ -95,6 +95,8 @@ pub struct Island {
     pub good_enough: bool,
     /// Not even so: its strands stay as the step found them.
     pub lost: bool,
+    /// Whether bonds that do not give way hold strands to the world in this iteration.
+    pub bonded_to_world: bool,
     /// How far from the end a strand may be to rest, rad, and its joints' residual.
     pub rest: f64,
     /// See `rest`.
@@ -162,8 +164,10 @@ impl Island {
 
     /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
     pub fn refresh(&mut self, strands: &[HeldStrand], bodies: &[BodyAt]) {
+        self.bonded_to_world = false;
         for joint in &mut self.joints {
             let strand = &strands[joint.first.held as usize];
+            self.bonded_to_world |= !self.relaxed && matches!(joint.kind, JointKind::Pin { compliance: 0.0, .. });
             if strand.resting {
                 continue;
             }
@@ -274,7 +278,12 @@ impl Island {
         self.report = self.solver.solve(&self.space, &settings, &mut self.forces);
         self.sweeps += self.report.sweeps;
         for (joint, force) in self.parts.iter().zip(&self.forces) {
-            self.joints[*joint as usize].force = *force;
+            let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
+            joint.force = *force;
+            if matches!(joint.kind, JointKind::Pin { .. }) {
+                let strand = &strands[self.strands[first.strand as usize] as usize];
+                joint.force += Vector3::from(strand.held.pulled(first.point as usize));
+            }
         }
         Ok(())
     }
