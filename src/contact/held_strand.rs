@@ -42,6 +42,8 @@ pub struct HeldStrand {
     pub contact: StrandContact,
     /// Its mass, kg.
     pub mass: f64,
+    /// The force that bends its shortest element by about a radian, N.
+    pub bending: f64,
     /// Its island.
     pub island: u32,
     /// From root to tip; their places in this list are the points of the island's contact space.

@@ -36,8 +36,12 @@ const LOST: f64 = 0.1;
 const PATIENCE: [u32; 2] = [5, 25];
 /// What an island that has not come to its end may be off by and still be kept as it is: rad, in units of the tolerance of touches, m.
 const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-9);
-/// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
+/// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution, and
+/// those of constraints beyond this many times that and what bends an element by a radian. (What can be held takes a few times as much at
+/// most; what cannot, a thousandfold more in every iteration.)
 const NO_SOLUTION: f64 = 1e4;
+/// So many iterations in a row that move no strand, though laws do not hold, end an island: its constraints leave the touches no room.
+const IDLE: u32 = 5;
 
 /// A strand rests while others go on where it is nearer to the end than this part of what may be left; and until forces that changed would
 /// move it by more than that (an element's length times the angle).
@@ -103,6 +107,8 @@ pub struct Island {
     pub rest_miss: f64,
     /// The least that was left to do, in units of what may be, and the iteration that it was halved in.
     best: (f64, u32),
+    /// Iterations in a row that moved nothing.
+    idle: u32,
     space: ContactSpace,
     solver: GaussSeidel,
     forces: Vec<Vector3<f64>>,
@@ -121,7 +127,7 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
         (self.done, self.converged, self.relaxed, self.lost, self.good_enough) = (false, false, false, false, false);
-        (self.best, self.rest) = ((f64::INFINITY, 0), -1.0);
+        (self.best, self.idle, self.rest) = ((f64::INFINITY, 0), 0, -1.0);
     }
 
     /// Finds every joint's ends among its strands' attachments, once they are in order.
@@ -156,7 +162,7 @@ impl Island {
     pub fn relax(&mut self) -> bool {
         let again = self.failed() && !self.relaxed && !self.good_enough && !self.joints.is_empty();
         if again {
-            (self.iterations, self.done, self.relaxed, self.best) = (0, false, true, (f64::INFINITY, 0));
+            (self.iterations, self.done, self.relaxed, self.best, self.idle) = (0, false, true, (f64::INFINITY, 0), 0);
             self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
         }
         again
@@ -334,6 +340,11 @@ impl Island {
         !self.joints.iter().all(Joint::is_touch)
     }
 
+    /// What bends an element of the stiffest strand by about a radian, N.
+    fn bending_force(&self, strands: &[HeldStrand]) -> f64 {
+        self.strands.iter().map(|held| strands[*held as usize].bending).fold(0.0, f64::max)
+    }
+
     /// What takes the heaviest strand its own length in a step, N.
     fn usual_force(&self, strands: &[HeldStrand], step: f64) -> f64 {
         let of = |held: &u32| strands[*held as usize].mass * strands[*held as usize].length() / (step * step);
@@ -389,11 +400,22 @@ impl Island {
         }
         // What rests is told as well, but nobody waits for it.
         self.residual = self.residual.max(rested);
-        let pressing = self.joints.iter().filter(|joint| joint.is_touch()).map(|joint| joint.force.norm()).fold(0.0, f64::max);
+        let largest = |touches: bool| {
+            let of = self.joints.iter().filter(|joint| joint.is_touch() == touches).map(|joint| joint.force.norm());
+            of.fold(0.0, f64::max)
+        };
+        let usual = self.usual_force(strands, step);
+        let beyond = largest(true) > NO_SOLUTION * usual
+            || self.is_constrained() && largest(false) > NO_SOLUTION * (usual + self.bending_force(strands));
+        self.idle = if residual <= tolerance { self.idle + 1 } else { 0 };
         // Constraints may turn a strand right round, a little in every iteration.
-        let stuck = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)]
-            || pressing > NO_SOLUTION * self.usual_force(strands, step);
+        let slow = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)];
+        let stuck = slow || beyond || self.is_constrained() && self.idle > IDLE;
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
+        if std::env::var_os("SHX_TRACE").is_some() {
+            let bound = self.joints.iter().filter(|joint| !joint.is_touch()).map(|joint| joint.force.norm()).fold(0.0, f64::max);
+            println!("  it {} relaxed {} strands {} residual {residual:.1e} miss {:.1e} touches {:.1e} bonds {:.1e} usual {:.1e} sweeps {} done {} good {good} stuck {stuck} lost {lost}", self.iterations, self.relaxed, self.strands.len(), self.residual, largest(true), bound, self.usual_force(strands, step), self.report.sweeps, self.done);
+        }
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
         self.done = good || lost || stuck || self.iterations >= options.max_iterations;

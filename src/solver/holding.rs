@@ -214,6 +214,8 @@ impl Holding {
         for ((k, strand), held) in strands.zip(&mut self.strands) {
             held.index = k as u32;
             held.mass = strand.model.length() * strand.model.linear_density;
+            let shortest = strand.model.lengths.iter().fold(f64::INFINITY, |a: f64, length| a.min(*length));
+            held.bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.settled, held.resting) = (strand.touched, false, false);

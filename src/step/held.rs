@@ -33,9 +33,10 @@ pub struct WorldBond {
     pub off: Vec3<f64>,
 }
 
-/// Springs on the bonds are made stiffer so many times, by that factor, before the rotations are held back too.
-const STIFFENINGS: u32 = 3;
+/// Springs on the bonds are made stiffer by that factor where they do not do, up to so many times what is tried first; then the rotations
+/// are held back too.
 const STIFFER: f64 = 16.0;
+const STIFFEST: f64 = 256.0;
 
 /// One strand in the course of its step.
 #[derive(Debug)]
@@ -176,7 +177,8 @@ impl Held {
         let axes = self.freedoms.axes();
         let axes = &axes[..self.freedoms.count()];
         self.damping.begin();
-        let mut stiffenings = if self.bonds.is_empty() { STIFFENINGS } else { 0 };
+        let usual = if self.bonds.is_empty() { 0.0 } else { usual_spring(iterate, guess) };
+        *spring = spring.min(STIFFEST * usual);
         set_springs(loads, &self.bonds, *spring, &iterate.kinematics);
         for tries in 0..=newton::MAX_DAMPINGS {
             iterate.system.rotation_stiffness = self.damping.value;
@@ -184,9 +186,8 @@ impl Held {
             if found.repaired == 0.0 || tries == newton::MAX_DAMPINGS {
                 break;
             }
-            if stiffenings < STIFFENINGS {
-                stiffenings += 1;
-                *spring = if *spring == 0.0 { usual_spring(iterate, guess) } else { *spring * STIFFER };
+            if *spring < STIFFEST * usual {
+                *spring = (*spring * STIFFER).clamp(usual, STIFFEST * usual);
                 set_springs(loads, &self.bonds, *spring, &iterate.kinematics);
             } else {
                 self.damping.grow();
