@@ -1,12 +1,9 @@
 //! Constraints that cannot hold: told as violated, drawn as near as they go, in bounded time, and without forces beyond measure.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
 use superhelix::contact::options::{ContactModel, Friction, StrandContact};
-use superhelix::contact::shape::Shape;
 use superhelix::math::frame::Frame;
 use superhelix::solver::Solver;
 use superhelix::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatus, Hold};
@@ -16,6 +13,7 @@ use superhelix::solver::id::StrandId;
 const STEP: f64 = 1.0 / 60.0;
 const LENGTH: f64 = 0.1;
 const STRANDS: usize = 8;
+const STEPS: u32 = 60;
 
 /// Strands of a decimetre that hang from a circle of 5 mm.
 fn hanging() -> Vec<StrandDef> {
@@ -44,43 +42,29 @@ fn held(strand: StrandId, arclength: f64, hold: Hold, target: Frame) -> Constrai
 
 struct Outcome {
     states: Vec<ConstraintState>,
-    iterations: u32,
-    sweeps: u64,
-    seconds: f64,
-    quarantined: u32,
+    tips: Vec<Vector3<f64>>,
+    /// Of all steps: constraints' states that were violated, the largest force, sweeps, strands that were rolled back.
     violated: u32,
     force: f64,
-    tips: Vec<Vector3<f64>>,
+    sweeps: u64,
+    quarantined: u32,
 }
 
 /// A second of it.
-fn course(model: ContactModel, bodies: Vec<BodyDef>, wisp_radius: f64, hold: impl Fn(&[StrandId]) -> Vec<ConstraintDef>) -> Outcome {
+fn course(model: ContactModel, wisp_radius: f64, hold: impl Fn(&[StrandId]) -> Vec<ConstraintDef>) -> Outcome {
     let mut options = SolverOptions::default();
     (options.contact.model, options.contact.hair) = (model, wisp_radius > 0.0);
     let mut solver = Solver::new(options).unwrap();
     let ids = solver.add_strands(&hanging()).unwrap();
-    solver.add_bodies(bodies).unwrap();
     solver.set_contact(&ids, Some(&StrandContact { wisp_radius, ..StrandContact::default() })).unwrap();
     let constraints = solver.add_constraints(&hold(&ids)).unwrap();
-    let mut out = Outcome {
-        states: Vec::new(),
-        iterations: 0,
-        sweeps: 0,
-        seconds: 0.0,
-        quarantined: 0,
-        violated: 0,
-        force: 0.0,
-        tips: Vec::new(),
-    };
-    for _ in 0..60 {
+    let mut out = Outcome { states: Vec::new(), tips: Vec::new(), violated: 0, force: 0.0, sweeps: 0, quarantined: 0 };
+    for _ in 0..STEPS {
         let report = solver.step(STEP, 1).unwrap();
-        out.iterations += report.contact.iterations;
-        out.sweeps += report.contact.sweeps;
-        out.seconds += report.seconds;
-        out.quarantined += report.quarantined;
         out.states = constraints.iter().map(|id| solver.constraint_state(*id).unwrap()).collect();
         out.violated += out.states.iter().filter(|state| state.status == ConstraintStatus::Violated).count() as u32;
         out.force = out.states.iter().map(|state| state.force.norm()).fold(out.force, f64::max);
+        (out.sweeps, out.quarantined) = (out.sweeps + report.contact.sweeps, out.quarantined + report.quarantined);
     }
     for id in ids {
         solver.sample_at(id, &[LENGTH], |_, sample| out.tips.push(sample.position)).unwrap();
@@ -88,52 +72,60 @@ fn course(model: ContactModel, bodies: Vec<BodyDef>, wisp_radius: f64, hold: imp
     out
 }
 
+/// Nothing that is told is beyond measure: what takes a strand its own length in a step is 4e-4 N; measured 7e-3.
+const MOST_FORCE: f64 = 0.05;
+
+/// Alone, and as wisps that touch each other on the way: there every search for touches gives the island a new first attempt, and the second
+/// must come whatever iteration the first ends at (it did not where that was the last before a search: forces of 4e6 N were told).
 #[test]
-fn probe() {
-    let ball = |z: f64, radius: f64| {
-        let mut def = BodyDef::new(Arc::new(Shape::new_sphere(radius).unwrap()));
-        def.pose.origin = Vector3::new(0.0, 0.0, z);
-        def
-    };
-    let friction = Friction { along: 0.1, against: 0.2 };
-    for model in [ContactModel::Hard, ContactModel::Coulomb, ContactModel::Penalty] {
-        let print = |name: &str, out: Outcome| {
-            println!(
-                "{model:?} {name}: {:.0} ms, {} iterations, {} sweeps, {} quarantined, {} violated, force {:.1e}, {:?} {:.2e}",
-                out.seconds * 1e3, out.iterations, out.sweeps, out.quarantined, out.violated, out.force, out.states[0].status, out.states[0].error
-            );
-        };
-        print("in a ball", course(model, vec![ball(-0.09, 0.02)], 0.0, |ids| {
-            ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at([0.0, 0.0, -0.09]))).collect()
-        }));
-        print("in a ball, frames", course(model, vec![ball(-0.09, 0.02)], 0.0, |ids| {
-            ids.iter().map(|id| held(*id, LENGTH, Hold::Frame, at([0.0, 0.0, -0.09]))).collect()
-        }));
-        print("out of reach", course(model, vec![], 0.0, |ids| {
-            ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at([0.12, 0.0, -0.09]))).collect()
-        }));
-        print("out of reach, wisps", course(model, vec![], 5e-4, |ids| {
-            ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at([0.12, 0.0, -0.09]))).collect()
-        }));
-        print("behind a ball", course(model, vec![ball(-0.05, 0.03)], 0.0, |ids| {
-            ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at([0.0, 0.0, -0.095]))).collect()
-        }));
-        print("too far apart", course(model, vec![], 0.0, |ids| {
-            ids.iter().flat_map(|id| [held(*id, 0.05, Hold::Point, at([0.02, 0.0, -0.04])), held(*id, 0.09, Hold::Point, at([-0.04, 0.0, -0.05]))]).collect()
-        }));
-        print("two frames", course(model, vec![], 0.0, |ids| {
-            ids.iter().flat_map(|id| [held(*id, 0.05, Hold::Frame, at([0.0, 0.0, -0.04])), held(*id, 0.055, Hold::Direction, at([0.0, 0.001, -0.048]))]).collect()
-        }));
-        print("ring out of reach", course(model, vec![], 0.0, |ids| {
-            ids.iter().map(|id| held(*id, 0.06, Hold::Ring { friction }, at([0.1, 0.05, 0.05]))).collect()
-        }));
-        print("tie and pins", course(model, vec![], 0.0, |ids| {
-            let mut out = vec![held(ids[0], LENGTH, Hold::Point, at([0.05, 0.0, -0.07])), held(ids[1], LENGTH, Hold::Point, at([-0.05, 0.0, -0.07]))];
-            out.push(held(ids[0], 0.08, Hold::Tie { other: ids[1], arclength: 0.09 }, Frame::default()));
-            out
-        }));
-        print("ties in a ball", course(model, vec![ball(-0.05, 0.03)], 5e-4, |ids| {
-            (1..8).map(|k| held(ids[0], LENGTH, Hold::Tie { other: ids[k], arclength: LENGTH }, Frame::default())).chain([held(ids[0], LENGTH, Hold::Point, at([0.0, 0.0, -0.05]))]).collect()
-        }));
+fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
+    let target = Vector3::new(0.12, 0.0, -0.09);
+    for (model, wisp) in [ContactModel::Hard, ContactModel::Penalty].into_iter().flat_map(|model| [(model, 0.0), (model, 5e-4)]) {
+        let out = course(model, wisp, |ids| ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at(target.into()))).collect());
+        println!("{model:?} {wisp}: {:e} N, {} sweeps", out.force, out.sweeps);
+        assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0), "{model:?} {wisp}");
+        assert!(out.force < MOST_FORCE, "{model:?} {wisp}: {:e} N", out.force);
+        // Straight there from its root but for what the bond that gives way and its weight leave: a few millimetres.
+        for ((def, tip), state) in hanging().iter().zip(&out.tips).zip(&out.states) {
+            let reach = (target - def.root.origin).norm() - LENGTH;
+            let left = (target - tip).norm();
+            assert!(left > reach && left < reach + 6e-3, "{model:?} {wisp}: {left} for {reach}");
+            assert!((left - state.error).abs() < 1e-9, "{model:?} {wisp}: {left} {state:?}");
+        }
     }
+}
+
+/// Two points of a strand pinned further apart than it is long between them; a frame and a tangent close to it that contradict it.
+#[test]
+fn bonds_that_contradict_each_other_are_told() {
+    let apart = |ids: &[StrandId]| {
+        let of = |id: &StrandId| {
+            [held(*id, 0.05, Hold::Point, at([0.02, 0.0, -0.04])), held(*id, 0.09, Hold::Point, at([-0.04, 0.0, -0.05]))]
+        };
+        ids.iter().flat_map(of).collect()
+    };
+    let frames = |ids: &[StrandId]| {
+        let of = |id: &StrandId| {
+            [held(*id, 0.05, Hold::Frame, at([0.0, 0.0, -0.04])), held(*id, 0.055, Hold::Direction, at([0.0, 0.001, -0.048]))]
+        };
+        ids.iter().flat_map(of).collect()
+    };
+    for (name, out) in [("apart", course(ContactModel::Hard, 0.0, apart)), ("frames", course(ContactModel::Hard, 0.0, frames))] {
+        println!("{name}: {} violated, {:e} N", out.violated, out.force);
+        assert_eq!((out.violated, out.quarantined), (2 * STEPS * STRANDS as u32, 0), "{name}");
+        assert!(out.force < MOST_FORCE, "{name}: {:e} N", out.force);
+        assert!(out.tips.iter().all(|tip| tip.iter().all(|x| x.is_finite())), "{name}");
+    }
+}
+
+/// A ring that no force brings the strand into: its island ends after a few iterations that lead nowhere, not after all hundred of both
+/// attempts (528000 sweeps in all, 72160 now).
+#[test]
+fn a_ring_out_of_reach_ends_its_island_soon() {
+    let ring = Hold::Ring { friction: Friction { along: 0.1, against: 0.2 } };
+    let out = course(ContactModel::Hard, 0.0, |ids| ids.iter().map(|id| held(*id, 0.06, ring, at([0.1, 0.05, 0.05]))).collect());
+    println!("{} violated, {} sweeps, {:e} N", out.violated, out.sweeps, out.force);
+    assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0));
+    assert!(out.sweeps < 120_000, "{}", out.sweeps);
+    assert!(out.force < MOST_FORCE);
 }

@@ -130,7 +130,9 @@ fn clamps_press_strands_together() {
                     worst = worst.max(error);
                 }
             }
-            println!("{hold:?} {integrator:?}: {steps} steps, {open} open, {unconverged} unconverged, {worst:e} m, {iterations} iterations");
+            println!(
+                "{hold:?} {integrator:?}: {steps} steps, {open} open, {unconverged} unconverged, {worst:e} m, {iterations} iterations"
+            );
         }
     }
 }

@@ -36,12 +36,16 @@ const LOST: f64 = 0.1;
 const PATIENCE: [u32; 2] = [5, 25];
 /// What an island that has not come to its end may be off by and still be kept as it is: rad, in units of the tolerance of touches, m.
 const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-9);
-/// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution, and
-/// those of constraints beyond this many times that and what bends an element by a radian. (What can be held takes a few times as much at
-/// most; what cannot, a thousandfold more in every iteration.)
+/// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
 const NO_SOLUTION: f64 = 1e4;
-/// So many iterations in a row that move no strand, though laws do not hold, end an island: its constraints leave the touches no room.
+/// So are those of constraints beyond this many times that and what bends an element by a radian. What can be held takes a few times as much
+/// in the end, though more on the way; what cannot takes a thousandfold more in every iteration.
+const CANNOT_HOLD: f64 = 1e12;
+/// So many iterations in a row that move no strand by more than this part of what may be left, or whose contact problem is left with more than
+/// this residual, end an island with constraints: they leave its touches no room (of the hard models; others give way).
 const IDLE: u32 = 5;
+const STILL: f64 = 1e-2;
+const HOPELESS: f64 = 0.1;
 
 /// A strand rests while others go on where it is nearer to the end than this part of what may be left; and until forces that changed would
 /// move it by more than that (an element's length times the angle).
@@ -107,7 +111,7 @@ pub struct Island {
     pub rest_miss: f64,
     /// The least that was left to do, in units of what may be, and the iteration that it was halved in.
     best: (f64, u32),
-    /// Iterations in a row that moved nothing.
+    /// Iterations in a row that led nowhere, see [`IDLE`].
     idle: u32,
     space: ContactSpace,
     solver: GaussSeidel,
@@ -157,10 +161,15 @@ impl Island {
         !self.relaxed && ends.iter().all(|end| self.joints[end.joint as usize].standing.holds)
     }
 
+    /// Whether there is to be a second attempt, see [`Island::relax`].
+    pub fn is_to_relax(&self) -> bool {
+        self.failed() && !self.relaxed && !self.good_enough && !self.joints.is_empty()
+    }
+
     /// If its joints were not to be held, a second attempt from the start in which they give way, and touches do not rub: what contradicts
     /// itself, or is out of a strand's reach, is drawn as near as it goes. True if there is to be one.
     pub fn relax(&mut self) -> bool {
-        let again = self.failed() && !self.relaxed && !self.good_enough && !self.joints.is_empty();
+        let again = self.is_to_relax();
         if again {
             (self.iterations, self.done, self.relaxed, self.best, self.idle) = (0, false, true, (f64::INFINITY, 0), 0);
             self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
@@ -357,6 +366,7 @@ impl Island {
         let soft = options.model.is_soft() || self.relaxed;
         let exact = options.model == ContactModel::Coulomb || !self.joints.iter().any(Joint::is_touch);
         let rough = if options.model.is_soft() { SOFT.1 } else { ROUGH_TOLERANCE };
+        let tolerance_asked = tolerance;
         let tolerance = if exact { tolerance } else { tolerance.max(rough) };
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
@@ -406,16 +416,13 @@ impl Island {
         };
         let usual = self.usual_force(strands, step);
         let beyond = largest(true) > NO_SOLUTION * usual
-            || self.is_constrained() && largest(false) > NO_SOLUTION * (usual + self.bending_force(strands));
-        self.idle = if residual <= tolerance { self.idle + 1 } else { 0 };
+            || self.is_constrained() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
+        let idle = !soft && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS);
+        self.idle = if idle { self.idle + 1 } else { 0 };
         // Constraints may turn a strand right round, a little in every iteration.
         let slow = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)];
         let stuck = slow || beyond || self.is_constrained() && self.idle > IDLE;
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
-        if std::env::var_os("SHX_TRACE").is_some() {
-            let bound = self.joints.iter().filter(|joint| !joint.is_touch()).map(|joint| joint.force.norm()).fold(0.0, f64::max);
-            println!("  it {} relaxed {} strands {} residual {residual:.1e} miss {:.1e} touches {:.1e} bonds {:.1e} usual {:.1e} sweeps {} done {} good {good} stuck {stuck} lost {lost}", self.iterations, self.relaxed, self.strands.len(), self.residual, largest(true), bound, self.usual_force(strands, step), self.report.sweeps, self.done);
-        }
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
         self.done = good || lost || stuck || self.iterations >= options.max_iterations;

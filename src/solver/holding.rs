@@ -155,7 +155,7 @@ impl Holding {
                 if self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
                     contact.searches += 1;
                     self.tie();
-                } else if islands.iter().all(|island| island.done) {
+                } else if islands.iter().all(|island| island.done && !island.is_to_relax()) {
                     break;
                 }
             }
