@@ -417,7 +417,7 @@ impl Island {
         let usual = self.usual_force(strands, step);
         let beyond = largest(true) > NO_SOLUTION * usual
             || self.is_constrained() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
-        let idle = !soft && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS);
+        let idle = !options.model.is_soft() && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS);
         self.idle = if idle { self.idle + 1 } else { 0 };
         // Constraints may turn a strand right round, a little in every iteration.
         let slow = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)];
