@@ -119,7 +119,7 @@ fn bonds_that_contradict_each_other_are_told() {
 }
 
 /// A ring that no force brings the strand into: its island ends after a few iterations that lead nowhere, not after all hundred of both
-/// attempts (528000 sweeps in all, 72160 now).
+/// attempts (528000 sweeps in all, 63360 now).
 #[test]
 fn a_ring_out_of_reach_ends_its_island_soon() {
     let ring = Hold::Ring { friction: Friction { along: 0.1, against: 0.2 } };
