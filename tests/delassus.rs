@@ -115,11 +115,30 @@ fn the_operator_and_the_direction_are_those_of_the_dense_matrices() {
                 }
             }
         }
+        // Every second case has springs at some of its stations, JᵀKJ.
+        let springs_at: Vec<Option<Mat3<f64>>> = (0..case.stations.len())
+            .map(|k| {
+                let (a, b) = (pseudo.vector(), pseudo.vector().scale(0.5));
+                let outer = |i: usize, j: usize| a.0[i] * a.0[j] + b.0[i] * b.0[j];
+                (seed % 2 == 1 && k % 3 != 1).then(|| Mat3(std::array::from_fn(|i| std::array::from_fn(|j| outer(i, j)))))
+            })
+            .collect();
+        for (k, spring) in springs_at.iter().enumerate().filter_map(|(k, spring)| Some((k, spring.as_ref()?))) {
+            let own = jacobian.rows(3 * k, 3).into_owned();
+            matrix += own.transpose() * DMatrix::from_fn(3, 3, |i, j| spring.0[i][j]) * own;
+        }
         let factor = matrix.clone().cholesky().expect("a positive definite case");
         let expected = &jacobian * factor.solve(&jacobian.transpose());
 
-        let loads: Vec<_> =
-            case.stations.iter().zip(&case.tension).map(|(station, f)| Load::at(&kinematics, station, *f)).collect();
+        let loads: Vec<_> = case
+            .stations
+            .iter()
+            .zip(case.tension.iter().zip(&springs_at))
+            .map(|(station, (f, spring))| {
+                let load = Load::at(&kinematics, station, *f);
+                spring.as_ref().map_or(load, |spring| load.with_stiffness(&kinematics, spring))
+            })
+            .collect();
         let (mut elimination, mut change) = (Elimination::default(), Vec::new());
         let (mut scratch, mut operator) = (ResponseScratch::default(), Delassus::default());
         assert_eq!(elimination.solve_loaded(&kinematics, &system, &loads, axes, &mut change).repaired, 0.0);

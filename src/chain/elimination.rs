@@ -84,7 +84,7 @@ impl<T: Lane, const D: usize> Kernel for SolveFor<'_, T, D> {
 
 impl<T: Lane> Elimination<T> {
     /// The same as [`LinearSolve::solve`] of a strand on which forces act at stations (`loads`, from root to tip): their geometric terms
-    /// are in the matrix; their forces are not in the direction, see [`super::response`].
+    /// and springs are in the matrix; their forces are not in the direction, see [`super::response`].
     pub fn solve_loaded(
         &mut self,
         kinematics: &Kinematics<T>,
@@ -406,6 +406,28 @@ fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
                     }
                 }
                 form.subtract_moment(l.cross(f), kappa, load.s, element.kappa_squared, &load.c);
+            }
+        }
+    }
+    if LOADED {
+        for load in loads {
+            let Some(k) = &load.stiffness else { continue };
+            // δr = ρ + Sᵀψ + J δκ, S = [x]×: A gains S K Sᵀ, B gains S K.
+            let (x, j) = (load.local, columns(&load.jacobian, axes, T::one()));
+            let sk = k.crossed_from_left(x);
+            let sks = sk.transpose().crossed_from_left(x);
+            for (slot, (row, column)) in PAIRS.into_iter().enumerate() {
+                left.a[slot] += (sks.0[row][column] + sks.0[column][row]) * T::splat(0.5);
+                left.c[slot] += k.0[row][column];
+            }
+            left.b = left.b.add(&sk);
+            for i in 0..D {
+                let kj = k.apply(j[i]);
+                rho_k[i] += kj;
+                psi_k[i] += x.cross(kj);
+                for l in 0..=i {
+                    kk[i][l] += j[l].dot(kj);
+                }
             }
         }
     }

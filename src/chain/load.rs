@@ -51,6 +51,8 @@ pub struct Load<T> {
     pub turning: Option<Mat3<T>>,
     /// The force whose geometric terms the exact Hessian has.
     pub tension: Vec3<T>,
+    /// Of a spring that holds the loaded point back, K, symmetric: ½ δrᵀ K δr is added to the quadratic model. None: there is no spring.
+    pub stiffness: Option<Mat3<T>>,
 }
 
 impl Load<f64> {
@@ -77,7 +79,14 @@ impl Load<f64> {
             lever,
             turning,
             tension: element.frame_left.apply_transposed(tension),
+            stiffness: None,
         }
+    }
+
+    /// The same with a spring of that stiffness (symmetric, world axes, N/m).
+    pub fn with_stiffness(self, kinematics: &Kinematics<f64>, stiffness: &Mat3<f64>) -> Self {
+        let turn = &kinematics.elements[self.element].frame_left;
+        Self { stiffness: Some(turn.transposed_mul(stiffness).mul(turn)), ..self }
     }
 
     /// Where the loaded point is, relative to the root's origin, world axes.

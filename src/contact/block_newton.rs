@@ -21,6 +21,10 @@ const LEAST_DAMPING: f64 = 1e-9;
 const MOST: u32 = 30;
 /// So many of Newton's first steps are taken whole: a step that leaves some laws worse finds which touches press. The best point is kept.
 const FREE: u32 = 12;
+/// A block of more than so many touches is left where its residual has not halved in so many steps: constraints that touches contradict make
+/// problems without solution, and a step's price grows with the cube.
+const LARGE: usize = 100;
+const STEPS: u32 = 8;
 /// Sweeps in the block where Newton's direction leads nowhere.
 const SWEEPS: u32 = 4;
 
@@ -73,6 +77,7 @@ impl BlockNewton {
         self.known.clear();
         self.known.resize(m, false);
         let mut best = worst;
+        let mut halved = (worst, 0);
         self.best.clone_from(&self.forces);
         let mut merit = linearise(space, system, &self.rows, &self.forces, &self.moved, &mut self.linear);
         for k in 0..MOST {
@@ -90,6 +95,11 @@ impl BlockNewton {
                 self.best.clone_from(&self.forces);
             }
             if worst <= tolerance {
+                break;
+            }
+            if worst < 0.5 * halved.0 {
+                halved = (worst, k);
+            } else if m > LARGE && k >= halved.1 + STEPS {
                 break;
             }
         }

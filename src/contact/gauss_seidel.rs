@@ -118,6 +118,7 @@ impl GaussSeidel {
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
                 report.sweeps += 1;
+                since += if self.rows.len() > WHOLE { DEAR } else { 0 };
                 self.newton.solve(space, system, &mut self.forces, &self.rows, &report, settings.tolerance, 0.0)
             } else if slow && report.residual < NEAR {
                 self.patches.begin(space, system, &self.forces, &report);

@@ -15,7 +15,7 @@ use super::touch::{StrandCurve, StrandPath, Touch};
 use crate::chain::load::Station;
 use crate::math::vector::Vec3;
 use crate::step::Setting;
-use crate::step::held::Held;
+use crate::step::held::{Held, WorldBond};
 
 /// A strand that was woken so often rests no more: two neighbours would go on waking each other in turn.
 const MOST_WAKES: u32 = 2;
@@ -42,6 +42,8 @@ pub struct HeldStrand {
     pub contact: StrandContact,
     /// Its mass, kg.
     pub mass: f64,
+    /// The force that bends its shortest element by about a radian, N.
+    pub bending: f64,
     /// Its island.
     pub island: u32,
     /// From root to tip; their places in this list are the points of the island's contact space.
@@ -64,6 +66,7 @@ pub struct HeldStrand {
     pub found: Vec<Touch>,
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
+    bonds: Vec<Option<WorldBond>>,
     bounds: PathBounds,
     /// Only ever taken by who may change the strand; the lock is there for those who look at it meanwhile.
     scratch: Mutex<strand_body::Scratch>,
@@ -185,7 +188,14 @@ impl HeldStrand {
         self.stations.clear();
         self.stations.extend(self.attachments.iter().map(|attachment| attachment.station));
         self.pull(island);
-        self.held.linearise(&self.stations, &self.forces);
+        self.bonds.clear();
+        if island.bonded_to_world {
+            self.bonds.extend(self.attachments.iter().map(|end| {
+                let joint = &island.joints[end.joint as usize];
+                joint.world_bond(&Held::place(self.held.now(), &end.station))
+            }));
+        }
+        self.held.linearise(&self.stations, &self.forces, &self.bonds);
     }
 
     /// Second half, with the joints' new forces.

@@ -41,6 +41,14 @@ const PATIENCE: [u32; 2] = [5, 25];
 const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-9);
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
 const NO_SOLUTION: f64 = 1e4;
+/// So are those of constraints beyond this many times that and what bends an element by a radian. What can be held takes a few times as much
+/// in the end, though more on the way; what cannot takes a thousandfold more in every iteration.
+const CANNOT_HOLD: f64 = 1e12;
+/// So many iterations in a row that move no strand by more than this part of what may be left, or whose contact problem is left with more than
+/// this residual, end an island with constraints: they leave its touches no room (of the hard models; others give way).
+const IDLE: u32 = 5;
+const STILL: f64 = 1e-2;
+const HOPELESS: f64 = 0.1;
 
 /// A strand rests while others go on where it is nearer to the end than this part of what may be left; and until forces that changed would
 /// move it by more than that (an element's length times the angle).
@@ -91,12 +99,16 @@ pub struct Island {
     pub good_enough: bool,
     /// Not even so: its strands stay as the step found them.
     pub lost: bool,
+    /// Whether bonds that do not give way hold strands to the world in this iteration.
+    pub bonded_to_world: bool,
     /// How far from the end a strand may be to rest, rad, and its joints' residual.
     pub rest: f64,
     /// See `rest`.
     pub rest_miss: f64,
     /// The least that was left to do, in units of what may be, and the iteration that it was halved in.
     best: (f64, u32),
+    /// Iterations in a row that led nowhere, see [`IDLE`].
+    idle: u32,
     space: ContactSpace,
     solver: GaussSeidel,
     forces: Vec<Vector3<f64>>,
@@ -115,7 +127,7 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
         (self.done, self.converged, self.relaxed, self.lost, self.good_enough) = (false, false, false, false, false);
-        (self.best, self.rest, self.rough) = ((f64::INFINITY, 0), -1.0, false);
+        (self.best, self.idle, self.rest, self.rough) = ((f64::INFINITY, 0), 0, -1.0, false);
     }
 
     /// Goes on from where it was solved roughly. True if there is more to do.
@@ -123,7 +135,8 @@ impl Island {
         let goes_on = self.rough && self.converged;
         if goes_on {
             // What rested did so by what was asked then.
-            (self.done, self.converged, self.rest, self.best) = (false, false, -1.0, (f64::INFINITY, self.iterations));
+            (self.done, self.converged, self.rest, self.idle) = (false, false, -1.0, 0);
+            self.best = (f64::INFINITY, self.iterations);
         }
         self.rough = false;
         goes_on
@@ -171,13 +184,18 @@ impl Island {
         !self.relaxed && ends.iter().all(|end| self.joints[end.joint as usize].standing.holds)
     }
 
+    /// Whether there is to be a second attempt, see [`Island::relax`].
+    pub fn is_to_relax(&self) -> bool {
+        self.failed() && !self.relaxed && !self.good_enough && !self.joints.is_empty()
+    }
+
     /// If its joints were not to be held, a second attempt from the start in which they give way, and touches do not rub: what contradicts
     /// itself, or is out of a strand's reach, is drawn as near as it goes. True if there is to be one.
     pub fn relax(&mut self) -> bool {
-        let again = self.failed() && !self.relaxed && !self.good_enough && !self.joints.is_empty();
+        let again = self.is_to_relax();
         if again {
             (self.iterations, self.done, self.relaxed, self.rough) = (0, false, true, false);
-            self.best = (f64::INFINITY, 0);
+            (self.best, self.idle) = ((f64::INFINITY, 0), 0);
             self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
         }
         again
@@ -185,8 +203,10 @@ impl Island {
 
     /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
     pub fn refresh(&mut self, strands: &[HeldStrand], bodies: &[BodyAt]) {
+        self.bonded_to_world = false;
         for joint in &mut self.joints {
             let strand = &strands[joint.first.held as usize];
+            self.bonded_to_world |= !self.relaxed && matches!(joint.kind, JointKind::Pin { compliance: 0.0, .. });
             if strand.resting {
                 continue;
             }
@@ -297,7 +317,12 @@ impl Island {
         self.report = self.solver.solve(&self.space, &settings, &mut self.forces);
         self.sweeps += self.report.sweeps;
         for (joint, force) in self.parts.iter().zip(&self.forces) {
-            self.joints[*joint as usize].force = *force;
+            let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
+            joint.force = *force;
+            if matches!(joint.kind, JointKind::Pin { .. }) {
+                let strand = &strands[self.strands[first.strand as usize] as usize];
+                joint.force += Vector3::from(strand.held.pulled(first.point as usize));
+            }
         }
         Ok(())
     }
@@ -348,6 +373,11 @@ impl Island {
         !self.joints.iter().all(Joint::is_touch)
     }
 
+    /// What bends an element of the stiffest strand by about a radian, N.
+    fn bending_force(&self, strands: &[HeldStrand]) -> f64 {
+        self.strands.iter().map(|held| strands[*held as usize].bending).fold(0.0, f64::max)
+    }
+
     /// What takes the heaviest strand its own length in a step, N.
     fn usual_force(&self, strands: &[HeldStrand], step: f64) -> f64 {
         let of = |held: &u32| strands[*held as usize].mass * strands[*held as usize].length() / (step * step);
@@ -364,6 +394,7 @@ impl Island {
             () if self.rough => ROUGHEST_TOLERANCE,
             () => ROUGH_TOLERANCE,
         };
+        let tolerance_asked = tolerance;
         let tolerance = if exact { tolerance } else { tolerance.max(enough_for_touches) };
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
@@ -409,10 +440,18 @@ impl Island {
         }
         // What rests is told as well, but nobody waits for it.
         self.residual = self.residual.max(rested);
-        let pressing = self.joints.iter().filter(|joint| joint.is_touch()).map(|joint| joint.force.norm()).fold(0.0, f64::max);
+        let largest = |touches: bool| {
+            let of = self.joints.iter().filter(|joint| joint.is_touch() == touches).map(|joint| joint.force.norm());
+            of.fold(0.0, f64::max)
+        };
+        let usual = self.usual_force(strands, step);
+        let beyond = largest(true) > NO_SOLUTION * usual
+            || self.is_constrained() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
+        let idle = !options.model.is_soft() && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS);
+        self.idle = if idle { self.idle + 1 } else { 0 };
         // Constraints may turn a strand right round, a little in every iteration.
-        let stuck = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)]
-            || pressing > NO_SOLUTION * self.usual_force(strands, step);
+        let slow = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)];
+        let stuck = slow || beyond || self.is_constrained() && self.idle > IDLE;
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;

@@ -3,7 +3,7 @@
 //!
 //! The displacement over the step has the gap at the step's end as its normal part and the slip over the step as its tangential part.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::law::Law;
 use super::law::bond::{Bond, BondAxes};
@@ -13,6 +13,8 @@ use super::law::response::Response;
 use super::law::ring::Ring;
 use super::options::{self, ContactModel, ContactOptions, StrandContact};
 use crate::chain::load::Station;
+use crate::math::vector::Mat3;
+use crate::step::held::WorldBond;
 
 /// One end of a joint: which of the held strands, and where on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -209,13 +211,7 @@ impl Joint {
             }
             JointKind::Pin { target, axes, compliance, .. } => {
                 let u = a.now - target;
-                // A lever that is held across a direction may lie against it too: one that is far off is drawn to its very end.
-                let lever = Vector3::from(self.first.station.lever).norm();
-                let axes = match axes {
-                    BondAxes::Across(_) | BondAxes::Along(_) if lever > 0.0 && u.norm() > 0.5 * lever => BondAxes::All,
-                    axes => axes,
-                };
-                let bond = Bond { axes, compliance };
+                let bond = Bond { axes: self.pinned(axes, &u), compliance };
                 self.slip = a.now - a.start;
                 self.gap = bond.directions().map(|d| d.dot(&u).powi(2)).sum::<f64>().sqrt();
                 (Law::Bond(bond), u)
@@ -236,6 +232,29 @@ impl Joint {
                 (Law::Ring(Ring { tangent: a.tangent, friction: scales(&friction, a.tangent) }), u)
             }
         }
+    }
+
+    /// The axes that a pin holds. A lever that is held across a direction may lie against it too: one that is far off is drawn to its very
+    /// end.
+    fn pinned(&self, axes: BondAxes, off: &Vector3<f64>) -> BondAxes {
+        let lever = Vector3::from(self.first.station.lever).norm();
+        match axes {
+            BondAxes::Across(_) | BondAxes::Along(_) if lever > 0.0 && off.norm() > 0.5 * lever => BondAxes::All,
+            axes => axes,
+        }
+    }
+
+    /// What it holds to the world without giving way, with its first end at `now`.
+    pub fn world_bond(&self, now: &Vector3<f64>) -> Option<WorldBond> {
+        let JointKind::Pin { target, axes, compliance: 0.0, .. } = self.kind else { return None };
+        let u = now - target;
+        let bond = Bond { axes: self.pinned(axes, &u), compliance: 0.0 };
+        let (mut held, mut off) = (Matrix3::zeros(), Vector3::zeros());
+        for d in bond.directions() {
+            held += d * d.transpose();
+            off += d * d.dot(&u);
+        }
+        Some(WorldBond { held: Mat3(std::array::from_fn(|i| std::array::from_fn(|j| held[(i, j)]))), off: off.into() })
     }
 
     /// Viscous friction of a touch that rubs. The coefficient is that of the way it slides at the present iterate: which way that is hardly

@@ -159,7 +159,7 @@ impl Holding {
                     self.tie(rough);
                     continue;
                 }
-                if !islands.iter().all(|island| island.done) {
+                if !islands.iter().all(|island| island.done && !island.is_to_relax()) {
                     continue;
                 }
             }
@@ -225,6 +225,8 @@ impl Holding {
         for ((k, strand), held) in strands.zip(&mut self.strands) {
             held.index = k as u32;
             held.mass = strand.model.length() * strand.model.linear_density;
+            let shortest = strand.model.lengths.iter().fold(f64::INFINITY, |a: f64, length| a.min(*length));
+            held.bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.settled, held.resting) = (strand.touched, false, false);

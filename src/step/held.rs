@@ -9,7 +9,7 @@
 use nalgebra::Vector3;
 
 use super::damping::Damping;
-use super::iterate::{Problem, choose_start, forces, foresee, place_trial, wrench};
+use super::iterate::{Iterate, Problem, choose_start, forces, foresee, place_trial, wrench};
 use super::members::One;
 use super::options::Integrator;
 use super::scratch::Bench;
@@ -23,6 +23,20 @@ use crate::math::lane::MAX_LANES;
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::freedoms::Freedoms;
 use crate::rod::kinematics::{ElementState, Kinematics, element_states};
+
+/// A bond between a station and the world: what it holds, and how far that is from holding at the present iterate.
+#[derive(Debug, Clone, Copy)]
+pub struct WorldBond {
+    /// The projector on the directions that it holds, world axes.
+    pub held: Mat3<f64>,
+    /// From where it holds to where the station is, along those directions, m.
+    pub off: Vec3<f64>,
+}
+
+/// Springs on the bonds are made stiffer by that factor where they do not do, up to so many times what is tried first; then the rotations
+/// are held back too.
+const STIFFER: f64 = 16.0;
+const STIFFEST: f64 = 256.0;
 
 /// One strand in the course of its step.
 #[derive(Debug)]
@@ -43,6 +57,9 @@ pub struct Held {
     stations: Vec<Station>,
     loads: Vec<Load<f64>>,
     forces: Vec<Vec3<f64>>,
+    /// The bonds with the world, one a station where there are any, and the stiffness of the springs on them, N/m; zero: none.
+    bonds: Vec<Option<WorldBond>>,
+    spring: f64,
     /// How far each station would go in this iteration without forces, world axes, m.
     pub free: Vec<Vec3<f64>>,
     /// What forces at the stations add to that.
@@ -72,6 +89,8 @@ impl Default for Held {
             stations: Vec::new(),
             loads: Vec::new(),
             forces: Vec::new(),
+            bonds: Vec::new(),
+            spring: 0.0,
             free: Vec::new(),
             delassus: Delassus::default(),
             scratch: ResponseScratch::default(),
@@ -120,6 +139,8 @@ impl Held {
         self.stations.clear();
         self.loads.clear();
         self.forces.clear();
+        self.bonds.clear();
+        self.spring = 0.0;
     }
 
     /// The strand as the step found it: where its root was, and its elements from there.
@@ -138,25 +159,39 @@ impl Held {
     }
 
     /// First half of an iteration: forces will act at `stations` (from root to tip); `guess` are those that the iteration before came
-    /// to, which bend the matrix.
-    pub fn linearise(&mut self, stations: &[Station], guess: &[Vec3<f64>]) {
-        let Self { bench: Bench { workspace, elimination }, loads, .. } = self;
+    /// to, which bend the matrix. `bonds`: none, or one a station that a bond holds to the world.
+    ///
+    /// Where the strand's own matrix is not positive definite, as under pressure between clamps, springs on the bonds are added to it (an
+    /// augmented Lagrangian): they cost the solution nothing, since what they pull with is taken off the bonds' forces again
+    /// ([`Held::pulled`]), and unlike damping they hold nothing back that the bonds leave free.
+    pub fn linearise(&mut self, stations: &[Station], guess: &[Vec3<f64>], bonds: &[Option<WorldBond>]) {
+        let Self { bench: Bench { workspace, elimination }, loads, spring, .. } = self;
         let iterate = &mut workspace.iterate;
         self.stations.clear();
         self.stations.extend_from_slice(stations);
+        self.bonds.clear();
+        self.bonds.extend_from_slice(bonds);
         loads.clear();
         loads.extend(stations.iter().zip(guess).map(|(station, force)| Load::at(&iterate.kinematics, station, *force)));
         forces(iterate);
         let axes = self.freedoms.axes();
         let axes = &axes[..self.freedoms.count()];
         self.damping.begin();
+        let usual = if self.bonds.is_empty() { 0.0 } else { usual_spring(iterate, guess) };
+        *spring = spring.min(STIFFEST * usual);
+        set_springs(loads, &self.bonds, *spring, &iterate.kinematics);
         for tries in 0..=newton::MAX_DAMPINGS {
             iterate.system.rotation_stiffness = self.damping.value;
             let found = elimination.solve_loaded(&iterate.kinematics, &iterate.system, loads, axes, &mut iterate.change);
             if found.repaired == 0.0 || tries == newton::MAX_DAMPINGS {
                 break;
             }
-            self.damping.grow();
+            if *spring < STIFFEST * usual {
+                *spring = (*spring * STIFFER).clamp(usual, STIFFEST * usual);
+                set_springs(loads, &self.bonds, *spring, &iterate.kinematics);
+            } else {
+                self.damping.grow();
+            }
         }
         elimination.delassus(&iterate.kinematics, loads, axes, &mut self.scratch, &mut self.delassus);
         self.forces.clear();
@@ -172,18 +207,32 @@ impl Held {
         );
     }
 
-    /// Second half: goes the way that `forces` on the stations lead to. Gives how far an element may still be from where the iteration
+    /// What the spring on a station's bond pulls at it with in the linear model beside what is told of it: to be added to the force that
+    /// the model has there, N.
+    pub fn pulled(&self, station: usize) -> Vec3<f64> {
+        match self.bonds.get(station) {
+            Some(Some(bond)) if self.spring > 0.0 => bond.off.scale(self.spring),
+            _ => Vec3::zero(),
+        }
+    }
+
+    /// Second half: goes the way that `forces` on the stations (with [`Held::pulled`]) lead to. Gives how far an element may still be from where the iteration
     /// would end with such forces, rad; infinite where the strand is lost.
     pub fn advance(&mut self, setting: &Setting, forces: &[Vec3<f64>]) -> f64 {
+        self.forces.clear();
+        self.forces.extend_from_slice(forces);
+        for station in 0..forces.len() {
+            let pulled = self.pulled(station);
+            self.forces[station] -= pulled;
+        }
         let Self { bench: Bench { workspace, elimination }, loads, .. } = self;
         let axes = self.freedoms.axes();
         let axes = &axes[..self.freedoms.count()];
         let super::workspace::Workspace { loaded, iterate, .. } = workspace;
+        let (told, moved, change) = (&self.forces, &mut self.free, &mut iterate.change);
+        let found = elimination.direction(&iterate.kinematics, loads, told, axes, &mut self.scratch, change, moved);
         self.forces.clear();
         self.forces.extend_from_slice(forces);
-        let moved = &mut self.free;
-        let found =
-            elimination.direction(&iterate.kinematics, loads, forces, axes, &mut self.scratch, &mut iterate.change, moved);
         self.outcome.iterations += 1;
         let rotation = found.rotation_squared.sqrt();
         if !(rotation.is_finite() && found.descent.is_finite()) {
@@ -198,7 +247,8 @@ impl Held {
             rule: setting.rules.rule(self.rule),
             tension_at_start: false,
         };
-        let from = less_work(self.potential, &iterate.kinematics, &self.stations, forces);
+        let holding = Holding::new(&self.stations, forces, &self.bonds, self.spring, &iterate.kinematics);
+        let from = holding.lagrangian(self.potential, &iterate.kinematics);
         let mut part = if rotation > limit { limit / rotation } else { 1.0 };
         let mut next = None;
         for _ in 0..newton::MAX_HALVINGS {
@@ -209,7 +259,7 @@ impl Held {
                 }
             }
             let potential = place_trial(&problem, iterate);
-            let trial = less_work(potential, &iterate.trial, &self.stations, forces);
+            let trial = holding.lagrangian(potential, &iterate.trial);
             if trial.0 <= from.0 - newton::ARMIJO * part * found.descent + from.1 {
                 next = Some((potential, trial));
                 break;
@@ -294,17 +344,58 @@ fn position(elements: &[ElementState<f64>], station: &Station) -> Vec3<f64> {
     element.origin_left + element.frame_left.apply(local)
 }
 
-/// A potential and its rounding, less the forces' work.
-fn less_work(
-    (mut value, mut noise): (f64, f64),
-    kinematics: &Kinematics<f64>,
-    stations: &[Station],
-    forces: &[Vec3<f64>],
-) -> (f64, f64) {
-    for (station, force) in stations.iter().zip(forces) {
-        let at = position(&kinematics.elements, station);
-        value -= at.dot(*force);
-        noise += 8.0 * f64::EPSILON * (at.norm_squared() * force.norm_squared()).sqrt();
+/// The stiffness of the springs to try first: of the order of the strand's own, with what its forces may take off it.
+fn usual_spring(iterate: &Iterate<f64>, forces: &[Vec3<f64>]) -> f64 {
+    let inertia: f64 = iterate.system.point_stiffness.iter().sum();
+    let shortest = iterate.kinematics.elements.iter().map(|element| element.length).fold(f64::INFINITY, f64::min);
+    forces.iter().map(|force| force.norm_squared().sqrt() / shortest).fold(inertia, f64::max)
+}
+
+fn set_springs(loads: &mut [Load<f64>], bonds: &[Option<WorldBond>], spring: f64, kinematics: &Kinematics<f64>) {
+    if spring > 0.0 {
+        for (load, bond) in loads.iter_mut().zip(bonds).filter_map(|(load, bond)| Some((load, bond.as_ref()?))) {
+            *load = load.with_stiffness(kinematics, &bond.held.scale(spring));
+        }
     }
-    (value, noise)
+}
+
+/// What the stations are held by in an iteration.
+struct Holding<'a> {
+    stations: &'a [Station],
+    forces: &'a [Vec3<f64>],
+    bonds: &'a [Option<WorldBond>],
+    spring: f64,
+    /// Where the bonds hold their stations.
+    anchors: Vec<Vec3<f64>>,
+}
+
+impl<'a> Holding<'a> {
+    fn new(
+        stations: &'a [Station],
+        forces: &'a [Vec3<f64>],
+        bonds: &'a [Option<WorldBond>],
+        spring: f64,
+        now: &Kinematics<f64>,
+    ) -> Self {
+        let bonds = if spring > 0.0 { bonds } else { &[] };
+        let anchor = |(station, bond): (&Station, &Option<WorldBond>)| {
+            position(&now.elements, station) - bond.as_ref().map_or(Vec3::zero(), |bond| bond.off)
+        };
+        Self { stations, forces, bonds, spring, anchors: stations.iter().zip(bonds).map(anchor).collect() }
+    }
+
+    /// A potential and its rounding, less the forces' work, and with the springs' energy.
+    fn lagrangian(&self, (mut value, mut noise): (f64, f64), kinematics: &Kinematics<f64>) -> (f64, f64) {
+        for (index, (station, force)) in self.stations.iter().zip(self.forces).enumerate() {
+            let at = position(&kinematics.elements, station);
+            value -= at.dot(*force);
+            noise += 8.0 * f64::EPSILON * (at.norm_squared() * force.norm_squared()).sqrt();
+            if let Some(Some(bond)) = self.bonds.get(index) {
+                let off = bond.held.apply(at - self.anchors[index]);
+                value += 0.5 * self.spring * off.norm_squared();
+                noise += 8.0 * f64::EPSILON * self.spring * (at.norm_squared() * off.norm_squared()).sqrt();
+            }
+        }
+        (value, noise)
+    }
 }
