@@ -96,7 +96,7 @@ fn main() {
                 let clock = Instant::now();
                 touches.clear();
                 for group in pairs.groups() {
-                    pairs.touches(group, &paths, &mut scratch, &mut touches);
+                    pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut touches);
                 }
                 narrow = narrow.min(clock.elapsed().as_secs_f64());
                 count = touches.len();

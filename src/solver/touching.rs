@@ -16,7 +16,6 @@ use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
 use crate::contact::joint::{Joint, JointEnd, JointKind, Standing};
 use crate::contact::law::Law;
-use crate::contact::options::ContactOptions;
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
