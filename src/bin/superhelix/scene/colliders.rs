@@ -195,7 +195,7 @@ fn of_source(source: &Node, error: Error) -> Complaint {
     }
 }
 
-fn file_complaint(file: &Node, error: &Error) -> Complaint {
+pub fn file_complaint(file: &Node, error: &Error) -> Complaint {
     Complaint::new(&file.key, format!("is {}: {error}", file.value))
 }
 
@@ -227,7 +227,7 @@ fn read_sides(entries: &Entries) -> Result<Sides, Complaint> {
 }
 
 /// The path of a file that a scene names: relative to the scene.
-fn path_of(file: &Node, directory: &Path) -> Result<std::path::PathBuf, Complaint> {
+pub fn path_of(file: &Node, directory: &Path) -> Result<std::path::PathBuf, Complaint> {
     let name = file.value.as_str().filter(|name| !name.is_empty()).ok_or_else(|| file.complain("the name of a file"))?;
     Ok(directory.join(name))
 }

@@ -4,6 +4,7 @@ pub mod attachments;
 pub mod colliders;
 pub mod contact;
 mod deformation;
+mod groom;
 mod hair;
 pub mod options;
 pub mod outputs;
@@ -120,8 +121,8 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
     let mut strands = Vec::new();
     let mut given = Vec::new();
     for strand in scene.require("strands")?.list()? {
-        strands.push(strands::read(&strand)?);
-        given.push(contact::read_of_strand(&strand)?);
+        strands.extend(strands::read(&strand, &options, directory)?);
+        given.resize(strands.len(), contact::read_of_strand(&strand)?);
     }
     let colliders = scene.or("colliders", Vec::new(), |list| colliders::read(list, directory))?;
     touching.give(&mut strands, given, &colliders)?;

@@ -1,15 +1,18 @@
 //! `strands`: what each is made from, and how its root moves.
 
+use std::path::Path;
+
 use nalgebra::{UnitQuaternion, Vector3};
+use serde_json::Value;
 use superhelix::contact::options::StrandContact;
 use superhelix::math::pose_spline::PoseSpline;
 use superhelix::rod::freedoms::Freedoms;
 use superhelix::rod::material::Material;
-use superhelix::solver::definition::{MAX_ELEMENTS, StrandDef};
+use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef};
 
-use super::hair;
 use super::pose::{read_motion, read_pose};
 use super::words::in_words_of_the_scene;
+use super::{groom, hair};
 use crate::json::{Complaint, Entries, Node};
 
 /// A strand and how its root moves.
@@ -25,12 +28,43 @@ pub struct SceneStrand {
     pub image_of: Option<usize>,
 }
 
-/// Reads one strand, but for its contact.
-pub fn read(node: &Node) -> Result<SceneStrand, Complaint> {
+/// What a strand may say of its section and material.
+const MATERIAL: [&str; 7] =
+    ["radius", "density", "youngs_modulus", "poisson_ratio", "internal_friction", "viscosity", "air_drag"];
+
+/// Reads an item of `strands`, but for its contact: one strand, or those of a groom. `directory` is where files are that it names.
+pub fn read(node: &Node, options: &SolverOptions, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
+    if node.value.get("groom").is_none_or(Value::is_null) {
+        return Ok(vec![read_one(node)?]);
+    }
+    let strands = node.object(&[&MATERIAL[..], &["groom", "contact"]].concat())?;
+    let material = read_material(&strands, Material::default())?;
+    let made = groom::read(strands.require("groom")?, material, options, directory)?;
+    let strand = |definition: StrandDef| {
+        definition.check(&node.key).map_err(in_words_of_the_scene)?;
+        Ok(SceneStrand { definition, motion: None, contact: None, image_of: None })
+    };
+    made.into_iter().map(strand).collect()
+}
+
+fn read_material(strand: &Entries, defaults: Material) -> Result<Material, Complaint> {
+    Ok(Material {
+        radius: strand.or("radius", defaults.radius, Node::numbers)?,
+        density: strand.or("density", defaults.density, Node::number)?,
+        youngs_modulus: strand.or("youngs_modulus", defaults.youngs_modulus, Node::number)?,
+        poisson_ratio: strand.or("poisson_ratio", defaults.poisson_ratio, Node::number)?,
+        internal_friction: strand.or("internal_friction", defaults.internal_friction, Node::number)?,
+        viscosity: strand.or("viscosity", defaults.viscosity, Node::number)?,
+        air_drag: strand.or("air_drag", defaults.air_drag, Node::number)?,
+    })
+}
+
+fn read_one(node: &Node) -> Result<SceneStrand, Complaint> {
     let strand = node.object(&[
         "elements",
         "length",
         "element_lengths",
+        "groom",
         "hair",
         "radius",
         "density",
@@ -52,15 +86,7 @@ pub fn read(node: &Node) -> Result<SceneStrand, Complaint> {
     // Of the lengths only those that are above zero make it here.
     let hair = strand.get_unless_null("hair").map(|node| hair::read(node)?.strand(&element_lengths)).transpose()?;
     let defaults = hair.as_ref().map_or_else(Material::default, |hair| hair.material);
-    let material = Material {
-        radius: strand.or("radius", defaults.radius, Node::numbers)?,
-        density: strand.or("density", defaults.density, Node::number)?,
-        youngs_modulus: strand.or("youngs_modulus", defaults.youngs_modulus, Node::number)?,
-        poisson_ratio: strand.or("poisson_ratio", defaults.poisson_ratio, Node::number)?,
-        internal_friction: strand.or("internal_friction", defaults.internal_friction, Node::number)?,
-        viscosity: strand.or("viscosity", defaults.viscosity, Node::number)?,
-        air_drag: strand.or("air_drag", defaults.air_drag, Node::number)?,
-    };
+    let material = read_material(&strand, defaults)?;
     let rows = |name: &str| strand.get_unless_null(name).map(|rows| read_rows(rows, count)).transpose();
     let natural = hair.as_ref().map_or_else(|| vec![[0.0; 3]; count], |hair| hair.natural.clone());
     let mut definition = StrandDef {

@@ -1,0 +1,60 @@
+//! `groom` of a strand: a file of curves, in whose place stands a strand for each of them, fitted.
+
+use std::path::Path;
+
+use nalgebra::Vector3;
+use superhelix::error::{Error, Result as Outcome};
+use superhelix::files::curves::Curves;
+use superhelix::groom::fit::bulk::fit_curves;
+use superhelix::groom::fit::{Fit, FitCurve, FitOptions};
+use superhelix::groom::variation::Variation;
+use superhelix::math::frame::Frame;
+use superhelix::rod::material::Material;
+use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef};
+
+use super::colliders::{file_complaint, path_of};
+use super::pose::read_pose;
+use super::words::in_words_of_the_scene;
+use crate::groom_strands::{NaturalShape, StrandRecipe, check_length, definition};
+use crate::json::{Complaint, Node};
+use crate::material_arguments::GroomHair;
+use crate::unit;
+
+/// Reads `groom`: the strands of `material` that hang, or are drawn, as the file's curves under the gravity of `options`.
+pub fn read(node: &Node, material: Material, options: &SolverOptions, directory: &Path) -> Result<Vec<StrandDef>, Complaint> {
+    let groom = node.object(&["file", "metres_per_unit", "pose", "every", "elements", "tolerance", "natural"])?;
+    let file = groom.require("file")?;
+    let curves = Curves::read(path_of(file, directory)?).map_err(|error| file_complaint(file, &error))?;
+    let flag = groom.get("metres_per_unit").map(Node::positive).transpose()?;
+    let missing = || Complaint::new(groom.path("metres_per_unit"), "is missing, and the file does not say its unit");
+    let scale = unit::stated(flag, &curves).ok_or_else(missing)?;
+    let pose = groom.or("pose", Frame::default(), read_pose)?;
+    let every = groom.or("every", 1, |node| node.whole(1..=u64::from(u32::MAX)))? as usize;
+    let tolerance = groom.get_unless_null("tolerance").map(Node::positive).transpose()?;
+    let usual = if tolerance.is_some() { 100 } else { 10 };
+    let elements = groom.or("elements", usual, |node| Ok(node.whole(1..=MAX_ELEMENTS as u64)? as usize))?;
+    let shapes = [("sag_free", NaturalShape::SagFree), ("as_drawn", NaturalShape::AsDrawn)];
+    let natural = groom.or("natural", NaturalShape::SagFree, |node| node.choice(&shapes))?;
+
+    let (indices, polylines): (Vec<usize>, Vec<Vec<Vector3<f64>>>) =
+        curves.strands().enumerate().step_by(every).map(|(index, points)| (index, unit::in_metres(points, scale))).unzip();
+    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|points| FitCurve::polyline(points)).collect();
+    let fits = fit_curves(&inputs, &FitOptions { tolerance, ..FitOptions::elements(elements) }, &options.workers)
+        .map_err(in_words_of_the_scene)?;
+    let recipe = StrandRecipe {
+        elements,
+        hair: GroomHair { material, curliness: 0.0, variation: Variation::none() },
+        natural,
+        stiffening: None,
+        gravity: options.gravity,
+        quadrature_tolerance: options.step.quadrature_tolerance,
+    };
+    let strand = |(index, fit): (&usize, Outcome<Fit>)| {
+        let complain = |because: String| Complaint::new(&file.key, format!("is {}; its strand {index}: {because}", file.value));
+        let mut fit = fit.map_err(|error: Error| complain(error.to_string()))?;
+        check_length(fit.element_lengths.iter().sum(), &material).map_err(complain)?;
+        fit.root = pose.compose(&fit.root);
+        definition(*index, fit, &recipe).map_err(|error| complain(error.to_string()))
+    };
+    indices.iter().zip(fits).map(strand).collect()
+}
