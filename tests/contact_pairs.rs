@@ -101,20 +101,20 @@ impl Strand {
 
 /// All touches of strands on their way from `then` to `now`.
 fn touches_between(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (bool, Vec<Touch>) {
+    pairs.begin_step();
+    touches_at_iterate(pairs, then, now)
+}
+
+/// The same at an iterate of a step that has begun.
+fn touches_at_iterate(pairs: &mut HairPairs, then: &[Strand], now: &[Strand]) -> (bool, Vec<Touch>) {
     let poses: Vec<[Kinematics<f64>; 2]> = then.iter().zip(now).map(|(a, b)| [a.pose(), b.pose()]).collect();
     let paths: Vec<StrandPath> = (0..now.len())
         .map(|k| StrandPath { index: k as u32, start: then[k].curve(&poses[k][0]), now: now[k].curve(&poses[k][1]) })
         .collect();
-    pairs.begin_step();
-    touches_at_iterate(pairs, &paths)
-}
-
-/// The same at an iterate of a step that has begun.
-fn touches_at_iterate(pairs: &mut HairPairs, paths: &[StrandPath]) -> (bool, Vec<Touch>) {
-    let searched = pairs.update(paths).unwrap();
+    let searched = pairs.update(&paths).unwrap();
     let (mut out, mut scratch) = (Vec::new(), TouchScratch::default());
     for group in pairs.groups() {
-        pairs.touches(group, paths, f64::INFINITY, &mut scratch, &mut out);
+        pairs.touches(group, &paths, f64::INFINITY, &mut scratch, &mut out);
     }
     (searched, out)
 }
@@ -365,16 +365,11 @@ fn what_was_found_stays_complete_where_few_strands_go_far_within_a_step() {
             let far = (k + iterate).is_multiple_of(9);
             strand.origin += random.vector() * if far { 5e-3 } else { 1e-4 };
         }
-        let poses: Vec<[Kinematics<f64>; 2]> = before.iter().zip(&strands).map(|(a, b)| [a.pose(), b.pose()]).collect();
-        let paths: Vec<StrandPath> = (0..60)
-            .map(|k| StrandPath { index: k as u32, start: before[k].curve(&poses[k][0]), now: strands[k].curve(&poses[k][1]) })
-            .collect();
-        let (searched, touches) = touches_at_iterate(&mut kept, &paths);
+        let (searched, touches) = touches_at_iterate(&mut kept, &before, &strands);
         searches += usize::from(searched);
         let mut fresh = HairPairs::default();
         fresh.set(&wisps(60, 1e-3), &options(0.5e-3, 0.0)).unwrap();
-        fresh.begin_step();
-        let (_, expected) = touches_at_iterate(&mut fresh, &paths);
+        let (_, expected) = touches_between(&mut fresh, &before, &strands);
         assert_same(&strands, &touches, &expected, iterate);
         total += touches.len();
     }

@@ -156,8 +156,9 @@ impl HairPairs {
             self.left.clear();
             self.left.resize(self.wisps.len(), true);
             self.candidates.clear();
-            self.found_at.clone_from(&self.now);
-            self.found_sagittas.clone_from(&self.sagittas[1]);
+            // All are taken over by the search.
+            self.found_at.resize(self.now.len(), Vector3::zeros());
+            self.found_sagittas.resize(self.pieces.pieces.len(), 0.0);
         }
         self.search();
         (self.valid, self.found_this_step) = (true, true);

@@ -9,7 +9,6 @@ use super::body::BodyAt;
 use super::island::Island;
 use super::joint::EndState;
 use super::options::StrandContact;
-use super::pieces::Wisp;
 use super::strand_body::{self, PathBounds, Span};
 use super::touch::{StrandCurve, StrandPath, Touch};
 use crate::chain::load::Station;
@@ -95,12 +94,6 @@ impl HeldStrand {
     /// Whether some point of it has gone further than `least` (m) since it was last searched for touches.
     pub fn has_gone(&self, least: f64) -> bool {
         self.held.gone > least
-    }
-
-    /// What it is to other strands.
-    pub fn wisp(&self) -> Wisp {
-        let StrandContact { wisp_radius: radius, exempt_length: exempt, groups: group, mask, .. } = self.contact;
-        Wisp { radius, exempt, group, mask, meets_itself: false }
     }
 
     /// Arclength of a station from the root, m.

@@ -31,14 +31,18 @@ const ROUGHEST_TOLERANCE: f64 = 1e-3;
 /// And where constraints have a part, which are to hold to [`BOND_TOLERANCE`].
 const CONSTRAINED: f64 = 1e-8;
 /// What the penalty models are content with: the residual, and rad.
-const SOFT: (f64, f64) = (1e-3, 2e-3);
+const SOFT: f64 = 1e-3;
+const SOFT_TOLERANCE: f64 = 2e-3;
 /// A strand that ends further from the end than this, rad, has come to nowhere.
 const LOST: f64 = 0.1;
 
 /// Iterations in which what is left to do must halve, where it is good enough as it is and where not; an island that does not get on will not.
 const PATIENCE: [u32; 2] = [5, 25];
-/// What an island that has not come to its end may be off by and still be kept as it is: rad, in units of the tolerance of touches, m.
-const GOOD_ENOUGH: (f64, f64, f64) = (1e-2, 10.0, 1e-9);
+/// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
+/// of touches; a bond, m.
+const ENOUGH_TURN: f64 = 1e-2;
+const ENOUGH_DEPTH: f64 = 10.0;
+const ENOUGH_BOND: f64 = 1e-9;
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
 const NO_SOLUTION: f64 = 1e4;
 /// So are those of constraints beyond this many times that and what bends an element by a radian. What can be held takes a few times as much
@@ -148,7 +152,7 @@ impl Island {
             ContactModel::Coulomb | ContactModel::Hard if self.rough => ROUGHEST,
             ContactModel::Coulomb => options.residual,
             ContactModel::Hard => ROUGH,
-            ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT.0,
+            ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT,
         }
     }
 
@@ -390,7 +394,7 @@ impl Island {
         let soft = options.model.is_soft() || self.relaxed;
         let exact = options.model == ContactModel::Coulomb && !self.rough || !self.joints.iter().any(Joint::is_touch);
         let enough_for_touches = match () {
-            () if options.model.is_soft() => SOFT.1,
+            () if options.model.is_soft() => SOFT_TOLERANCE,
             () if self.rough => ROUGHEST_TOLERANCE,
             () => ROUGH_TOLERANCE,
         };
@@ -398,7 +402,7 @@ impl Island {
         let tolerance = if exact { tolerance } else { tolerance.max(enough_for_touches) };
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
-        let mut enough = residual <= GOOD_ENOUGH.0;
+        let mut enough = residual <= ENOUGH_TURN;
         let mut rested = 0.0_f64;
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
         let asked = self.asked(options);
@@ -419,14 +423,14 @@ impl Island {
                 Law::Bond(bond) => {
                     let off = bond.directions().map(|d| (d.dot(&u) + bond.compliance * d.dot(&joint.force)).abs());
                     let off = off.fold(0.0, f64::max);
-                    (off <= BOND_TOLERANCE, off <= GOOD_ENOUGH.2)
+                    (off <= BOND_TOLERANCE, off <= ENOUGH_BOND)
                 }
-                Law::Ring(_) => (joint.gap <= BOND_TOLERANCE, joint.gap <= GOOD_ENOUGH.2),
+                Law::Ring(_) => (joint.gap <= BOND_TOLERANCE, joint.gap <= ENOUGH_BOND),
                 Law::Contact(contact) => {
                     let gap = if soft || joint.deep { 0.0 } else { u.dot(&contact.normal) };
                     let exact = soft || options.model != ContactModel::Coulomb && !self.rough || miss <= asked;
                     let outside = self.rough || gap >= -0.5 * options.tolerance;
-                    (outside && exact, gap >= -GOOD_ENOUGH.1 * options.tolerance)
+                    (outside && exact, gap >= -ENOUGH_DEPTH * options.tolerance)
                 }
             };
             let wakes = self.wakes(index, strands, if holds { REST * tolerance } else { 0.0 });

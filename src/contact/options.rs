@@ -1,5 +1,6 @@
 //! How contact is answered, and what strands and bodies are to it.
 
+use super::pieces::Wisp;
 use crate::error::{Error, Result, check_not_negative, check_positive};
 
 /// How touches answer.
@@ -160,6 +161,12 @@ impl Default for StrandContact {
 }
 
 impl StrandContact {
+    /// What it is to other strands.
+    pub(crate) fn wisp(&self) -> Wisp {
+        let Self { wisp_radius: radius, exempt_length: exempt, groups: group, mask, .. } = *self;
+        Wisp { radius, exempt, group, mask, meets_itself: false }
+    }
+
     /// Checks every value; `argument` is the name put before the field in the message.
     ///
     /// # Errors

@@ -8,7 +8,6 @@ use crate::contact::allowance::Allowance;
 use crate::contact::body::BodyAt;
 use crate::contact::hair_pairs::{HairPairs, PairOptions};
 use crate::contact::options::StrandContact;
-use crate::contact::pieces::Wisp;
 use crate::contact::strand_body::{self, PathBounds, Span};
 use crate::contact::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
@@ -227,9 +226,8 @@ impl Solver {
             let Some(contact) = self.strands[*index].contact.as_deref().filter(|contact| contact.wisp_radius > 0.0) else {
                 continue;
             };
-            let StrandContact { wisp_radius: radius, exempt_length: exempt, groups: group, mask, .. } = *contact;
             of.push(*index);
-            wisps.push(Wisp { radius, exempt, group, mask, meets_itself: false });
+            wisps.push(contact.wisp());
             paths.push(path(*index as u32, self.strands[*index].state.root.origin, &curve.elements));
         }
         // As a step looks: the touches that it takes for one are one here too.

@@ -104,7 +104,9 @@ impl Touching {
     /// other is known. At a substep's start also those that may come to touch, later only what is in each other.
     pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand], at_start: bool) {
         self.hair.clear();
-        self.allows = scene.strands.iter().any(|strand| strand.allowance.is_some());
+        if at_start {
+            self.allows = scene.strands.iter().any(|strand| strand.allowance.is_some());
+        }
         let unseen = UNSEEN * scene.options.tolerance;
         for held in strands.iter_mut() {
             held.found.clear();
@@ -121,26 +123,31 @@ impl Touching {
             });
         }
         if scene.options.hair {
-            self.find_hair(scene, strands, if at_start { NEAR } else { 0.0 });
+            self.find_hair(scene, strands, at_start);
         }
         for held in strands.iter_mut().filter(|held| held.has_gone(unseen)) {
             held.held.gone = 0.0;
         }
     }
 
-    fn find_hair(&mut self, scene: &Scene, strands: &[HeldStrand], within: f64) {
+    fn find_hair(&mut self, scene: &Scene, strands: &[HeldStrand], at_start: bool) {
+        let within = if at_start { NEAR } else { 0.0 };
         let wisps = || strands.iter().enumerate().filter(|(_, held)| held.touches && held.contact.wisp_radius > 0.0);
         let paths: Vec<StrandPath> = wisps().map(|(k, held)| StrandPath { index: k as u32, ..held.path() }).collect();
         let same = self.of.len() == paths.len() && wisps().zip(&self.of).all(|((_, held), of)| held.index == *of);
-        if !(self.ready && same) {
+        let anew = !(self.ready && same);
+        if anew {
             self.of = wisps().map(|(_, held)| held.index).collect();
-            self.wisps = wisps().map(|(_, held)| held.wisp()).collect();
+            self.wisps = wisps().map(|(_, held)| held.contact.wisp()).collect();
             self.ready = self.pairs.set(&self.wisps, &pair_options(&self.wisps)).is_ok();
         }
-        let Self { of, ties, .. } = self;
-        tied(scene.constraints, |id| of.binary_search(&(scene.slots.index(id)? as u32)).ok(), ties);
-        if self.pairs.set_ties(&self.ties).is_err() || self.pairs.update(&paths).is_err() {
-            self.ready = false;
+        if anew || at_start {
+            let Self { of, ties, .. } = self;
+            tied(scene.constraints, |id| of.binary_search(&(scene.slots.index(id)? as u32)).ok(), ties);
+            self.ready &= self.pairs.set_ties(&self.ties).is_ok();
+        }
+        self.ready &= self.pairs.update(&paths).is_ok();
+        if !self.ready {
             return;
         }
         let moved: Vec<bool> = wisps().map(|(_, held)| held.has_gone(UNSEEN * scene.options.tolerance)).collect();

@@ -216,8 +216,8 @@ impl Held {
         }
     }
 
-    /// Second half: goes the way that `forces` on the stations (with [`Held::pulled`]) lead to. Gives how far an element may still be from where the iteration
-    /// would end with such forces, rad; infinite where the strand is lost.
+    /// Second half: goes the way that `forces` on the stations (with [`Held::pulled`]) lead to. Gives how far an element may still be from
+    /// where the iteration would end with such forces, rad; infinite where the strand is lost.
     pub fn advance(&mut self, setting: &Setting, forces: &[Vec3<f64>]) -> f64 {
         self.forces.clear();
         self.forces.extend_from_slice(forces);

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use nalgebra::Vector3;
 use serde::Serialize;
 use superhelix::files::curves::Curves;
 use superhelix::groom::fit::bulk::fit_curves;
@@ -15,7 +14,7 @@ use superhelix::workers::Workers;
 use crate::failure::Failure;
 use crate::fit_scene;
 use crate::groom_statistics::ranked;
-use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_length, check_stiffening, definition};
+use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_stiffening, of_fit};
 use crate::material_arguments::MaterialArguments;
 use crate::picture::view::Up;
 use crate::rest_arguments::StiffeningArguments;
@@ -153,14 +152,9 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
     if arguments.out.is_some() {
         arguments.up.check_groom(&arguments.groom, &curves)?;
     }
-    let (indices, polylines): (Vec<usize>, Vec<Vec<Vector3<f64>>>) = curves
-        .strands()
-        .enumerate()
-        .step_by(arguments.every as usize)
-        .map(|(index, strand)| (index, unit::in_metres(strand, scale)))
-        .unzip();
+    let polylines = unit::polylines(&curves, arguments.every as usize, scale);
     let workers = if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) };
-    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|points| FitCurve::polyline(points)).collect();
+    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|(_, points)| FitCurve::polyline(points)).collect();
     let elements = match (&arguments.elements[..], arguments.tolerance) {
         ([], None) => vec![3, 5, 10, 20],
         ([], Some(_)) => vec![100],
@@ -170,7 +164,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         file: arguments.groom.display().to_string(),
         format: curves.format().name(),
         strands: inputs.len(),
-        points: polylines.iter().map(Vec::len).sum(),
+        points: polylines.iter().map(|(_, points)| points.len()).sum(),
         threads: arguments.threads,
         rows: Vec::new(),
         skipped: Vec::new(),
@@ -195,7 +189,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         let seconds = begun.elapsed().as_secs_f64();
         last.clear();
         answer.skipped.clear();
-        for (index, result) in indices.iter().zip(results) {
+        for ((index, _), result) in polylines.iter().zip(results) {
             match result {
                 Ok(fit) => last.push((*index, fit)),
                 Err(error) => answer.skipped.push(Skipped { strand: *index, because: error.to_string() }),
@@ -218,9 +212,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         };
         let mut strands = Vec::new();
         for (index, fit) in last {
-            let made = check_length(fit.element_lengths.iter().sum(), &recipe.hair.material)
-                .and_then(|()| definition(index, fit, &recipe).map_err(|error| error.to_string()));
-            match made {
+            match of_fit(index, fit, &recipe) {
                 Ok(strand) => strands.push(strand),
                 Err(because) => answer.skipped.push(Skipped { strand: index, because }),
             }

@@ -131,8 +131,14 @@ pub fn check_length(length: f64, material: &Material) -> Result<(), String> {
     Ok(())
 }
 
-/// A fitted strand, number `index` of its file, with a material and a natural shape. It begins as it was drawn.
-pub fn definition(index: usize, fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, Error> {
+/// A fitted strand, number `index` of its file, made into one that can be simulated; else why not.
+pub fn of_fit(index: usize, fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, String> {
+    check_length(fit.element_lengths.iter().sum(), &recipe.hair.material)?;
+    definition(index, fit, recipe).map_err(|error| error.to_string())
+}
+
+/// A fitted strand with a material and a natural shape. It begins as it was drawn.
+fn definition(index: usize, fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, Error> {
     let mut definition = StrandDef {
         element_lengths: fit.element_lengths,
         material: recipe.hair.material,

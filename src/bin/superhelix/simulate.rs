@@ -243,12 +243,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         contact: arguments.bodies.options(),
     })?;
 
-    let polylines: Vec<(usize, Vec<Vector3<f64>>)> = curves
-        .strands()
-        .enumerate()
-        .step_by(arguments.every as usize)
-        .map(|(index, strand)| (index, unit::in_metres(strand, scale)))
-        .collect();
+    let polylines = unit::polylines(&curves, arguments.every as usize, scale);
     let bar = progress::bar(polylines.len() as u64, "strands fitted", arguments.quiet);
     let (mut strands, skipped) = groom_strands::make(&polylines, &recipe, arguments.threads as usize, || bar.inc(1))?;
     bar.finish_and_clear();

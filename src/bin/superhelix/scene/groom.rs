@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use nalgebra::Vector3;
-use superhelix::error::{Error, Result as Outcome};
+use superhelix::error::Result as Outcome;
 use superhelix::files::curves::Curves;
 use superhelix::groom::fit::bulk::fit_curves;
 use superhelix::groom::fit::{Fit, FitCurve, FitOptions};
@@ -15,7 +15,7 @@ use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef};
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
 use super::words::in_words_of_the_scene;
-use crate::groom_strands::{NaturalShape, StrandRecipe, check_length, definition};
+use crate::groom_strands::{NaturalShape, StrandRecipe, of_fit};
 use crate::json::{Complaint, Node};
 use crate::material_arguments::GroomHair;
 use crate::unit;
@@ -36,9 +36,8 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
     let shapes = [("sag_free", NaturalShape::SagFree), ("as_drawn", NaturalShape::AsDrawn)];
     let natural = groom.or("natural", NaturalShape::SagFree, |node| node.choice(&shapes))?;
 
-    let (indices, polylines): (Vec<usize>, Vec<Vec<Vector3<f64>>>) =
-        curves.strands().enumerate().step_by(every).map(|(index, points)| (index, unit::in_metres(points, scale))).unzip();
-    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|points| FitCurve::polyline(points)).collect();
+    let polylines = unit::polylines(&curves, every, scale);
+    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|(_, points)| FitCurve::polyline(points)).collect();
     let fits = fit_curves(&inputs, &FitOptions { tolerance, ..FitOptions::elements(elements) }, &options.workers)
         .map_err(in_words_of_the_scene)?;
     let recipe = StrandRecipe {
@@ -49,12 +48,12 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
         gravity: options.gravity,
         quadrature_tolerance: options.step.quadrature_tolerance,
     };
-    let strand = |(index, fit): (&usize, Outcome<Fit>)| {
-        let complain = |because: String| Complaint::new(&file.key, format!("is {}; its strand {index}: {because}", file.value));
-        let mut fit = fit.map_err(|error: Error| complain(error.to_string()))?;
-        check_length(fit.element_lengths.iter().sum(), &material).map_err(complain)?;
-        fit.root = pose.compose(&fit.root);
-        definition(*index, fit, &recipe).map_err(|error| complain(error.to_string()))
+    let strand = |((index, _), fit): (&(usize, Vec<Vector3<f64>>), Outcome<Fit>)| {
+        let made = fit.map_err(|error| error.to_string()).and_then(|fit| {
+            let root = pose.compose(&fit.root);
+            of_fit(*index, Fit { root, ..fit }, &recipe)
+        });
+        made.map_err(|because| Complaint::new(&file.key, format!("is {}; its strand {index}: {because}", file.value)))
     };
-    indices.iter().zip(fits).map(strand).collect()
+    polylines.iter().zip(fits).map(strand).collect()
 }
