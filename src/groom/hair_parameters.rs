@@ -4,10 +4,10 @@
 //! 1 + (F − 1) x above zero, its reciprocal below, so that x and −x undo each other and no number comes from a platform's own functions.
 
 use crate::contact::options::{Friction, StrandContact};
-use crate::error::{Error, Result, check_not_negative, check_positive};
+use crate::error::{Error, Result, check_not_negative};
 use crate::groom::hair_type::{DISCIPLINED_DRAG, FUZZY_DRAG};
 use crate::groom::variation::Variation;
-use crate::rod::definition::check_rows;
+use crate::rod::definition::{check_lengths, check_rows};
 use crate::rod::material::Material;
 
 /// How natural curvatures follow from a measured helix of radius r and step Δ, with p = Δ/2π.
@@ -163,9 +163,9 @@ const STRAIGHT: f64 = 1e-9;
 pub fn curled_shape(element_lengths: &[f64], natural: &[[f64; 3]], curliness: f64) -> Result<Vec<[f64; 3]>> {
     Sliders { curliness, ..Sliders::default() }.check("").map_err(|error| error.renamed(".", ""))?;
     check_rows("natural", natural, element_lengths.len())?;
+    check_lengths("element_lengths", element_lengths)?;
     let (mut square, mut length) = (0.0, 0.0);
-    for (index, (part, [_, first, second])) in element_lengths.iter().zip(natural).enumerate() {
-        check_positive(|| format!("element_lengths[{index}]"), *part)?;
+    for (part, [_, first, second]) in element_lengths.iter().zip(natural) {
         square += part * (first * first + second * second);
         length += part;
     }

@@ -30,7 +30,7 @@ use crate::contact::strand_body::Span;
 use crate::error::{Error, Result, check_finite, check_not_negative, check_positive};
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
-use crate::rod::definition::{MAX_ELEMENTS, check_rows};
+use crate::rod::definition::{MAX_ELEMENTS, check_lengths, check_rows};
 use crate::rod::freedoms::Freedoms;
 use crate::rod::kinematics::{ElementState, element_state};
 use crate::rod::segment;
@@ -141,9 +141,7 @@ impl StrandShape {
         if count == 0 || count > MAX_ELEMENTS {
             return Err(Error::invalid(format!("{argument}.element_lengths (count)"), count, format!("1 to {MAX_ELEMENTS}")));
         }
-        for (element, length) in self.element_lengths.iter().enumerate() {
-            check_positive(|| format!("{argument}.element_lengths[{element}]"), *length)?;
-        }
+        check_lengths(format_args!("{argument}.element_lengths"), &self.element_lengths)?;
         check_positive(|| format!("{argument}.length"), self.length())?;
         check_rows(format_args!("{argument}.curvatures"), &self.curvatures, count)?;
         (0..3).try_for_each(|axis| check_finite(|| format!("{argument}.root.origin[{axis}]"), self.root.origin[axis]))

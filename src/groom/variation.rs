@@ -5,10 +5,10 @@
 //! and variance 1, are sums of four uniform ones and never beyond 2√3; only sums, products and square roots are used, which are the same bits
 //! everywhere.
 
-use crate::error::{Error, Result, check_not_negative, check_positive};
+use crate::error::{Error, Result, check_not_negative};
 use crate::groom::hair_parameters::HairParameters;
 use crate::math::random::mixed;
-use crate::rod::definition::check_rows;
+use crate::rod::definition::{check_lengths, check_rows};
 use crate::rod::material::Material;
 
 /// How strands of a head vary.
@@ -116,13 +116,6 @@ impl Variation {
     }
 }
 
-fn check_lengths(element_lengths: &[f64]) -> Result<()> {
-    for (index, length) in element_lengths.iter().enumerate() {
-        check_positive(|| format!("element_lengths[{index}]"), *length)?;
-    }
-    Ok(())
-}
-
 impl Variation {
     /// The natural twist and curvatures of a strand that has a shape of its own (rows of (κ0, κ1, κ2), rad/m, of elements of these lengths, m),
     /// varied as those of the strand of that number: `between`, `along` and `frizz`.
@@ -132,7 +125,7 @@ impl Variation {
     /// as many as elements.
     pub fn of_shape(&self, strand: u64, element_lengths: &[f64], natural: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
         self.check("variation")?;
-        check_lengths(element_lengths)?;
+        check_lengths("element_lengths", element_lengths)?;
         check_rows("natural", natural, element_lengths.len())?;
         Ok(self.varied(strand, element_lengths, |element| natural[element]))
     }
@@ -161,7 +154,7 @@ impl HairParameters {
     /// [`Error::InvalidArgument`] for parameters out of range (`hair`) and lengths that are not above zero.
     pub fn strand(&self, strand: u64, element_lengths: &[f64]) -> Result<VariedStrand> {
         self.check("hair")?;
-        check_lengths(element_lengths)?;
+        check_lengths("element_lengths", element_lengths)?;
         let v = &self.variation;
         let thickness = 1.0 + v.thickness * v.number(strand, Of::Thickness, 0);
         let natural = v.varied(strand, element_lengths, |_| self.natural);

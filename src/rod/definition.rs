@@ -68,9 +68,7 @@ impl StrandDef {
         if count == 0 || count > MAX_ELEMENTS {
             return Err(Error::invalid(format!("{argument}.element_count"), count, format!("1 to {MAX_ELEMENTS}")));
         }
-        for (element, length) in self.element_lengths.iter().enumerate() {
-            check_positive(|| format!("{argument}.element_lengths[{element}]"), *length)?;
-        }
+        check_lengths(format_args!("{argument}.element_lengths"), &self.element_lengths)?;
         check_positive(|| format!("{argument}.length"), self.length())?;
         self.material.check(argument)?;
         check_rows(format_args!("{argument}.natural"), &self.natural, count)?;
@@ -88,6 +86,11 @@ impl StrandDef {
         }
         Ok(())
     }
+}
+
+/// Checks the numbers of a list of elements' lengths.
+pub(crate) fn check_lengths(argument: impl fmt::Display, lengths: &[f64]) -> Result<()> {
+    lengths.iter().enumerate().try_for_each(|(element, length)| check_positive(|| format!("{argument}[{element}]"), *length))
 }
 
 /// Checks the count and the numbers of a list of curvature rows.
