@@ -148,12 +148,12 @@ impl Island {
 
     /// How nearly the laws of touches are to hold.
     fn asked(&self, options: &ContactOptions) -> f64 {
-        match options.model {
-            ContactModel::Coulomb | ContactModel::Hard if self.rough => ROUGHEST,
+        let in_the_end = match options.model {
             ContactModel::Coulomb => options.residual,
             ContactModel::Hard => ROUGH,
             ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT,
-        }
+        };
+        if self.rough { in_the_end.max(ROUGHEST) } else { in_the_end }
     }
 
     /// Finds every joint's ends among its strands' attachments, once they are in order.
