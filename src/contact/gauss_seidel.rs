@@ -43,8 +43,8 @@ pub struct Report {
     pub dependent: Vec<DependentBond>,
 }
 
-/// Looks at the residual in which it must halve.
-const PATIENCE: u32 = 10;
+/// Sweeps in which the residual must halve.
+const PATIENCE: u32 = 60;
 /// Problems of at most so many touches are taken whole by Newton's iteration first (its price grows with their cube: 400 take a second).
 const WHOLE: usize = 100;
 /// So many where they are one block's,
@@ -61,8 +61,6 @@ const PATCHES: usize = 8;
 const PATCH: usize = 40;
 /// That is of use only near the solution: elsewhere a patch, of the price of some sweeps, is soon undone by others.
 const NEAR: f64 = 0.1;
-/// So many looks more than it is such a round counts for patience.
-const DEAR: u32 = 3;
 /// The residual, as a part of what is asked for, and the part of its own residual that a patch may leave.
 const AIM: f64 = 0.3;
 const PART: f64 = 0.1;
@@ -96,7 +94,8 @@ impl GaussSeidel {
         let most = if system.blocks() == 1 { ONE_BLOCK } else { WHOLE };
         let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= most.max(RESCUE));
         let mut last = f64::INFINITY;
-        let (mut best, mut since) = (f64::INFINITY, 0);
+        let (mut best, mut best_at) = (f64::INFINITY, 0);
+        let mut tried_whole = false;
         self.conjugate.restart(system, &self.forces);
         loop {
             scales(system, &self.forces, settings.least, &mut report);
@@ -105,22 +104,24 @@ impl GaussSeidel {
                 break;
             }
             // What does not get on will not: Newton's next iteration asks again, from elsewhere.
-            since += 1;
             if report.residual < 0.5 * best {
-                (best, since) = (report.residual, 0);
-            } else if since > PATIENCE {
+                (best, best_at) = (report.residual, report.sweeps);
+            } else if report.sweeps > best_at + PATIENCE {
                 break;
             }
             let slow = report.residual > SLOW * last;
             last = report.residual;
-            let mut patched = false;
-            let moved = if (whole && report.sweeps == 0) || (rescue && slow) {
+            // Never twice in a row: where Newton's iteration halts, sweeps lead on to where it does not.
+            tried_whole = !tried_whole && ((whole && report.sweeps == 0) || (rescue && slow));
+            if tried_whole {
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
+                self.newton.solve(space, system, &mut self.forces, &self.rows, &report, settings.tolerance, 0.0);
+                self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
-                since += if self.rows.len() > WHOLE { DEAR } else { 0 };
-                self.newton.solve(space, system, &mut self.forces, &self.rows, &report, settings.tolerance, 0.0)
-            } else if slow && report.residual < NEAR {
+                continue;
+            }
+            if slow && report.residual < NEAR {
                 self.patches.begin(space, system, &self.forces, &report);
                 for _ in 0..PATCHES {
                     if !self.patches.next(system, &self.forces, settings.tolerance, PATCH, &mut self.rows) {
@@ -128,24 +129,10 @@ impl GaussSeidel {
                     }
                     self.newton.solve(space, system, &mut self.forces, &self.rows, &report, AIM * settings.tolerance, PART);
                 }
-                report.sweeps += 1;
-                since += DEAR;
-                patched = true;
-                true
-            } else {
-                false
-            };
-            if moved {
                 self.conjugate.restart(system, &self.forces);
-                if whole {
-                    continue;
-                }
+                report.sweeps += 1;
             }
-            let round = match report.sweeps {
-                _ if patched => 0,
-                0 => FIRST_ROUND,
-                _ => ROUND,
-            };
+            let round = if report.sweeps == 0 { FIRST_ROUND } else { ROUND };
             for _ in 0..round {
                 self.conjugate.sweep(space, system, &mut self.forces);
             }

@@ -36,7 +36,7 @@ const SOFT_TOLERANCE: f64 = 2e-3;
 /// A strand that ends further from the end than this, rad, has come to nowhere.
 const LOST: f64 = 0.1;
 
-/// Iterations in which what is left to do must halve, where it is good enough as it is and where not; an island that does not get on will not.
+/// Iterations in which what is left to do, or what has it to do, must halve, where it is good enough as it is and where not; an island that does not get on will not.
 const PATIENCE: [u32; 2] = [5, 25];
 /// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
 /// of touches; a bond, m.
@@ -111,6 +111,8 @@ pub struct Island {
     pub rest_miss: f64,
     /// The least that was left to do, in units of what may be, and the iteration that it was halved in.
     best: (f64, u32),
+    /// The same of how many strands and joints were not at their end.
+    fewest: (usize, u32),
     /// Iterations in a row that led nowhere, see [`IDLE`].
     idle: u32,
     space: ContactSpace,
@@ -131,7 +133,13 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
         (self.done, self.converged, self.relaxed, self.lost, self.good_enough) = (false, false, false, false, false);
-        (self.best, self.idle, self.rest, self.rough) = ((f64::INFINITY, 0), 0, -1.0, false);
+        (self.rest, self.rough) = (-1.0, false);
+        self.begin_to_count(0);
+    }
+
+    /// Progress is counted from this iteration on.
+    fn begin_to_count(&mut self, iteration: u32) {
+        (self.best, self.fewest, self.idle) = ((f64::INFINITY, iteration), (usize::MAX, iteration), 0);
     }
 
     /// Goes on from where it was solved roughly. True if there is more to do.
@@ -139,8 +147,8 @@ impl Island {
         let goes_on = self.rough && self.converged;
         if goes_on {
             // What rested did so by what was asked then.
-            (self.done, self.converged, self.rest, self.idle) = (false, false, -1.0, 0);
-            self.best = (f64::INFINITY, self.iterations);
+            (self.done, self.converged, self.rest) = (false, false, -1.0);
+            self.begin_to_count(self.iterations);
         }
         self.rough = false;
         goes_on
@@ -173,6 +181,11 @@ impl Island {
         self.done && !self.converged
     }
 
+    /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way.
+    pub fn is_given_up(&self) -> bool {
+        self.failed() && (self.relaxed || !self.good_enough)
+    }
+
     /// Lets it be solved roughly at first, if it has touches and is large.
     pub fn begin_roughly(&mut self) {
         self.rough = self.strands.len() > FEW && self.joints.iter().any(Joint::is_touch);
@@ -199,7 +212,7 @@ impl Island {
         let again = self.is_to_relax();
         if again {
             (self.iterations, self.done, self.relaxed, self.rough) = (0, false, true, false);
-            (self.best, self.idle) = ((f64::INFINITY, 0), 0);
+            self.begin_to_count(0);
             self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
         }
         again
@@ -403,7 +416,7 @@ impl Island {
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
         let mut enough = residual <= ENOUGH_TURN;
-        let mut rested = 0.0_f64;
+        let (mut rested, mut wakes_some) = (0.0_f64, false);
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
         let asked = self.asked(options);
         (self.rest, self.rest_miss) = (REST * tolerance, asked);
@@ -436,11 +449,16 @@ impl Island {
             let wakes = self.wakes(index, strands, if holds { REST * tolerance } else { 0.0 });
             let free = self.joints[index].standing.free;
             self.joints[index].standing = Standing { miss, holds, nearly, free, wakes };
-            (good, enough) = (good && holds && wakes == [false; 2], enough && nearly);
+            (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || wakes != [false; 2]);
         }
         let left = (residual / tolerance).max(self.residual / ROUGH);
         if left < 0.5 * self.best.0 {
             self.best = (left, self.iterations);
+        }
+        let open = self.strands.iter().filter(|held| strands[**held as usize].residual > tolerance).count()
+            + self.joints.iter().filter(|joint| !joint.standing.holds || joint.standing.wakes != [false; 2]).count();
+        if open < self.fewest.0.div_ceil(2) {
+            self.fewest = (open, self.iterations);
         }
         // What rests is told as well, but nobody waits for it.
         self.residual = self.residual.max(rested);
@@ -453,10 +471,15 @@ impl Island {
             || self.is_constrained() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
         let idle = !options.model.is_soft() && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS);
         self.idle = if idle { self.idle + 1 } else { 0 };
-        // Constraints may turn a strand right round, a little in every iteration.
-        let slow = !self.is_constrained() && self.iterations >= self.best.1 + PATIENCE[usize::from(!enough)];
+        // Constraints may turn a strand right round, a little in every iteration. What only waits for resting strands gets on: these are woken
+        // twice at most.
+        let waits_only = good && wakes_some;
+        let got_on = self.best.1.max(self.fewest.1);
+        let slow = !waits_only && !self.is_constrained() && self.iterations >= got_on + PATIENCE[usize::from(!enough)];
         let stuck = slow || beyond || self.is_constrained() && self.idle > IDLE;
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
+        // One touch that stays a little beyond what is asked roughly says nothing of the end.
+        let good = good && !wakes_some || self.rough && slow && enough;
         // What has given way holds not, whatever it came to.
         self.converged = good && !self.relaxed;
         self.done = good || lost || stuck || self.iterations >= options.max_iterations;

@@ -151,6 +151,14 @@ impl Joint {
         matches!(self.kind, JointKind::Body { .. } | JointKind::Hair { .. })
     }
 
+    /// From centre to centre where the surfaces of a touch just meet, m, zero or above; zero of a constraint.
+    pub fn margin(&self) -> f64 {
+        match self.kind {
+            JointKind::Body { margin, .. } | JointKind::Hair { margin, .. } => margin.max(0.0),
+            JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => 0.0,
+        }
+    }
+
     /// Whether it is a touch with the same partner as another of the same strand.
     pub fn is_with(&self, other: &Joint) -> bool {
         match (self.kind, other.kind) {

@@ -31,7 +31,10 @@ const DEEP: f64 = 10.0;
 const DEEPEST: f64 = 0.1;
 /// A strand that has gone less than this part of the touches' tolerance since it was searched is not searched again.
 const UNSEEN: f64 = 0.1;
-/// A touch is one that was known if along the strand it is no further from it than this share of the strand's length.
+/// A touch that was missed is one that is known, seen from where the strands are now, if along the strand it is no further from it than this share
+/// of what holds the surfaces' centres apart: side by side they would be one force in two places, which no solve can tell apart.
+const SAME_PLACE: f64 = 0.5;
+/// A touch is one that was known in the last step if along the strand it is no further from it than this share of the strand's length.
 const SAME: f64 = 0.02;
 
 /// What a touch is with.
@@ -289,7 +292,7 @@ impl Touching {
         let mut missed = Vec::new();
         let bodies = strands.iter().enumerate().flat_map(|(k, held)| held.found.iter().map(move |touch| (k as u32, touch)));
         for (held, touch) in bodies.chain(self.hair.iter().map(|touch| (touch.place.strand, touch))) {
-            if touch.gap >= -scene.options.tolerance || islands[strands[held as usize].island as usize].failed() {
+            if touch.gap >= -scene.options.tolerance || islands[strands[held as usize].island as usize].is_given_up() {
                 continue;
             }
             let mut joint = self.joint(scene, strands, held, touch);
@@ -322,13 +325,10 @@ impl Touching {
         }
         for joint in missed {
             // One that is known moves to where it is deepest; any other is new.
-            let strand = &strands[joint.first.held as usize];
-            let along = strand.along(&joint.first.station);
-            let known = joints.iter_mut().filter(|known| known.first.held == joint.first.held && known.is_with(&joint));
-            let near = known.map(|known| ((strand.along(&known.first.station) - along).abs(), known));
-            let nearest = near.min_by(|a, b| a.0.total_cmp(&b.0));
-            match nearest {
-                Some((off, known)) if off <= 1e-6 * strand.length() => *known = Joint { force: known.force, ..joint },
+            let known = joints.iter_mut().filter(|known| known.is_with(&joint));
+            let known = known.filter_map(|known| Some((apart(known, &joint, strands)?, known)));
+            match known.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                Some((apart, known)) if apart <= SAME_PLACE * joint.margin() => *known = Joint { force: known.force, ..joint },
                 _ => joints.push(joint),
             }
         }
@@ -355,6 +355,17 @@ impl Touching {
             self.remembered.push(Remembered { strand: strand.index, with, along, force: joint.force });
         }
         self.remembered.sort_by(|a, b| (a.strand, a.with).cmp(&(b.strand, b.with)).then(a.along.total_cmp(&b.along)));
+    }
+}
+
+/// How far two touches with the same partner are apart along the strand, or its partner, at most, m; none where they are of different strands.
+fn apart(one: &Joint, other: &Joint, strands: &[HeldStrand]) -> Option<f64> {
+    let along = |end: &JointEnd| strands[end.held as usize].along(&end.station);
+    let off = |a: &JointEnd, b: &JointEnd| (a.held == b.held).then(|| (along(a) - along(b)).abs());
+    let first = off(&one.first, &other.first)?;
+    match (&one.second, &other.second) {
+        (Some(a), Some(b)) => Some(first.max(off(a, b)?)),
+        _ => Some(first),
     }
 }
 
