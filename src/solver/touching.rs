@@ -324,8 +324,8 @@ impl Touching {
             joints.append(&mut island.joints);
         }
         for joint in missed {
-            // One that is known moves to where it is deepest; any other is new.
-            let known = joints.iter_mut().filter(|known| known.is_with(&joint));
+            // One that is known moves to where it is deepest; any other is new, beside one that only gives way too.
+            let known = joints.iter_mut().filter(|known| known.is_with(&joint) && !known.deep);
             let known = known.filter_map(|known| Some((apart(known, &joint, strands)?, known)));
             match known.min_by(|a, b| a.0.total_cmp(&b.0)) {
                 Some((apart, known)) if apart <= SAME_PLACE * joint.margin() => *known = Joint { force: known.force, ..joint },
