@@ -63,6 +63,9 @@ pub struct HeldStrand {
     pub touches: bool,
     /// Touches with bodies that were found last.
     pub found: Vec<Touch>,
+    /// The gap between its root and the nearest body, m; infinite where none is near, or the root touches nothing. The host puts the root
+    /// where it is, and no force moves it: it is told, and is no touch.
+    pub root_gap: f64,
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
     bonds: Vec<Option<WorldBond>>,
@@ -89,6 +92,13 @@ impl HeldStrand {
         for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
             strand_body::touches(&path, &self.bounds, Span { exempt }, radius, body, within, scratch, &mut self.found);
         }
+        self.root_gap = f64::INFINITY;
+        let root_gap = &mut self.root_gap;
+        self.found.retain(|touch| {
+            let at_root = touch.place.element == 0 && touch.place.s == 0.0;
+            *root_gap = if at_root { root_gap.min(touch.gap) } else { *root_gap };
+            !at_root
+        });
     }
 
     /// Whether some point of it has gone further than `least` (m) since it was last searched for touches.

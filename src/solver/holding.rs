@@ -61,6 +61,9 @@ pub struct ContactTally {
     pub penetration: f64,
     /// The largest distance of a constraint from holding at the end of a substep, m.
     pub constraint_error: f64,
+    /// Strands whose root was in a body by more than [`ContactOptions::tolerance`] at the end of the last substep, and not exempt: it is where
+    /// the host put it, and no force parts the two. (`penetration` has how deep.)
+    pub roots_inside: u32,
 }
 
 /// What a held substep works on.
@@ -229,7 +232,8 @@ impl Holding {
             held.bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            (held.first_order, held.settled, held.resting) = (strand.touched, false, false);
+            (held.first_order, held.begins_again, held.settled, held.resting) = (strand.touched, false, false, false);
+            held.root_gap = f64::INFINITY;
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
@@ -395,10 +399,12 @@ impl Holding {
             strand.ended(outcome, setting, h, scratch);
             strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].is_touch());
         });
+        (contact.touches, contact.roots_inside) = (0, 0);
         for held in &self.strands[..self.count] {
             tally.add(&held.held.outcome);
+            contact.penetration = contact.penetration.max(-held.root_gap);
+            contact.roots_inside += u32::from(held.root_gap < -scene.options.tolerance);
         }
-        contact.touches = 0;
         self.contacts.clear();
         for constraint in scene.constraints.iter_mut() {
             constraint.begin_report();
