@@ -47,10 +47,13 @@ pub struct HeldStrand {
     pub island: u32,
     /// From root to tip; their places in this list are the points of the island's contact space.
     pub attachments: Vec<Attachment>,
-    /// Whether its step is implicit Euler's, whatever the setting says, and whether it is to begin once more for that.
+    /// Whether its step is implicit Euler's, whatever the setting says, and whether it is to begin once more for that: then it stays where it is
+    /// until it does.
     pub first_order: bool,
     /// See `first_order`.
     pub begins_again: bool,
+    /// Whether the first half of the first iteration is done already.
+    pub looked_ahead: bool,
     /// Whether its island's iteration has ended well, and nothing new holds it since.
     pub settled: bool,
     /// Whether it is at its end under the joints' forces: it stays where it is, while others go on, until these have changed.
@@ -181,8 +184,17 @@ impl HeldStrand {
         }));
     }
 
+    /// Does the first half of the step's first iteration before it begins.
+    pub fn look_ahead(&mut self, island: &Island) {
+        self.linearise(island);
+        self.looked_ahead = true;
+    }
+
     /// First half of a Newton iteration; the joints' forces are the last iteration's.
     pub fn linearise(&mut self, island: &Island) {
+        if std::mem::take(&mut self.looked_ahead) {
+            return;
+        }
         self.choose_rest(island);
         self.sort(island);
         if self.resting {
@@ -201,8 +213,12 @@ impl HeldStrand {
         self.held.linearise(&self.stations, &self.forces, &self.bonds);
     }
 
-    /// Second half, with the joints' new forces.
+    /// Second half, with the joints' new forces. A strand that begins again does not go on.
     pub fn advance(&mut self, setting: &Setting, island: &Island) {
+        if self.begins_again {
+            self.residual = f64::INFINITY;
+            return;
+        }
         if self.resting {
             return;
         }
