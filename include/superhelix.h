@@ -663,6 +663,9 @@ typedef struct shx_step_report {
   double max_penetration;
   // The largest distance of a constraint from holding at the end of a substep, m.
   double max_constraint_error;
+  // Strands whose root was in a body by more than the contact options' tolerance at the end of the last substep, and not exempt: it is where
+  // the host put it, and no force parts the two. max_penetration has how deep.
+  uint64_t roots_inside;
 } shx_step_report;
 
 // Names a strand of one solver: a slot and a generation. Zero bits is the null id. The id of a removed strand never names

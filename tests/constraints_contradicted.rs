@@ -1,9 +1,12 @@
 //! Constraints that cannot hold: told as violated, drawn as near as they go, in bounded time, and without forces beyond measure.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
+use superhelix::contact::body::BodyDef;
 use superhelix::contact::options::{ContactModel, Friction, StrandContact};
+use superhelix::contact::shape::Shape;
 use superhelix::math::frame::Frame;
 use superhelix::solver::Solver;
 use superhelix::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatus, Hold};
@@ -52,11 +55,22 @@ struct Outcome {
 
 /// A second of it.
 fn course(model: ContactModel, wisp_radius: f64, hold: impl Fn(&[StrandId]) -> Vec<ConstraintDef>) -> Outcome {
+    course_around(model, wisp_radius, Vec::new(), hold)
+}
+
+/// The same with bodies.
+fn course_around(
+    model: ContactModel,
+    wisp_radius: f64,
+    bodies: Vec<BodyDef>,
+    hold: impl Fn(&[StrandId]) -> Vec<ConstraintDef>,
+) -> Outcome {
     let mut options = SolverOptions::default();
     (options.contact.model, options.contact.hair) = (model, wisp_radius > 0.0);
     let mut solver = Solver::new(options).unwrap();
     let ids = solver.add_strands(&hanging()).unwrap();
     solver.set_contact(&ids, Some(&StrandContact { wisp_radius, ..StrandContact::default() })).unwrap();
+    solver.add_bodies(bodies).unwrap();
     let constraints = solver.add_constraints(&hold(&ids)).unwrap();
     let mut out = Outcome { states: Vec::new(), tips: Vec::new(), violated: 0, force: 0.0, sweeps: 0, quarantined: 0 };
     for _ in 0..STEPS {
@@ -92,6 +106,25 @@ fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
             assert!(left > reach && left < reach + 6e-3, "{model:?} {wisp}: {left} for {reach}");
             assert!((left - state.error).abs() < 1e-9, "{model:?} {wisp}: {left} {state:?}");
         }
+    }
+}
+
+/// Wisps pinned together behind a ball, in reach: what touches presses them is settled by penalties step by step, and meanwhile the pins hold. (An
+/// island of theirs that leaves its contact problem unsolved now and then is not idle: ended for that, 95 of 480 were told as violated, 265 of
+/// others.)
+#[test]
+fn wisps_pinned_behind_a_ball_are_held() {
+    let target = Vector3::new(0.039_819, 0.0, -0.063_249);
+    let pose = Frame { origin: Vector3::new(0.019_532, 0.0, -0.031_025), ..Frame::default() };
+    for wisp in [0.0, 5e-4] {
+        let ball = BodyDef { pose, ..BodyDef::new(Arc::new(Shape::new_sphere(0.015_251).unwrap())) };
+        let pins = |ids: &[StrandId]| ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at(target.into()))).collect();
+        let out = course_around(ContactModel::Penalty, wisp, vec![ball], pins);
+        println!("{wisp}: {} of {} violated", out.violated, STEPS * STRANDS as u32);
+        // While they are drawn there, some.
+        assert!(out.violated <= 24 && out.quarantined == 0, "{wisp}: {} {}", out.violated, out.quarantined);
+        assert!(out.states.iter().all(|state| state.status == ConstraintStatus::Holds && state.error < 1e-9), "{:?}", out.states);
+        assert!(out.tips.iter().all(|tip| (tip - target).norm() < 1e-9));
     }
 }
 

@@ -1,7 +1,9 @@
 //! What contact costs: a thousand guides on Sintel's bust, shaken, hair against hair and bust, by each model; and what each model errs by
-//! for what it costs (`price.rs`). `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick]`.
+//! for what it costs (`price.rs`); and what a touch costs as they grow in number (`scaling.rs`).
+//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only]`.
 
 mod price;
+mod scaling;
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -171,6 +173,10 @@ fn main() -> Outcome<()> {
     let mesh = Shape::new_mesh(vertices, bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
     let baked = mesh.mesh().map(|mesh| DistanceGrid::bake(mesh, CELL, BAND)).transpose()?;
     let head = Arc::new(baked.map_or(mesh, Shape::new_grid));
+    if arguments.iter().any(|argument| argument == "--scaling-only") {
+        let scaling = scaling::table(&head, quick)?;
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_scaling.csv"), scaling))?);
+    }
     let defs = guides(&head, count)?;
     let mut csv = String::from(
         "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,residual,unconverged,rolled_back\n",
@@ -208,6 +214,7 @@ fn main() -> Outcome<()> {
         if only.is_none() {
             std::fs::write(folder.join("contact_price.csv"), prices)?;
             std::fs::write(folder.join("contact_rest.csv"), rest)?;
+            std::fs::write(folder.join("contact_scaling.csv"), scaling::table(&head, quick)?)?;
         }
     }
     Ok(())

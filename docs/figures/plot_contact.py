@@ -51,7 +51,16 @@ def rest():
     show(table(("model", "tip off, mm", "force off, %", "deepest, µm"), lines), "rest", "contact.md", "tradeoff.md")
 
 
+def scaling():
+    lines = [("tufts of 16 strands" if row["case"] == "tufts" else "one head", row["model"], row["strands"], row["touches"], row["ms_a_step"], row["us_a_touch"],
+              row["touches_found"], row["search_ms"], row["search_us_a_touch_found"])
+             for row in rows("contact_scaling.csv")]
+    show(table(("scene", "model", "strands", "touches", "ms a step", "µs a touch", "touches found by a search", "ms a search",
+                "µs a touch found"), lines), "scaling", "contact.md")
+
+
 if __name__ == "__main__":
     shake()
     price()
     rest()
+    scaling()

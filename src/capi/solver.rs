@@ -66,6 +66,9 @@ pub struct shx_step_report {
     pub max_penetration: f64,
     /// The largest distance of a constraint from holding at the end of a substep, m.
     pub max_constraint_error: f64,
+    /// Strands whose root was in a body by more than the contact options' tolerance at the end of the last substep, and not exempt: it is where
+    /// the host put it, and no force parts the two. max_penetration has how deep.
+    pub roots_inside: u64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -78,7 +81,7 @@ unsafe impl Versioned for shx_step_report {
 }
 
 const _: () = {
-    assert!(size_of::<shx_step_report>() == 136 && offset_of!(shx_step_report, max_residual) == 16);
+    assert!(size_of::<shx_step_report>() == 144 && offset_of!(shx_step_report, max_residual) == 16);
     assert!(offset_of!(shx_step_report, substeps) == 56 && offset_of!(shx_step_report, contacts) == 88);
 };
 
@@ -107,6 +110,7 @@ impl shx_step_report {
             contact_residual: report.contact.residual,
             max_penetration: report.contact.penetration,
             max_constraint_error: report.contact.constraint_error,
+            roots_inside: u64::from(report.contact.roots_inside),
         }
     }
 }
@@ -214,6 +218,15 @@ fn tell(log: &LogSink, report: &StepReport) {
             format_args!(
                 "shx_solver_step: contact of {} sets of strands unconverged, penetration up to {:e} m, constraints off by up to {:e} m",
                 report.contact.unconverged, report.contact.penetration, report.contact.constraint_error
+            ),
+        );
+    }
+    if report.contact.roots_inside > 0 {
+        log.message(
+            SHX_LOG_WARN,
+            format_args!(
+                "shx_solver_step: the roots of {} strands are in a body, where no force parts them (see exempt_length)",
+                report.contact.roots_inside
             ),
         );
     }

@@ -47,10 +47,13 @@ pub struct HeldStrand {
     pub island: u32,
     /// From root to tip; their places in this list are the points of the island's contact space.
     pub attachments: Vec<Attachment>,
-    /// Whether its step is implicit Euler's, whatever the setting says, and whether it is to begin once more for that.
+    /// Whether its step is implicit Euler's, whatever the setting says, and whether it is to begin once more for that: then it stays where it is
+    /// until it does.
     pub first_order: bool,
     /// See `first_order`.
     pub begins_again: bool,
+    /// Whether the first half of the first iteration is done already.
+    pub looked_ahead: bool,
     /// Whether its island's iteration has ended well, and nothing new holds it since.
     pub settled: bool,
     /// Whether it is at its end under the joints' forces: it stays where it is, while others go on, until these have changed.
@@ -63,6 +66,9 @@ pub struct HeldStrand {
     pub touches: bool,
     /// Touches with bodies that were found last.
     pub found: Vec<Touch>,
+    /// The gap between its root and the nearest body, m; infinite where none is near, or the root touches nothing. The host puts the root
+    /// where it is, and no force moves it: it is told, and is no touch.
+    pub root_gap: f64,
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
     bonds: Vec<Option<WorldBond>>,
@@ -89,6 +95,13 @@ impl HeldStrand {
         for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
             strand_body::touches(&path, &self.bounds, Span { exempt }, radius, body, within, scratch, &mut self.found);
         }
+        self.root_gap = f64::INFINITY;
+        let root_gap = &mut self.root_gap;
+        self.found.retain(|touch| {
+            let at_root = touch.place.element == 0 && touch.place.s == 0.0;
+            *root_gap = if at_root { root_gap.min(touch.gap) } else { *root_gap };
+            !at_root
+        });
     }
 
     /// Whether some point of it has gone further than `least` (m) since it was last searched for touches.
@@ -171,8 +184,17 @@ impl HeldStrand {
         }));
     }
 
+    /// Does the first half of the step's first iteration before it begins.
+    pub fn look_ahead(&mut self, island: &Island) {
+        self.linearise(island);
+        self.looked_ahead = true;
+    }
+
     /// First half of a Newton iteration; the joints' forces are the last iteration's.
     pub fn linearise(&mut self, island: &Island) {
+        if std::mem::take(&mut self.looked_ahead) {
+            return;
+        }
         self.choose_rest(island);
         self.sort(island);
         if self.resting {
@@ -191,8 +213,12 @@ impl HeldStrand {
         self.held.linearise(&self.stations, &self.forces, &self.bonds);
     }
 
-    /// Second half, with the joints' new forces.
+    /// Second half, with the joints' new forces. A strand that begins again does not go on.
     pub fn advance(&mut self, setting: &Setting, island: &Island) {
+        if self.begins_again {
+            self.residual = f64::INFINITY;
+            return;
+        }
         if self.resting {
             return;
         }

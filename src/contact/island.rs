@@ -176,6 +176,25 @@ impl Island {
         }
     }
 
+    /// Whether strands of it touch something.
+    pub fn has_touches(&self) -> bool {
+        self.joints.iter().any(Joint::is_touch)
+    }
+
+    /// Adds the held strands to `pressed` that run into what they touch if no force acts, when all have done the first half of an iteration.
+    pub fn about_to_press(&mut self, strands: &[HeldStrand], pressed: &mut Vec<u32>) {
+        self.find_ends(strands);
+        for (joint, [first, second]) in self.joints.iter().zip(&self.ends) {
+            let (JointKind::Body { normal, .. } | JointKind::Hair { normal, .. }) = joint.kind else { continue };
+            let way = |end: &End| strands[self.strands[end.strand as usize] as usize].free(end.point);
+            let way = way(first) - joint.second.map_or(Vector3::zeros(), |_| way(second));
+            if joint.gap + normal.dot(&way) < 0.0 {
+                pressed.push(joint.first.held);
+                pressed.extend(joint.second.map(|end| end.held));
+            }
+        }
+    }
+
     /// Whether its iteration ended elsewhere than it should.
     pub fn failed(&self) -> bool {
         self.done && !self.converged
@@ -188,7 +207,7 @@ impl Island {
 
     /// Lets it be solved roughly at first, if it has touches and is large.
     pub fn begin_roughly(&mut self) {
-        self.rough = self.strands.len() > FEW && self.joints.iter().any(Joint::is_touch);
+        self.rough = self.strands.len() > FEW && self.has_touches();
     }
 
     /// Whether strands may rest: constraints are to hold to the last digit, and few strands come to their end sooner together.

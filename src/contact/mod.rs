@@ -27,6 +27,7 @@ pub mod pieces;
 mod rank;
 pub mod segment_distance;
 pub mod shape;
+mod sides;
 pub mod strand_body;
 mod sweep;
 pub mod system;

@@ -8,6 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 use super::helix_distance::{Arc, PointPair, closest, direction};
 use super::pieces::{Piece, Wisp};
 use super::segment_distance::closest_of_segments;
+use super::sides::keep_sides;
 use super::touch::{Partner, Place, StrandPath, Touch};
 
 /// Touches nearer to each other along both strands than this share of the sum of the radii are one.
@@ -15,10 +16,6 @@ const MERGED: f64 = 0.25;
 /// Centrelines that come nearer than this share of the sum of the radii while their normal turns round have crossed; centrelines that
 /// were nearer when the step began were inside each other, and have no side to keep.
 const CROSSED: f64 = 0.5;
-
-/// Pieces keep their sides where their chords' normals are within this cosine of each other, and the chords so many sagittas apart at least.
-const SAME_SIDE: f64 = 0.5;
-const PLAIN: f64 = 4.0;
 
 /// Strands lie along each other where the square of the sine between their tangents is less: within a quarter of a radian.
 const ALONG: f64 = 0.0625;
@@ -108,7 +105,7 @@ impl TwoStrands<'_> {
         for (a, b) in candidates {
             self.of_pieces(&a, &b, &mut scratch.found);
         }
-        keep_sides(&mut scratch.found, self.radii());
+        keep_sides_beside(&mut scratch.found, self.radii());
         let order = |x: &Found, y: &Found| x.along[0].total_cmp(&y.along[0]).then(x.along[1].total_cmp(&y.along[1]));
         scratch.found.sort_unstable_by(order);
         merge(&mut scratch.found, MERGED * self.radii());
@@ -122,7 +119,8 @@ impl TwoStrands<'_> {
         let motion = relative_motion(a.moved(), b.moved());
         let inside = CROSSED * radii;
         let may_touch = chords.distance - sagittas <= radii + self.within;
-        let may_have_crossed = chords.distance - sagittas <= motion + inside && !stay_on_their_sides(a, b, [chords.t, chords.u]);
+        let may_have_crossed =
+            chords.distance - sagittas <= motion + inside && !keep_sides(a, b, ways_apart(a, b, [chords.t, chords.u]), inside);
         if !may_touch && !may_have_crossed {
             return;
         }
@@ -238,15 +236,11 @@ impl TwoStrands<'_> {
     }
 }
 
-/// Whether two pieces whose chords are nearest at `now` plainly have the same sides to each other as when the step began: the chords are then
-/// apart in nearly the same direction, and by so much that the arcs are too.
-fn stay_on_their_sides(a: &MovingPiece, b: &MovingPiece, now: [f64; 2]) -> bool {
+/// The ways between two pieces' chords where they are nearest, at the step's start and now, where that is at `now` (0 to 1 along each).
+fn ways_apart(a: &MovingPiece, b: &MovingPiece, now: [f64; 2]) -> [Vector3<f64>; 2] {
     let before = closest_of_segments([&a.start[0], &a.start[1]], [&b.start[0], &b.start[1]]);
     let apart = |a: &[Vector3<f64>; 2], b: &[Vector3<f64>; 2], [t, u]: [f64; 2]| a[0].lerp(&a[1], t) - b[0].lerp(&b[1], u);
-    let (then, now) = (apart(&a.start, &b.start, [before.t, before.u]), apart(&a.now, &b.now, now));
-    let plain = PLAIN * (a.sagitta + b.sagitta);
-    let lengths = then.norm() * now.norm();
-    lengths > 0.0 && then.norm().min(now.norm()) >= plain && then.dot(&now) >= SAME_SIDE * lengths
+    [apart(&a.start, &b.start, [before.t, before.u]), apart(&a.now, &b.now, now)]
 }
 
 /// Where the middle of what the chords share is on each, if it is not farther apart than `farthest`.
@@ -277,7 +271,7 @@ fn goes_on(near: &PointPair, which: usize, piece: &MovingPiece) -> bool {
 }
 
 /// Touches beside a crossing lie on the same side as it: their pieces may have come near after it.
-fn keep_sides(found: &mut [Found], radii: f64) {
+fn keep_sides_beside(found: &mut [Found], radii: f64) {
     for index in 0..found.len() {
         if found[index].crossed {
             continue;

@@ -2,6 +2,8 @@
 //! iteration. Strands do the two halves of an iteration on any thread, islands solve their contact problems between them; who runs
 //! which changes no result.
 
+mod formula;
+
 use nalgebra::Vector3;
 
 use super::bodies::{Contact, ContactPartner};
@@ -61,6 +63,9 @@ pub struct ContactTally {
     pub penetration: f64,
     /// The largest distance of a constraint from holding at the end of a substep, m.
     pub constraint_error: f64,
+    /// Strands whose root was in a body by more than [`ContactOptions::tolerance`] at the end of the last substep, and not exempt: it is where
+    /// the host put it, and no force parts the two. (`penetration` has how deep.)
+    pub roots_inside: u32,
 }
 
 /// What a held substep works on.
@@ -143,12 +148,12 @@ impl Holding {
         self.touching.begin_step();
         self.touching.find(scene, &mut self.strands[..self.count], true);
         self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
-        self.begin_again(scene, h);
         self.hold_constraints(scene, h);
         let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { MOST_SEARCHES };
         // Until no search finds anything it is solved roughly: a touch that is seen later would undo what is exact.
         let mut rough = searches > 0;
         self.tie(rough);
+        self.foresee_pressing(scene, h);
         for search in 0..=searches {
             self.iterate(scene, h, contact, if search < searches.min(EARLY) { EARLY_ITERATIONS } else { u32::MAX });
             if search < searches {
@@ -194,18 +199,6 @@ impl Holding {
         strands.iter_mut().filter(|strand| strand.held).zip(held).collect()
     }
 
-    /// Strands that may touch something take the step by implicit Euler: a two-step formula makes an impact ring.
-    fn begin_again(&mut self, scene: &mut Scene, h: f64) {
-        if scene.setting.options.integrator == Integrator::ImplicitEuler {
-            return;
-        }
-        for end in self.joints.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
-            let held = &mut self.strands[end.held as usize];
-            held.begins_again = !held.first_order;
-        }
-        Self::restart(scene, &mut self.strands[..self.count], h);
-    }
-
     /// Begins the step of those strands anew that are marked for it, by implicit Euler.
     fn restart(scene: &mut Scene, held: &mut [HeldStrand], h: f64) {
         if !held.iter().any(|held| held.begins_again) {
@@ -214,7 +207,7 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, held);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             if held.begins_again {
-                (held.begins_again, held.first_order, held.resting) = (false, true, false);
+                (held.begins_again, held.first_order, held.resting, held.looked_ahead) = (false, true, false, false);
                 strand.with_one(|one| held.held.begin(one, scene.setting, h, true));
             }
         });
@@ -229,7 +222,8 @@ impl Holding {
             held.bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            (held.first_order, held.settled, held.resting) = (strand.touched, false, false);
+            (held.first_order, held.begins_again, held.settled, held.resting) = (strand.touched, false, false, false);
+            (held.root_gap, held.looked_ahead) = (f64::INFINITY, false);
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
@@ -358,6 +352,11 @@ impl Holding {
                     }
                 }
             });
+            if setting.options.integrator == Integrator::SecondOrder {
+                for island in islands.iter().filter(|island| !island.done && island.iterations < options.max_iterations) {
+                    Self::begin_pressed_again(island, strands);
+                }
+            }
             scene.crew.for_each(strands, |held, _| {
                 let island = &islands[held.island as usize];
                 if !island.done {
@@ -393,12 +392,14 @@ impl Holding {
             strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.rule));
             let outcome = held.held.outcome;
             strand.ended(outcome, setting, h, scratch);
-            strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].is_touch());
+            strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
         });
+        (contact.touches, contact.roots_inside) = (0, 0);
         for held in &self.strands[..self.count] {
             tally.add(&held.held.outcome);
+            contact.penetration = contact.penetration.max(-held.root_gap);
+            contact.roots_inside += u32::from(held.root_gap < -scene.options.tolerance);
         }
-        contact.touches = 0;
         self.contacts.clear();
         for constraint in scene.constraints.iter_mut() {
             constraint.begin_report();

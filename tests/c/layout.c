@@ -58,7 +58,7 @@ AT(shx_strand_def, root_velocity, 184);
 AT(shx_strand_def, root_angular_velocity, 208);
 AT(shx_strand_def, reserved, 232);
 
-SIZE(shx_step_report, 136);
+SIZE(shx_step_report, 144);
 AT(shx_step_report, struct_size, 0);
 AT(shx_step_report, quarantined, 4);
 AT(shx_step_report, unconverged, 8);
@@ -81,6 +81,7 @@ AT(shx_step_report, contact_sweeps, 104);
 AT(shx_step_report, contact_residual, 112);
 AT(shx_step_report, max_penetration, 120);
 AT(shx_step_report, max_constraint_error, 128);
+AT(shx_step_report, roots_inside, 136);
 
 SIZE(shx_strand_id, 8);
 AT(shx_strand_id, bits, 0);

@@ -48,6 +48,8 @@ pub struct ContactReport {
     pub constraint_error_max: f64,
     /// Groups of strands tied together whose step ended elsewhere than it should.
     pub unconverged: u64,
+    /// Strands whose roots were in a body and not exempt at the end of a step, at most.
+    pub roots_inside_max: u32,
 }
 
 impl ContactReport {
@@ -64,6 +66,7 @@ impl ContactReport {
         self.residual_max = self.residual_max.max(step.residual);
         self.constraint_error_max = self.constraint_error_max.max(step.constraint_error);
         self.unconverged += u64::from(step.unconverged);
+        self.roots_inside_max = self.roots_inside_max.max(step.roots_inside);
     }
 }
 

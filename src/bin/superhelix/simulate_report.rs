@@ -123,6 +123,12 @@ impl SimulateReport {
                 contact.sweeps,
                 contact.unconverged
             );
+            if contact.roots_inside_max > 0 {
+                text += &format!(
+                    "strands whose roots are in a body, where no force parts them: {} (see exempt length)\n",
+                    contact.roots_inside_max
+                );
+            }
         }
         if let Some(cache) = &self.cache {
             text += &format!("cache: {} frames in {cache}\n", self.cache_frames);

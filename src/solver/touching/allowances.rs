@@ -15,6 +15,7 @@ pub fn give_way_to_bodies(held: &mut HeldStrand, allowance: &Allowance, within: 
         touch.gap <= within
     });
     held.found = found;
+    held.root_gap += allowance.sunk(0.0);
 }
 
 /// The same for touches between strands.

@@ -1,0 +1,53 @@
+//! By which formula held strands take their step. A two-step formula makes an impact ring: a strand that something presses takes the step, and
+//! the one after it, by implicit Euler. One that nothing presses, however near it is, goes as it would alone.
+
+use super::{Holding, Scene};
+use crate::contact::held_strand::HeldStrand;
+use crate::contact::island::Island;
+use crate::step::options::Integrator;
+
+impl Holding {
+    /// Before the first iteration: the step of strands that would run into what they are near begins again by implicit Euler. What the
+    /// others have done for that is the first half of their first iteration.
+    pub(super) fn foresee_pressing(&mut self, scene: &mut Scene, h: f64) {
+        if scene.setting.options.integrator != Integrator::SecondOrder {
+            return;
+        }
+        let Self { strands, islands, count, island_count, .. } = self;
+        let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
+        // Of the islands that have touches and strands on their own formula.
+        let asked = |island: &Island, strands: &[HeldStrand]| {
+            island.strands.iter().any(|held| !strands[*held as usize].first_order) && island.has_touches()
+        };
+        let asked: Vec<bool> = islands.iter().map(|island| asked(island, strands)).collect();
+        if !asked.contains(&true) {
+            return;
+        }
+        scene.crew.for_each(islands, |island, _| island.refresh(strands, scene.bodies));
+        scene.crew.for_each(strands, |held, _| {
+            if asked[held.island as usize] {
+                held.look_ahead(&islands[held.island as usize]);
+            }
+        });
+        let mut pressed = Vec::new();
+        for (island, _) in islands.iter_mut().zip(&asked).filter(|(_, asked)| **asked) {
+            island.about_to_press(strands, &mut pressed);
+        }
+        for held in &pressed {
+            let held = &mut strands[*held as usize];
+            held.begins_again = !held.first_order;
+        }
+        Self::restart(scene, strands, h);
+    }
+
+    /// After an island's contact problem: marks those of its strands for a new beginning that a touch presses and that are not on implicit
+    /// Euler yet. What nobody foresaw is little.
+    pub(super) fn begin_pressed_again(island: &Island, strands: &mut [HeldStrand]) {
+        for joint in island.joints.iter().filter(|joint| joint.presses()) {
+            for end in [Some(joint.first), joint.second].into_iter().flatten() {
+                let held = &mut strands[end.held as usize];
+                held.begins_again |= !held.first_order;
+            }
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Roots in bodies, where nothing is exempt: the host puts a root where it is, and no force moves it. It is told, and the rest of the strand is
+//! solved as if it were not there.
+
+use std::sync::Arc;
+
+use nalgebra::{UnitQuaternion, Vector3};
+use superhelix::contact::allowance::Allowance;
+use superhelix::contact::body::BodyDef;
+use superhelix::contact::options::{ContactModel, StrandContact};
+use superhelix::contact::shape::Shape;
+use superhelix::math::frame::Frame;
+use superhelix::solver::Solver;
+use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::solver::id::{BodyId, StrandId};
+use superhelix::solver::report::StepReport;
+
+const MODELS: [ContactModel; 4] =
+    [ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Hard, ContactModel::Coulomb];
+const RADIUS: f64 = 50e-6;
+
+/// A limp strand of a decimetre over the plane z = 0, its root at `height` and turned up from it by `rise` (rad).
+fn scene(model: ContactModel, height: f64, rise: f64, contact: StrandContact) -> (Solver, StrandId, BodyId, f64) {
+    let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -9.81), ..SolverOptions::default() };
+    options.contact.model = model;
+    let mut solver = Solver::new(options).unwrap();
+    let mut def = StrandDef::straight(0.1, 10);
+    def.material.air_drag = 1e-4;
+    let rotation = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), -rise);
+    def.root = Frame { origin: Vector3::new(0.0, 0.0, height), rotation };
+    let weight = 9.81 * def.material.linear_density() * def.length();
+    let id = solver.add_strands(&[def]).unwrap()[0];
+    let floor = solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_half_space(Vector3::z()).unwrap()))]).unwrap()[0];
+    solver.set_contact(&[id], Some(&contact)).unwrap();
+    (solver, id, floor, weight)
+}
+
+fn steps(solver: &mut Solver, count: u32) -> Vec<StepReport> {
+    (0..count).map(|_| solver.step(1.0 / 60.0, 1).unwrap()).collect()
+}
+
+/// A strand that stands on a scalp: its root 30 µm over it, nearer than it is thick. As a touch that was to hold it made every step of the hard
+/// models unconverged.
+#[test]
+fn a_root_on_the_surface_is_told_and_leaves_the_strand_alone() {
+    for model in MODELS {
+        let (mut solver, id, floor, weight) = scene(model, 30e-6, 1.5, StrandContact::default());
+        for (step, report) in steps(&mut solver, 30).iter().enumerate() {
+            let contact = report.contact;
+            assert_eq!((report.unconverged, contact.unconverged, contact.touches), (0, 0, 0), "{model:?} {step}: {report:?}");
+            assert_eq!(contact.roots_inside, 1, "{model:?} {step}: {report:?}");
+            assert!((contact.penetration - (RADIUS - 30e-6)).abs() < 1e-12, "{model:?} {step}: {report:?}");
+        }
+        assert_eq!(solver.body_wrench(floor).unwrap().force, Vector3::zeros());
+        // The same strand where there is no body.
+        let (mut free, other, floor, _) = scene(model, 30e-6, 1.5, StrandContact::default());
+        free.remove_bodies(&[floor]).unwrap();
+        steps(&mut free, 30);
+        let force = |solver: &Solver, id| solver.root_wrench(id).unwrap().force;
+        let off = (force(&solver, id) - force(&free, other)).norm();
+        assert!(off < 0.05 * weight, "{model:?}: {off:e} of {weight:e}");
+    }
+}
+
+/// A millimetre deep, upright and slanting: told with its depth, and no force acts on the body.
+#[test]
+fn a_root_deep_in_a_body_is_told() {
+    for model in MODELS {
+        for rise in [1.5, 0.5] {
+            let (mut solver, _, floor, _) = scene(model, -1e-3, rise, StrandContact::default());
+            let report = steps(&mut solver, 5)[4];
+            assert_eq!((report.contact.roots_inside, report.contact.unconverged), (1, 0), "{model:?} {rise}: {report:?}");
+            assert!((report.contact.penetration - (1e-3 + RADIUS)).abs() < 1e-12, "{model:?} {rise}: {report:?}");
+            assert_eq!(solver.body_wrench(floor).unwrap().force, Vector3::zeros());
+        }
+    }
+}
+
+/// What lies on a floor with its root at the floor's height is borne by it, and converges: the root made the second attempt of every step, in
+/// which nothing rubs.
+#[test]
+fn what_lies_on_a_body_is_solved_though_its_root_is_in_it() {
+    for model in [ContactModel::Hard, ContactModel::Coulomb] {
+        let (mut solver, id, floor, weight) = scene(model, 30e-6, 0.0, StrandContact::default());
+        let reports = steps(&mut solver, 240);
+        let unconverged: u32 = reports.iter().map(|report| report.contact.unconverged).sum();
+        let (floor, follicle) = (solver.body_wrench(floor).unwrap().force.z, solver.root_wrench(id).unwrap().force.z);
+        println!("{model:?}: {unconverged} unconverged, floor {floor:e}, follicle {follicle:e}, weight {weight:e}");
+        assert_eq!(unconverged, 0, "{model:?}");
+        assert!(reports.iter().all(|report| report.contact.roots_inside == 1), "{model:?}");
+        // The follicle draws down, since the first element is bent up to the surface: by 20 µm.
+        assert!((floor + follicle + weight).abs() < 1e-2 * weight, "{model:?}");
+        assert!(-floor > 0.8 * weight, "{model:?}: {floor:e} of {weight:e}");
+    }
+}
+
+/// Where the first part of a strand is exempt, or may be that deep, nothing is told; nor of a root that is as deep as touches may be.
+#[test]
+fn roots_that_may_be_there_are_not_told() {
+    for model in MODELS {
+        let exempt = StrandContact { exempt_length: 2e-3, ..StrandContact::default() };
+        let (mut solver, ..) = scene(model, -1e-3, 1.5, exempt);
+        let contact = steps(&mut solver, 2)[1].contact;
+        assert_eq!((contact.roots_inside, contact.unconverged, contact.penetration), (0, 0, 0.0), "{model:?}");
+        let (mut solver, ..) = scene(model, RADIUS - 5e-6, 1.5, StrandContact::default());
+        let contact = steps(&mut solver, 2)[1].contact;
+        assert_eq!((contact.roots_inside, contact.unconverged), (0, 0), "{model:?}");
+        let (mut solver, id, ..) = scene(model, -1e-3, 1.5, StrandContact::default());
+        let sunk = Allowance { along: vec![0.0, 0.01], wisp_shares: vec![1.0; 2], sunk: vec![2e-3; 2] };
+        solver.set_allowances(&[id], &[Some(sunk)]).unwrap();
+        assert_eq!(steps(&mut solver, 2)[1].contact.roots_inside, 0, "{model:?}");
+    }
+}
