@@ -114,8 +114,10 @@ fn write_guides(directory: &std::path::Path, frames: u32, place: &dyn Fn(u32, [f
     }
 }
 
+type Vectors = Vec<[f32; 3]>;
+
 /// Every frame of a cache: its points and velocities.
-fn frames_of(path: &str) -> Vec<(Vec<[f32; 3]>, Vec<[f32; 3]>)> {
+fn frames_of(path: &str) -> Vec<(Vectors, Vectors)> {
     let cache = CurveCache::read(path).expect("a cache");
     let frame = |index: usize| {
         let curves = cache.frame(index).expect("a frame");

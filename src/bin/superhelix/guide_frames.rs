@@ -141,7 +141,7 @@ mod tests {
         assert!((found[0] - Vector3::new(-2.0 + 6.0 * 0.4, 1.0, 0.0)).norm() < 1e-12, "{found:?}");
         let ends = [velocities(None, (0.1, &a), Some((0.4, &b))), velocities(Some((0.1, &a)), (0.4, &b), None)];
         for end in ends {
-            assert!((end.unwrap()[0] - (&b[0] - &a[0]) / 0.3).norm() < 1e-12);
+            assert!((end.unwrap()[0] - (b[0] - a[0]) / 0.3).norm() < 1e-12);
         }
         assert!(velocities(None, (0.1, &a), None).is_none());
     }
