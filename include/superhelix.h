@@ -2509,8 +2509,8 @@ SHX_API void shx_scalp_destroy(shx_scalp *scalp);
 // Scatters follicles over a scalp at rest, evenly ("blue noise") or as densely as a map says, into out_follicles, which holds capacity items.
 // The same def gives the same follicles. *out_count: how many there are. out_follicles may be null, to learn that alone.
 // *out_least_distance (or null): the least distance of two of them along the scalp, m (where the density is the largest; elsewhere times the
-// root of its share of that); infinity where there are none near each other. Takes some 20 to 30 microseconds a
-// follicle up to twenty thousand, 100 of a hundred and fifty thousand; with a spacing two to three times as long.
+// root of its share of that); infinity where there are none near each other. Takes some 20 microseconds a follicle, 30 of a
+// hundred and fifty thousand or with a spacing.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
 SHX_API shx_result shx_scalp_scatter(const shx_scalp *scalp, const shx_scatter_def *def, shx_follicle *out_follicles,
     size_t capacity, size_t *out_count, double *out_least_distance);

@@ -1,26 +1,24 @@
 //! `superhelix interpolate`: render strands from the guides of a groom or of a cache.
 
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde_json::json;
 use superhelix::error::Error;
-use superhelix::files::curves::{Curves, Extras};
+use superhelix::files::curves::Extras;
 use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::render_hair::{
-    GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, RootsAt, Space, StrandPoints, StrandSink, VELOCITY_STEP, View,
-};
+use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderSettings, Space};
 use superhelix::groom::scalp::Amount;
 use superhelix::workers::Workers;
 
 use crate::argument_values::{not_negative, positive};
 use crate::failure::Failure;
-use crate::guide_frames::{GuideFrame, GuideFrames, velocities};
+use crate::guide_frames::GuideFrames;
 use crate::moving_scalp::{MovingScalp, ScalpFiles};
 use crate::region::{DensityArguments, groom_roots};
+use crate::render_frames::{Moment, Renderer, Velocities};
 use crate::render_output::RenderOutput;
 use crate::unit;
 
@@ -213,117 +211,8 @@ struct Places {
     moving: Option<MovingScalp>,
 }
 
-/// Guides and roots at a moment.
-struct Moment {
-    time: Option<f64>,
-    guides: GuideFrame,
-    /// On a scalp that deforms.
-    roots: Option<Vec<Vector3<f64>>>,
-}
-
 /// How far guides count that have no other beside them, m.
 const LONE: f64 = 0.01;
-
-/// Points, widths and velocities in file units.
-struct Frame {
-    per_strand: usize,
-    scale: f64,
-    room: Mutex<Room>,
-}
-
-struct Room {
-    points: Vec<[f32; 3]>,
-    widths: Vec<f32>,
-    velocities: Option<Vec<[f32; 3]>>,
-}
-
-impl StrandSink for Frame {
-    fn take(&self, strand: &StrandPoints) {
-        let mut room = self.room.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let unit = |value: f32| (f64::from(value) / self.scale) as f32;
-        for k in 0..self.per_strand {
-            let at = strand.strand * self.per_strand + k;
-            room.points[at] = strand.positions.map(|row| unit(row[k]));
-            room.widths[at] = 2.0 * unit(strand.radius_factor * strand.radii[k]);
-            if let Some(velocities) = &mut room.velocities {
-                velocities[at] = strand.velocities.map(|row| unit(row[k]));
-            }
-        }
-    }
-}
-
-/// Makes the frames.
-struct Renderer {
-    now: RenderPose,
-    /// [`VELOCITY_STEP`] before.
-    before: RenderPose,
-    scale: f64,
-    /// Unit and axis.
-    of: Extras,
-    seconds: f64,
-}
-
-impl Renderer {
-    /// The strands at a moment, as curves with widths and, where it is said how guides and roots move, velocities.
-    fn frame(&mut self, at: &Moment, moving: Option<&Velocities>) -> Result<Curves, Failure> {
-        let begun = Instant::now();
-        self.now.set(&GuideSamples::at_rest(&at.guides.points))?;
-        let back = |points: &[Vector3<f64>], velocities: &[Vector3<f64>]| -> Vec<Vector3<f64>> {
-            points.iter().zip(velocities).map(|(point, velocity)| point - velocity * VELOCITY_STEP).collect()
-        };
-        let mut roots_before = None;
-        if let Some(moving) = moving {
-            self.before.set(&GuideSamples::at_rest(&back(&at.guides.points, &moving.guides)))?;
-            roots_before = at.roots.as_deref().zip(moving.roots.as_deref()).map(|(roots, velocities)| back(roots, velocities));
-        }
-        let (roots, roots_before) = (at.roots.as_deref().map(place_of), roots_before.as_deref().map(place_of));
-        let motion = match moving {
-            None => Motion::None,
-            Some(_) => Motion::Since {
-                before: &self.before,
-                seconds: VELOCITY_STEP,
-                roots: roots_before.as_ref().map(|roots| roots as RootsAt<'_>),
-            },
-        };
-        let (count, per_strand) = (self.now.hair().strand_count(), self.now.hair().settings().points_per_strand);
-        let total = count * per_strand;
-        let room =
-            Room { points: vec![[0.0; 3]; total], widths: vec![0.0; total], velocities: moving.map(|_| vec![[0.0; 3]; total]) };
-        let sink = Frame { per_strand, scale: self.scale, room: Mutex::new(room) };
-        let roots = roots.as_ref().map(|roots| roots as RootsAt<'_>);
-        let view = View { first: 0, count, origin: Vector3::zeros(), roots, rotations: false, motion };
-        self.now.evaluate(&view, &sink)?;
-        let room = sink.room.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-        self.seconds += begun.elapsed().as_secs_f64();
-        let curves = Curves::from_counts(vec![per_strand as u32; count], room.points)?;
-        let extras = Extras { thickness: Some(room.widths), velocities: room.velocities, ..self.of.clone() };
-        Ok(curves.with_extras(extras)?)
-    }
-}
-
-fn place_of(places: &[Vector3<f64>]) -> impl Fn(usize) -> Vector3<f64> + Sync + '_ {
-    |strand| places[strand]
-}
-
-/// How guides and roots move, m/s.
-struct Velocities {
-    guides: Vec<Vector3<f64>>,
-    roots: Option<Vec<Vector3<f64>>>,
-}
-
-impl Velocities {
-    /// The file's own, else by the frames before and after; none where neither is known.
-    fn of(before: Option<&Moment>, now: &Moment, after: Option<&Moment>) -> Option<Self> {
-        type List = fn(&Moment) -> Option<&[Vector3<f64>]>;
-        fn timed(at: Option<&Moment>, list: List) -> Option<(f64, &[Vector3<f64>])> {
-            let at = at?;
-            Some((at.time?, list(at)?))
-        }
-        let by_frames = |list: List| velocities(timed(before, list), timed(Some(now), list)?, timed(after, list));
-        let guides = now.guides.velocities.clone().or_else(|| by_frames(|at| Some(&at.guides.points)))?;
-        Some(Self { guides, roots: by_frames(|at| at.roots.as_deref()) })
-    }
-}
 
 /// Runs the command.
 pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
@@ -336,21 +225,21 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let rest = guides(0)?;
     let places = arguments.places(&rest.points, frames.count(), scale)?;
     let begun = Instant::now();
-    let hair = Arc::new(RenderHair::bind(&settings, &GuideSamples::at_rest(&rest.points), &places.roots)?);
-    let bound = begun.elapsed().as_secs_f64();
+    let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&rest.points), &places.roots)?;
+    let (bound, guide_count, strand_count) = (begun.elapsed().as_secs_f64(), hair.guide_count(), hair.strand_count());
     let directory = arguments.guides.is_dir();
     let mut out = RenderOutput::create(&arguments.out, frames.count(), directory, frames.per_second(), arguments.overwrite)?;
     let moment = |index: usize| -> Result<Moment, Failure> {
         let guides = guides(index)?;
         if guides.points.len() != rest.points.len() {
-            let (here, there) = (guides.points.len() / settings.points_per_strand, hair.guide_count());
-            return Err(Failure::Other(format!("{}: has {here} guides where the first frame has {there}", frames.name(index))));
+            let here = guides.points.len() / settings.points_per_strand;
+            let name = frames.name(index);
+            return Err(Failure::Other(format!("{name}: has {here} guides where the first frame has {guide_count}")));
         }
         let roots = places.moving.as_ref().map(|scalp| scalp.roots(index, scale)).transpose()?;
         Ok(Moment { time: frames.time(index), guides, roots })
     };
-    let pose = RenderPose::new(Arc::clone(&hair));
-    let mut renderer = Renderer { now: pose.clone(), before: pose, scale, of, seconds: 0.0 };
+    let mut renderer = Renderer::new(hair, scale, of);
     let (mut before, mut now, mut with_velocities) = (None, moment(0)?, false);
     for index in 0..frames.count() {
         let after = if index + 1 < frames.count() { Some(moment(index + 1)?) } else { None };
@@ -364,8 +253,8 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     }
     out.finish()?;
     let answer = json!({
-        "guides": hair.guide_count(),
-        "strands": hair.strand_count(),
+        "guides": guide_count,
+        "strands": strand_count,
         "points_per_strand": settings.points_per_strand,
         "frames": frames.count(),
         "velocities": with_velocities,
@@ -374,11 +263,9 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     });
     crate::print_answer(arguments.json, &answer, || {
         format!(
-            "{}: {} strands of {} points from {} guides, {} frames{}",
+            "{}: {strand_count} strands of {} points from {guide_count} guides, {} frames{}",
             arguments.out.display(),
-            hair.strand_count(),
             settings.points_per_strand,
-            hair.guide_count(),
             frames.count(),
             if with_velocities { " with velocities" } else { "" }
         )

@@ -26,6 +26,7 @@ mod place;
 mod pose;
 mod progress;
 mod region;
+mod render_frames;
 mod render_output;
 mod report;
 mod resolution;

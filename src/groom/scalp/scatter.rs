@@ -219,8 +219,8 @@ impl Candidates {
 }
 
 impl Scalp {
-    /// Scatters follicles over the scalp at rest. The same seed gives the same follicles. Takes some 20 to 30 µs a follicle up to
-    /// twenty thousand, 100 µs of a hundred and fifty thousand; with a spacing two to three times as long.
+    /// Scatters follicles over the scalp at rest. The same seed gives the same follicles. Takes some 20 µs a follicle, 30 µs of a
+    /// hundred and fifty thousand or with a spacing.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a density that does not fit the scalp, is negative or zero nearly everywhere, a spacing that is not
