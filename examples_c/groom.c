@@ -222,10 +222,8 @@ static groom read_groom(const options *o) {
       continue;
     shx_strand_def *def = &g.defs[g.strand_count];
     CHECK(shx_strand_def_init(def, sizeof *def));
-    def->element_count = fitted[i].element_count;
-    def->element_lengths = g.lengths + i * how.element_count;
-    def->natural = g.shapes + 3 * i * how.element_count;
-    def->root = g.rest_roots[g.strand_count] = fitted[i].root;
+    CHECK(shx_strand_def_set_fit(def, &fitted[i], g.lengths + i * how.element_count, g.shapes + 3 * i * how.element_count));
+    g.rest_roots[g.strand_count] = def->root;
     def->internal_friction = 1e-10;
     /* The upper end of what was measured on real wisps (5e-6 to 5e-5): nothing else damps a strand that touches no other. */
     def->air_drag = 5e-5;

@@ -79,12 +79,8 @@ static void add_guides(shx_solver *solver) {
   CHECK(shx_fit_strands(NULL, &curves, fitted, 0, &lengths[0][0], &shapes[0][0][0], GUIDES * ELEMENTS));
   shx_strand_def defs[GUIDES];
   for (int i = 0; i < GUIDES; i++) {
-    CHECK(fitted[i].status);
     CHECK(shx_strand_def_init(&defs[i], sizeof defs[i]));
-    defs[i].root = fitted[i].root;
-    defs[i].element_count = fitted[i].element_count;
-    defs[i].element_lengths = lengths[i];
-    defs[i].natural = &shapes[i][0][0];
+    CHECK(shx_strand_def_set_fit(&defs[i], &fitted[i], lengths[i], &shapes[i][0][0]));
     defs[i].air_drag = 2e-5;
   }
   CHECK(shx_solver_add_strands(solver, defs, sizeof defs[0], GUIDES, ids));

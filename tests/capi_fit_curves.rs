@@ -10,10 +10,11 @@ use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::capi::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
 use superhelix::capi::fit_curves::{
     SHX_FIT_LENGTHS_EQUAL, shx_fit_curves, shx_fit_curves_init, shx_fit_options, shx_fit_options_init, shx_fit_strands,
-    shx_fitted_strand,
+    shx_fitted_strand, shx_strand_def_set_fit,
 };
 use superhelix::capi::parallel::shx_range_fn;
 use superhelix::capi::spline::{SHX_SPLINE_B, SHX_SPLINE_ENDS_PINNED, shx_spline_points};
+use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
 use superhelix::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, shx_input, shx_output};
 use superhelix::groom::fit::{ElementLengths, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
 use superhelix::groom::spline::{Spline, SplineEnds, SplineKind};
@@ -193,6 +194,25 @@ fn what_curves_may_have_beside_their_points_arrives() {
         assert!((strand.radius - 5e-5).abs() < 1e-18 && strand.frame_error == expected.frame_error && strand.frame_error > 0.0);
         assert!((strand.length - arclengths[if index == 0 { 2 } else { 6 }]).abs() < 1e-16);
     }
+    // Into a definition, and from there into a solver: the strand is there, with its radius, its root and its shape.
+    let mut def = MaybeUninit::<shx_strand_def>::uninit();
+    // SAFETY: room for a definition, and the fitted strand's own lengths and rows.
+    let def = unsafe {
+        assert_eq!(shx_strand_def_init(def.as_mut_ptr(), size_of::<shx_strand_def>()), SHX_OK);
+        (*def.as_mut_ptr()).density = 1000.0;
+        let (lengths, rows) = (fitted.lengths[ELEMENTS..].as_ptr(), fitted.rows[ELEMENTS..].as_ptr());
+        assert_eq!(shx_strand_def_set_fit(def.as_mut_ptr(), &raw const fitted.strands[1], lengths, rows.cast()), SHX_OK);
+        def.assume_init()
+    };
+    assert_eq!((def.element_count as usize, def.length, def.density), (ELEMENTS, fitted.strands[1].length, 1000.0));
+    assert_eq!((def.root.origin, def.root.rotation), (fitted.strands[1].root.origin, fitted.strands[1].root.rotation));
+    assert_eq!((def.radius, def.initial), ([fitted.strands[1].radius; 2], null()));
+    // SAFETY: what the definition points to is there.
+    let (lengths, rows) = unsafe {
+        let rows = std::slice::from_raw_parts(def.natural.cast::<[f64; 3]>(), ELEMENTS);
+        (std::slice::from_raw_parts(def.element_lengths, ELEMENTS), rows)
+    };
+    assert_eq!((lengths, rows), (&fitted.lengths[ELEMENTS..], &fitted.rows[ELEMENTS..]));
     // Quaternions in place of directions are frames.
     let framed = fit(&equal, &shx_fit_curves { roots: input(&frames, 2, SHX_FORMAT_F64X4), ..all });
     for strand in framed.strands {

@@ -5,6 +5,7 @@ mod cli_support;
 
 use cli_support::{data, directory, errors, superhelix};
 use serde_json::Value;
+use superhelix::files::curve_cache::CurveCache;
 use superhelix::files::curves::Curves;
 
 fn answer(arguments: &[&str]) -> Value {
@@ -94,6 +95,128 @@ fn a_cache_is_filled_up_frame_by_frame() {
     assert_eq!(again.status.code(), Some(1));
     assert!(errors(&again).contains("is there already"), "{}", errors(&again));
     answer(&[&arguments[..], &["--overwrite"]].concat());
+}
+
+/// Nine guides over a square of two units, bent along x, all moved by `place` at each of some frames.
+fn write_guides(directory: &std::path::Path, frames: u32, place: &dyn Fn(u32, [f64; 3]) -> [f64; 3]) {
+    std::fs::create_dir_all(directory).expect("a directory");
+    for frame in 0..frames {
+        let text: String = (0..9)
+            .map(|guide| {
+                let (x, z) = (f64::from(guide % 3) - 1.0, f64::from(guide / 3) - 1.0);
+                let rows = [[x, 0.0, z], [x, 1.0, z], [x + 0.5, 3.0, z]].map(|point| place(frame, point));
+                let first = 3 * guide + 1;
+                let line = format!("l {first} {} {}\n", first + 1, first + 2);
+                rows.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect::<String>() + &line
+            })
+            .collect();
+        std::fs::write(directory.join(format!("hair.{:04}.obj", frame + 1)), text).expect("a frame");
+    }
+}
+
+type Vectors = Vec<[f32; 3]>;
+
+/// Every frame of a cache: its points and velocities.
+fn frames_of(path: &str) -> Vec<(Vectors, Vectors)> {
+    let cache = CurveCache::read(path).expect("a cache");
+    let frame = |index: usize| {
+        let curves = cache.frame(index).expect("a frame");
+        (curves.points().to_vec(), curves.extras().velocities.clone().expect("velocities"))
+    };
+    (0..cache.times().len()).map(frame).collect()
+}
+
+#[test]
+fn frames_come_with_velocities() {
+    let place = directory("interpolate_velocities");
+    let (cache, out) = (place.join("cache"), place.join("render.usda").display().to_string());
+    // Along x as t^2, ten frames a second: the parabola through three frames is the motion itself.
+    write_guides(&cache, 4, &|frame, [x, y, z]| [x + 100.0 * (0.1 * f64::from(frame)).powi(2), y, z]);
+    let cache = cache.display().to_string();
+    let said = answer(&["interpolate", &cache, "--fps", "10", "--count", "40", "--points", "8", "--out", &out, "--json"]);
+    assert_eq!((said["frames"].as_u64(), said["velocities"].as_bool()), (Some(4), Some(true)));
+    let frames = frames_of(&out);
+    let file = CurveCache::read(&out).expect("a cache");
+    assert!(file.times().iter().zip([0.0, 0.1, 0.2, 0.3]).all(|(time, expected)| (time - expected).abs() < 1e-15));
+    // At the ends by the line to the frame beside; f32 at 10 units, differenced over a millisecond, leaves some 1e-3.
+    for (index, expected) in [10.0, 20.0, 40.0, 50.0].into_iter().enumerate() {
+        let (points, velocities) = &frames[index];
+        assert_eq!(points.len(), 320);
+        for ([x, y, z], (now, first)) in velocities.iter().zip(points.iter().zip(&frames[0].0)) {
+            assert!((x - expected).abs() < 5e-3 && y.abs() < 5e-3 && z.abs() < 5e-3, "frame {index}: {x} {y} {z}");
+            assert!((now[0] - first[0] - (index * index) as f32).abs() < 1e-5);
+        }
+    }
+    // A file's own velocities are taken as they are, at its own times.
+    let again = place.join("again.usda").display().to_string();
+    let said = answer(&["interpolate", &out, "--count", "20", "--points", "8", "--scale", "1", "--out", &again, "--json"]);
+    assert_eq!((said["guides"].as_u64(), said["velocities"].as_bool()), (Some(40), Some(true)));
+    for (index, (_, velocities)) in frames_of(&again).iter().enumerate() {
+        let expected = [10.0, 20.0, 40.0, 50.0][index];
+        assert!(velocities.iter().all(|[x, ..]| (x - expected).abs() < 1e-2), "{velocities:?}");
+    }
+    // Frames without times have none, and .hair has no place for them.
+    let frames = place.join("frames").display().to_string();
+    let said = answer(&["interpolate", &cache, "--count", "40", "--out", &frames, "--json"]);
+    assert_eq!(said["velocities"].as_bool(), Some(false));
+}
+
+#[test]
+fn roots_stay_on_a_scalp_that_deforms() {
+    let place = directory("interpolate_scalp");
+    // Stretched along x and tilted, evenly from frame to frame.
+    let moved = |frame: u32, [x, y, z]: [f64; 3]| {
+        let f = f64::from(frame);
+        [x * (1.0 + 0.1 * f), y + 0.2 * f * x, z - 0.3 * f]
+    };
+    let (cache, scalp, out) = (place.join("cache"), place.join("scalp"), place.join("render.usda").display().to_string());
+    write_guides(&cache, 3, &moved);
+    let mesh = |directory: &std::path::Path, frames: u32, faces: &str| {
+        std::fs::create_dir_all(directory).expect("a directory");
+        for frame in 0..frames {
+            let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]].map(|at| moved(frame, at));
+            let text: String = corners.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
+            let faces = if frame == 2 { faces } else { "f 1 2 3 4\n" };
+            std::fs::write(directory.join(format!("head.{frame:04}.obj")), text + faces).expect("a mesh");
+        }
+        directory.display().to_string()
+    };
+    let scalp = mesh(&scalp, 3, "f 1 2 3 4\n");
+    let cache = cache.display().to_string();
+    let fixed = ["interpolate", &cache, "--fps", "2", "--count", "50", "--points", "6", "--within", "9", "--out", &out];
+    answer(&[&fixed[..], &["--scalp", &scalp, "--json"]].concat());
+    let frames = frames_of(&out);
+    let expected = |frame: u32, root: [f32; 3]| moved(frame, root.map(f64::from));
+    for (index, (points, velocities)) in frames.iter().enumerate() {
+        for (strand, first) in points.chunks(6).zip(frames[0].0.chunks(6)) {
+            let root = expected(index as u32, first[0]);
+            assert!((0..3).all(|axis| (f64::from(strand[0][axis]) - root[axis]).abs() < 1e-5), "{:?} {root:?}", strand[0]);
+        }
+        // Half a second a frame, the same every frame.
+        for (velocity, first) in velocities.chunks(6).zip(frames[0].0.chunks(6)) {
+            let (a, b) = (expected(0, first[0]), expected(1, first[0]));
+            let off = |axis: usize| (f64::from(velocity[0][axis]) - 2.0 * (b[axis] - a[axis])).abs();
+            assert!((0..3).all(|axis| off(axis) < 2e-3), "frame {index}: {:?} {a:?} {b:?}", velocity[0]);
+        }
+    }
+    // One mesh stands still: roots then go with the guides, which are no rigid motion here.
+    let one = format!("{scalp}/head.0000.obj");
+    answer(&[&fixed[..], &["--scalp", &one, "--json"]].concat());
+    // What does not go together is said.
+    let few = mesh(&place.join("few"), 2, "");
+    let other = mesh(&place.join("other"), 3, "f 1 2 3\nf 1 3 4\nf 4 3 2 1\n");
+    let hair = place.join("render.hair").display().to_string();
+    for (arguments, text) in [
+        ([&fixed[..], &["--scalp", &few]].concat(), "has 2 meshes; expected one, or one for each of the guides' 3 frames"),
+        ([&fixed[..], &["--scalp", &other]].concat(), "head.0002.obj: has other faces than"),
+        (vec!["interpolate", &cache, "--out", &out], "give --fps"),
+        (vec!["interpolate", &out, "--fps", "3", "--out", &out], "leave --fps out"),
+        (vec!["interpolate", &cache, "--out", &hair], "render.hair: holds one frame, and there are 3"),
+    ] {
+        let output = superhelix(&arguments);
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(errors(&output).contains(text), "{arguments:?}: {}", errors(&output));
+    }
 }
 
 #[test]

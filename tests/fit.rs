@@ -14,39 +14,42 @@ fn fit(points: &[Vector3<f64>], element_count: usize) -> Fit {
     fit_polyline(points, &FitOptions::elements(element_count)).unwrap()
 }
 
-/// Root mean square errors over the length, ascending.
-fn errors_of(file: &str, scale: f64, elements: usize) -> Vec<f64> {
+/// Root mean square and largest errors over the length, each ascending.
+fn errors_of(file: &str, scale: f64, elements: usize) -> [Vec<f64>; 2] {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/grooms").join(file);
     let curves = Curves::read(&path).unwrap();
-    let mut errors: Vec<f64> = curves
-        .strands()
-        .map(|strand| {
-            let points: Vec<Vector3<f64>> =
-                strand.iter().map(|p| Vector3::new(p[0].into(), p[1].into(), p[2].into()) * scale).collect();
-            let fit = fit(&points, elements);
-            assert!(fit.rms_error <= fit.max_error && fit.max_error.is_finite());
-            fit.rms_error / fit.element_lengths.iter().sum::<f64>()
-        })
-        .collect();
-    errors.sort_by(f64::total_cmp);
+    let mut errors = [Vec::new(), Vec::new()];
+    for strand in curves.strands() {
+        let points: Vec<Vector3<f64>> =
+            strand.iter().map(|p| Vector3::new(p[0].into(), p[1].into(), p[2].into()) * scale).collect();
+        let fit = fit(&points, elements);
+        assert!(fit.rms_error <= fit.max_error && fit.max_error.is_finite());
+        let length = fit.element_lengths.iter().sum::<f64>();
+        errors[0].push(fit.rms_error / length);
+        errors[1].push(fit.max_error / length);
+    }
+    errors.iter_mut().for_each(|list| list.sort_by(f64::total_cmp));
     errors
 }
 
 #[test]
 fn real_grooms_are_fitted_within_a_percent_of_their_length() {
-    // What is measured today, with a quarter of room.
-    for (file, scale, at_five, at_ten) in [
-        ("blender_wavy.hair", 1.0, 0.0052, 0.0025),
-        ("blender_curly.hair", 1.0, 0.0076, 0.0018),
-        ("amd_ponytail_tail.tfx", 0.0031, 0.0019, 0.0011),
-        ("sintel_hair_001.tfx", 0.01, 0.0023, 0.0016),
-        ("fibermesh_1k.tfx", 0.0012, 0.0029, 0.0012),
+    // Of the root mean square what is measured today, with a quarter of room. Of the largest distance what was aimed at: straight and wavy
+    // hair at 5 elements and curly hair at 10.
+    for (file, scale, at_five, at_ten, aim) in [
+        ("blender_wavy.hair", 1.0, 0.0067, 0.0025, 5),
+        ("blender_curly.hair", 1.0, 0.0103, 0.0018, 10),
+        ("amd_ponytail_tail.tfx", 0.0031, 0.0019, 0.0011, 5),
+        ("sintel_hair_001.tfx", 0.01, 0.0023, 0.0016, 5),
+        ("fibermesh_1k.tfx", 0.0012, 0.0029, 0.0012, 5),
     ] {
         for (elements, bound) in [(5, at_five), (10, at_ten)] {
-            let errors = errors_of(file, scale, elements);
+            let [errors, largest] = errors_of(file, scale, elements);
             let at = |share: f64| errors[((errors.len() - 1) as f64 * share) as usize];
             println!("{file} N = {elements}: rms/L median {:.4}, p95 {:.4}, largest {:.4}", at(0.5), at(0.95), at(1.0));
             assert!(at(0.95) < bound && at(1.0) < 0.035, "{file} {elements}");
+            let under = largest.partition_point(|error| *error < 0.01) as f64 / largest.len() as f64;
+            assert!(elements < aim || under >= 0.95, "{file} {elements}: {under}");
         }
     }
 }

@@ -22,7 +22,7 @@ impl Errors {
 type Method = fn(&[Vector3<f64>], usize) -> Option<Errors>;
 
 /// What is compared.
-pub const METHODS: [(&str, Method); 7] = [
+pub const METHODS: [(&str, Method); 8] = [
     ("sequential", sequential::fit),
     ("floating tangents", floating_tangents::fit),
     ("whole curve: equal lengths; one start", |points, elements| {
@@ -33,6 +33,9 @@ pub const METHODS: [(&str, Method); 7] = [
     }),
     ("whole curve: free lengths; one start", |points, elements| {
         ours(points, FitOptions { lengths: ElementLengths::Free, starts: 1, ..FitOptions::elements(elements) })
+    }),
+    ("whole curve: lengths where needed; four starts; largest as it comes", |points, elements| {
+        ours(points, FitOptions { good_largest: 1.0, ..FitOptions::elements(elements) })
     }),
     ("whole curve: lengths where needed; four starts (the default)", |points, elements| {
         ours(points, FitOptions::elements(elements))

@@ -2,21 +2,22 @@
 
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
-use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::buffers::{FRAME_FORMATS, POINT_FORMATS, Places, Reader, Strided, array};
 use super::errors::{SHX_OK, code, shx_result};
 use super::guard::call;
-use super::parallel::{HostParallelFor, shx_parallel_for_fn};
+use super::parallel::{shx_parallel_for_fn, workers};
 use super::solver_def::{check_flag, check_reserved};
+use super::strand_def::shx_strand_def;
 use super::thread::on_own_thread;
 use super::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_frame, shx_input};
-use super::versioned::{Versioned, initialise, read_versioned};
+use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result, check_finite};
 use crate::groom::fit::bulk::fit_each;
 use crate::groom::fit::{ElementLengths, Fit, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
+use crate::rod::definition::MAX_ELEMENTS;
 use crate::workers::Workers;
 
 /// All elements of a strand are equally long.
@@ -61,11 +62,14 @@ pub struct shx_fit_options {
     pub parallel_for_user: *mut c_void,
     /// 0.
     pub reserved: [u64; 4],
+    /// A strand whose largest distance is above this share of the length has it lowered below, or as far as it goes, at the cost of the root
+    /// mean square; 0 to 1. Default 0.01. 1: never. With a tolerance that is used in its place.
+    pub good_largest: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, a pointer and an optional function only.
 unsafe impl Versioned for shx_fit_options {
-    const FIRST_SIZE: usize = size_of::<Self>();
+    const FIRST_SIZE: usize = offset_of!(shx_fit_options, good_largest);
 
     fn defaults() -> Self {
         let options = FitOptions::default();
@@ -84,12 +88,13 @@ unsafe impl Versioned for shx_fit_options {
             parallel_for: None,
             parallel_for_user: std::ptr::null_mut(),
             reserved: [0; 4],
+            good_largest: options.good_largest,
         }
     }
 }
 
 const _: () = {
-    assert!(size_of::<shx_fit_options>() == 112 && offset_of!(shx_fit_options, least_length) == 24);
+    assert!(size_of::<shx_fit_options>() == 120 && offset_of!(shx_fit_options, least_length) == 24);
     assert!(offset_of!(shx_fit_options, starts) == 56 && offset_of!(shx_fit_options, reserved) == 80);
 };
 
@@ -105,9 +110,7 @@ impl shx_fit_options {
         if self.tolerance < 0.0 {
             return Err(Error::invalid("options.tolerance", self.tolerance, "0 (none) or above"));
         }
-        if self.worker_count > 256 {
-            return Err(Error::invalid("options.worker_count", self.worker_count, "0 to 256 threads"));
-        }
+        let workers = workers("options", self.worker_count, self.parallel_for, self.parallel_for_user)?;
         check_reserved("options", &self.reserved)?;
         let options = FitOptions {
             element_count: self.element_count as usize,
@@ -117,17 +120,11 @@ impl shx_fit_options {
             twist: check_flag("options.twist", self.twist)?,
             starts: self.starts as usize,
             good: self.good,
+            good_largest: self.good_largest,
             noise: self.noise,
             frame_weight: self.frame_weight,
         };
         options.check("options.")?;
-        let workers = if let Some(function) = self.parallel_for {
-            Workers::Host(Arc::new(HostParallelFor::new(function, self.parallel_for_user)))
-        } else if self.worker_count > 1 {
-            Workers::Pool(self.worker_count as usize)
-        } else {
-            Workers::Serial
-        };
         Ok((options, workers))
     }
 }
@@ -359,7 +356,7 @@ unsafe fn roots(input: &shx_input, needed: usize) -> Result<Option<Vec<FitRoot>>
 /// 0: packed) says what came of curve i; a curve that cannot be fitted has its status and leaves the others alone. The rows of curve i
 /// begin at i * options.element_count, both in out_element_lengths (m) and out_curvatures (rad/m, rows of three doubles); what a strand
 /// has fewer elements than that is filled with 0. capacity says how many elements both hold: at least curve_count *
-/// options.element_count. Put them into shx_strand_def.root, .element_lengths and .natural (or .initial).
+/// options.element_count. shx_strand_def_set_fit puts them into a definition.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL,
 /// SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
 #[unsafe(no_mangle)]
@@ -418,4 +415,46 @@ pub unsafe extern "C" fn shx_fit_strands(
         fitted.write(&statuses)
     };
     call("shx_fit_strands", body)
+}
+
+/// Puts a fitted strand into a definition that shx_strand_def_init has filled: root, length, element_count, element_lengths and
+/// natural, and where the curve had widths both semi-axes (radius); the rest stays as it is. element_lengths (m) and curvatures
+/// (rad/m, rows of three doubles) are the strand's own: of curve i of shx_fit_strands they begin at i * options.element_count. The
+/// definition points to them: they must stay until it has been used.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the curve could not be fitted: its status is
+/// not SHX_OK); then nothing has changed. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_strand_def_set_fit(
+    def: *mut shx_strand_def,
+    fitted: *const shx_fitted_strand,
+    element_lengths: *const f64,
+    curvatures: *const f64,
+) -> shx_result {
+    let body = || {
+        // SAFETY: the caller's structures; a fitted strand, its lengths and its rows.
+        let (mut filled, out, fitted) = unsafe {
+            let fitted = &array("fitted", "fitted", fitted, 1)?[0];
+            (read_versioned("def", def.cast_const())?, VersionedOutput::new("def", def)?, fitted)
+        };
+        if fitted.status != SHX_OK {
+            return Err(Error::invalid("fitted.status", fitted.status, "SHX_OK: a curve that could be fitted"));
+        }
+        let count = fitted.element_count as usize;
+        if !(1..=MAX_ELEMENTS).contains(&count) {
+            return Err(Error::invalid("fitted.element_count", count, format!("1 to {MAX_ELEMENTS}")));
+        }
+        // SAFETY: the caller's lengths and rows.
+        unsafe {
+            array("element_lengths", "fitted.element_count", element_lengths, count)?;
+            array("curvatures", "fitted.element_count", curvatures.cast::<[f64; 3]>(), count)?;
+        }
+        (filled.root, filled.length, filled.element_count) = (fitted.root, fitted.length, fitted.element_count);
+        (filled.element_lengths, filled.natural) = (element_lengths, curvatures);
+        if fitted.radius > 0.0 {
+            filled.radius = [fitted.radius; 2];
+        }
+        out.write(&filled);
+        Ok(())
+    };
+    call("shx_strand_def_set_fit", body)
 }

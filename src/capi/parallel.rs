@@ -3,10 +3,11 @@
 use std::any::Any;
 use std::ffi::c_void;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::floating_point::{DefaultMode, with_host_mode};
-use crate::solver::definition::ParallelFor;
+use crate::error::{Error, Result};
+use crate::workers::{ParallelFor, Workers};
 
 /// One piece of a shx_parallel_for_fn's work: items begin to end - 1 on worker (any number that no other thread has at the same
 /// time). May be called from any thread of the host, in any floating-point mode.
@@ -23,7 +24,7 @@ pub type shx_parallel_for_fn =
 type HostFunction = unsafe extern "C" fn(*mut c_void, u32, u32, shx_range_fn, *mut c_void);
 
 /// The host's function and its pointer.
-pub(crate) struct HostParallelFor {
+struct HostParallelFor {
     function: HostFunction,
     user: *mut c_void,
 }
@@ -49,10 +50,17 @@ unsafe extern "C" fn range(task: *mut c_void, begin: u32, end: u32, worker: u32)
     }
 }
 
-impl HostParallelFor {
-    pub(crate) fn new(function: HostFunction, user: *mut c_void) -> Self {
-        Self { function, user }
+/// Who does the work that a structure of the host's asks for: its parallel loop, so many threads, or (0 or 1 of them) the calling one.
+/// `argument` is the structure's name in errors.
+pub(super) fn workers(argument: &str, count: u32, parallel_for: shx_parallel_for_fn, user: *mut c_void) -> Result<Workers> {
+    if count > 256 {
+        return Err(Error::invalid(format!("{argument}.worker_count"), count, "0 to 256 threads"));
     }
+    Ok(match (parallel_for, count) {
+        (Some(function), _) => Workers::Host(Arc::new(HostParallelFor { function, user })),
+        (None, 0 | 1) => Workers::Serial,
+        (None, count) => Workers::Pool(count as usize),
+    })
 }
 
 impl ParallelFor for HostParallelFor {
@@ -84,7 +92,7 @@ mod tests {
             }
         }
         let mut returned = 0_u32;
-        let host = HostParallelFor::new(all, (&raw mut returned).cast());
+        let host = HostParallelFor { function: all, user: (&raw mut returned).cast() };
         let caught = catch_unwind(AssertUnwindSafe(|| host.run(4, 1, &|_, _, _| panic!("inside"))));
         assert_eq!(caught.expect_err("the panic").downcast_ref::<&str>(), Some(&"inside"));
         assert_eq!(returned, 1);

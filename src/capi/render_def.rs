@@ -2,20 +2,18 @@
 
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
-use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::buffers::{FRAME_FORMATS, PLACE_FORMATS, POINT_FORMATS, Reader, VECTOR_FORMATS, array};
 use super::errors::shx_result;
-use super::parallel::{HostParallelFor, shx_parallel_for_fn};
+use super::parallel::{shx_parallel_for_fn, workers};
 use super::render_hair::shx_render_pose;
 use super::solver_def::{check_flag, check_reserved};
 use super::types::shx_input;
 use super::versioned::{Versioned, initialise};
 use crate::error::{Error, Result};
 use crate::groom::render_hair::{GuideSamples, RenderSettings, Space, resampled};
-use crate::workers::Workers;
 
 /// Between guides positions are mixed: strands stay between them; curls that are out of step cancel. The default.
 pub const SHX_SPACE_POSITION: u32 = 1;
@@ -131,9 +129,7 @@ impl shx_render_settings {
                 Err(Error::invalid(format!("settings.{name}"), value, "0 (none is too far) or a finite number above"))
             }
         };
-        if self.worker_count > 256 {
-            return Err(Error::invalid("settings.worker_count", self.worker_count, "0 to 256 threads"));
-        }
+        let workers = workers("settings", self.worker_count, self.parallel_for, self.parallel_for_user)?;
         if self.reserved0 != 0 {
             return Err(Error::invalid("settings.reserved0", self.reserved0, "0"));
         }
@@ -156,13 +152,7 @@ impl shx_render_settings {
             radius_variation: self.radius_variation,
             length_variation: self.length_variation,
             seed: self.seed,
-            workers: if let Some(function) = self.parallel_for {
-                Workers::Host(Arc::new(HostParallelFor::new(function, self.parallel_for_user)))
-            } else if self.worker_count > 1 {
-                Workers::Pool(self.worker_count as usize)
-            } else {
-                Workers::Serial
-            },
+            workers,
             instruction_set: None,
         };
         settings.check("settings.")?;

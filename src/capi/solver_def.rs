@@ -2,19 +2,18 @@
 
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
-use std::sync::Arc;
 
 use nalgebra::Vector3;
 
 use super::errors::shx_result;
 use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_ERROR, SHX_LOG_WARN, shx_log_fn};
-use super::parallel::{HostParallelFor, shx_parallel_for_fn};
+use super::parallel::{shx_parallel_for_fn, workers};
 use super::versioned::{Versioned, initialise};
 use crate::contact::options::ContactOptions;
 use crate::error::{Error, Result};
 use crate::math::lane::Precision;
 use crate::math::lanes::InstructionSet;
-use crate::solver::definition::{SolverOptions, Workers};
+use crate::solver::definition::SolverOptions;
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
 
 /// The papers' linearly implicit step: one linear solve a step, gravity, drag and velocity products explicit. Fast, for calm
@@ -171,9 +170,7 @@ pub(super) fn check_reserved(argument: &str, reserved: &[u64]) -> Result<()> {
 impl shx_solver_def {
     /// The engine's own options.
     pub(super) fn options(&self) -> Result<SolverOptions> {
-        if self.worker_count > 256 {
-            return Err(Error::invalid("def.worker_count", self.worker_count, "0 to 256 threads"));
-        }
+        let workers = workers("def", self.worker_count, self.parallel_for, self.parallel_for_user)?;
         let integrator = Integrator::from_u32(self.integrator)
             .ok_or_else(|| Error::invalid("def.integrator", self.integrator, "one of SHX_INTEGRATOR_"))?;
         let linear_solver = LinearSolver::from_u32(self.linear_solver)
@@ -191,13 +188,6 @@ impl shx_solver_def {
             ),
         };
         check_reserved("def", &self.reserved)?;
-        let workers = if let Some(function) = self.parallel_for {
-            Workers::Host(Arc::new(HostParallelFor::new(function, self.parallel_for_user)))
-        } else if self.worker_count > 1 {
-            Workers::Pool(self.worker_count as usize)
-        } else {
-            Workers::Serial
-        };
         let options = SolverOptions {
             gravity: Vector3::from(self.gravity),
             wind: Vector3::from(self.wind),

@@ -177,6 +177,8 @@ impl CurveCacheWriter {
     pub fn write(&mut self, time: f64, points: &[[f32; 3]], velocities: Option<&[[f32; 3]]>) -> Result<()> {
         check_finite(|| "time".to_owned(), time)?;
         let code = time * self.per_second;
+        // A frame's number that was divided to a time comes back as the number.
+        let code = if (code - code.round()).abs() <= 2.0 * f64::EPSILON * code.abs() { code.round() } else { code };
         check_finite(|| "time".to_owned(), code)?;
         if let Some((before, ..)) = self.extents.last()
             && code <= *before

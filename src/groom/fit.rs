@@ -3,8 +3,9 @@
 //! The squared distance at the curve's points, weighted by the length that each stands for, is minimised over the elements' curvatures, where
 //! the elements begin and end, and the root's direction, by Levenberg and Marquardt's method. Its linear systems take linear time, as those of
 //! a step do (`fit/linearised.rs`). The length is the curve's, by construction. Several starts are tried until one is good: helices that the
-//! curve's curvature resembles, an element at a time, on nodes where the curvature varies and on others (`fit/start.rs`). `docs/groom_fit.md`
-//! has what that leaves on real grooms, beside other methods.
+//! curve's curvature resembles, an element at a time, on nodes where the curvature varies and on others (`fit/start.rs`). Where the largest
+//! distance is still too large, least squares with other weights lower it. `docs/groom_fit.md` has what that leaves on real grooms, beside other
+//! methods.
 
 pub mod bulk;
 mod linearised;
@@ -23,6 +24,7 @@ use crate::math::frame::Frame;
 use crate::rod::definition::MAX_ELEMENTS;
 use linearised::{Freedom, Weights};
 use measure::Errors;
+use samples::Sample;
 use search::Search;
 use shape::Shape;
 use start::{Kind, Nodes};
@@ -49,6 +51,9 @@ pub struct FitOptions {
     /// A start is good, and the last, when the root mean square distance is below this share of the length; 0 to 1. Default 1e-3.
     /// 0: every start is tried and every search goes on to its end, at ten times the time.
     pub good: f64,
+    /// A strand whose largest distance is above this share of the length has it lowered below, or as far as it goes, at the cost of the root mean
+    /// square; 0 to 1. Default 0.01. 1: never. With a tolerance that is used in its place.
+    pub good_largest: f64,
     /// What the points may be off by, m; 0 or above. Where the curve zigzags by noise its edges add up to more than its length: with this
     /// the length and the arclengths are taken along the means of runs of points that are eight times as long. Default 0. The noise of
     /// curves with arclengths of their own is left as it is.
@@ -71,6 +76,7 @@ impl Default for FitOptions {
             twist: true,
             starts: 4,
             good: 1e-3,
+            good_largest: 1e-2,
             noise: 0.0,
             frame_weight: 3e-3,
         }
@@ -106,8 +112,10 @@ impl FitOptions {
         if !(1..=MAX_STARTS).contains(&self.starts) {
             return Err(Error::invalid(name("starts"), self.starts, format!("1 to {MAX_STARTS}")));
         }
-        if !(0.0..=1.0).contains(&self.good) {
-            return Err(Error::invalid(name("good"), self.good, "0 to 1"));
+        for (field, value) in [("good", self.good), ("good_largest", self.good_largest)] {
+            if !(0.0..=1.0).contains(&value) {
+                return Err(Error::invalid(name(field), value, "0 to 1"));
+            }
         }
         for (field, value) in [("noise", self.noise), ("frame_weight", self.frame_weight)] {
             check_finite(|| name(field), value)?;
@@ -200,6 +208,8 @@ pub struct FitScratch {
     target: Target,
     shape: Shape,
     best: Shape,
+    /// The samples, those far off with more weight.
+    weighted: Vec<Sample>,
 }
 
 impl std::fmt::Debug for FitScratch {
@@ -267,6 +277,10 @@ const LEAST_GAIN: f64 = 1e-2;
 const ITERATIONS_TO_THE_END: [usize; 2] = [100, 500];
 const LEAST_GAIN_TO_THE_END: f64 = 1e-5;
 
+/// How often the largest distance is lowered by weighing anew, and the iterations of each search.
+const REWEIGHED: usize = 16;
+const REWEIGHED_ITERATIONS: usize = 2;
+
 impl FitScratch {
     /// The best of the starts, into `best`; distances in units of the length.
     fn fit(&mut self, count: usize, options: &FitOptions, tolerance: Option<f64>) -> Errors {
@@ -310,7 +324,39 @@ impl FitScratch {
         let nodes = best.is_some_and(|(_, nodes)| nodes);
         let last = Search { freedom: Freedom { nodes, ..search.freedom }, iterations: last_iterations, ..search };
         self.search.minimise(&mut self.best, &self.target.samples, &last);
+        self.lower_largest(tolerance.unwrap_or(options.good_largest), &last);
         measure::errors(&self.best, &self.target.samples)
+    }
+
+    /// Brings the largest distance of `best`, where [`FitScratch::search`] has just ended, below `good`, or as low as it comes: least squares
+    /// again and again, with weights that grow where the strand is far off (Lawson's algorithm; Rice and Usow 1968).
+    fn lower_largest(&mut self, good: f64, search: &Search) {
+        let mut least = self.search.largest();
+        let good = good * good;
+        if least <= good {
+            return;
+        }
+        let search = Search { iterations: REWEIGHED_ITERATIONS, ..*search };
+        self.shape.copy_from(&self.best);
+        self.weighted.clone_from(&self.target.samples);
+        for _ in 0..REWEIGHED {
+            let scale = 1.0 / self.search.largest();
+            let mut sum = 0.0;
+            for (sample, squared) in self.weighted.iter_mut().zip(self.search.squared_distances()) {
+                sample.weight *= (squared * scale).sqrt();
+                sum += sample.weight;
+            }
+            self.weighted.iter_mut().for_each(|sample| sample.weight /= sum);
+            self.search.minimise(&mut self.shape, &self.weighted, &search);
+            let now = self.search.largest();
+            if now < least {
+                least = now;
+                self.best.copy_from(&self.shape);
+                if least <= good {
+                    break;
+                }
+            }
+        }
     }
 
     /// `best` in metres.

@@ -27,7 +27,7 @@ mod wisps;
 
 use nalgebra::Vector3;
 
-pub use evaluate::{Motion, StrandPoints, StrandSink, View};
+pub use evaluate::{Motion, RootsAt, StrandPoints, StrandSink, View};
 pub use guide_samples::{GuideSamples, Resampled, resampled};
 pub use pose::{RenderPose, VELOCITY_STEP};
 pub use settings::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, Space};

@@ -18,6 +18,24 @@ unsafe fn fit(s: &mut Scene, options: *const shx_fit_options, curves: *const shx
     unsafe { shx_fit_strands(options, curves, s.out(), 0, s.out2(), s.out2::<f64>().add(6), 6) }
 }
 
+static LENGTHS: [f64; 3] = [0.1; 3];
+static ROWS: [[f64; 3]; 3] = [[0.0, 1.0, 2.0]; 3];
+
+/// A strand of three elements.
+fn fitted() -> shx_fitted_strand {
+    let root = shx_frame { origin: [0.0; 3], rotation: [0.0, 0.0, 0.0, 1.0] };
+    let (length, radius) = (LENGTHS.iter().sum(), 0.0);
+    let errors = (0.0, 0.0, 0.0, 0.0);
+    let (rms_error, max_error, max_distance, frame_error) = errors;
+    shx_fitted_strand { status: SHX_OK, element_count: 3, root, length, rms_error, max_error, max_distance, frame_error, radius }
+}
+
+/// Puts it into a definition.
+unsafe fn set_fit(def: *mut shx_strand_def, fitted: &shx_fitted_strand) -> shx_result {
+    // SAFETY: what the case gives; three lengths and rows.
+    unsafe { shx_strand_def_set_fit(def, fitted, LENGTHS.as_ptr(), ROWS.as_ptr().cast()) }
+}
+
 impl Scene {
     /// Two curves of two points each.
     fn fit_curves(&self) -> shx_fit_curves {
@@ -35,7 +53,7 @@ impl Scene {
 pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_fit_options_init", "options", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_fit_options_init(null_mut(), size_of::<shx_fit_options>()) });
     case!(cases, "shx_fit_options_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), 0));
-    case!(cases, "shx_fit_options_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), size_of::<shx_fit_options>() - 8));
+    case!(cases, "shx_fit_options_init", "size", "16 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), size_of::<shx_fit_options>() - 16));
     case!(cases, "shx_fit_options_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), size_of::<shx_fit_options>() + 4));
     case!(cases, "shx_fit_options_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_fit_options_init(s.out(), usize::MAX));
     case!(cases, "shx_fit_curves_init", "curves", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_fit_curves_init(null_mut(), size_of::<shx_fit_curves>()) });
@@ -59,6 +77,9 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_fit_strands", "options", "good -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good = -1.0; fit(s, &options, &curves) });
     case!(cases, "shx_fit_strands", "options", "good 2.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good = 2.0; fit(s, &options, &curves) });
     case!(cases, "shx_fit_strands", "options", "good f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good = f64::NAN; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "good_largest -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good_largest = -1.0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "good_largest 2.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good_largest = 2.0; fit(s, &options, &curves) });
+    case!(cases, "shx_fit_strands", "options", "good_largest f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.good_largest = f64::NAN; fit(s, &options, &curves) });
     case!(cases, "shx_fit_strands", "options", "noise -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.noise = -1.0; fit(s, &options, &curves) });
     case!(cases, "shx_fit_strands", "options", "noise f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.noise = f64::NAN; fit(s, &options, &curves) });
     case!(cases, "shx_fit_strands", "options", "noise f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut options, curves) = (new_options(), s.fit_curves()); options.noise = f64::INFINITY; fit(s, &options, &curves) });
@@ -93,6 +114,16 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_fit_strands", "out_curvatures", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 0, s.out2(), s.out2::<u8>().add(1).cast(), 6) });
     case!(cases, "shx_fit_strands", "capacity", "5", SHX_ERROR_BUFFER_TOO_SMALL, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 0, s.out2(), s.out2(), 5) });
     case!(cases, "shx_fit_strands", "capacity", "usize::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let (options, curves) = (new_options(), s.fit_curves()); shx_fit_strands(&raw const options, &raw const curves, s.out(), 0, s.out2(), s.out2(), usize::MAX) });
+    case!(cases, "shx_strand_def_set_fit", "def", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; set_fit(null_mut(), &fitted()) });
+    case!(cases, "shx_strand_def_set_fit", "def", "struct_size 4", SHX_ERROR_STRUCT_SIZE, |s| { let _ = &s; let mut def = strand(); def.struct_size = 4; set_fit(&raw mut def, &fitted()) });
+    case!(cases, "shx_strand_def_set_fit", "fitted", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; let mut def = strand(); shx_strand_def_set_fit(&raw mut def, null(), LENGTHS.as_ptr(), ROWS.as_ptr().cast()) });
+    case!(cases, "shx_strand_def_set_fit", "fitted", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| { let _ = &s; let mut def = strand(); shx_strand_def_set_fit(&raw mut def, (&raw const ROWS).cast::<shx_fitted_strand>().wrapping_byte_add(4), LENGTHS.as_ptr(), ROWS.as_ptr().cast()) });
+    case!(cases, "shx_strand_def_set_fit", "fitted", "not fitted", SHX_ERROR_INVALID_ARGUMENT, |s| { let _ = &s; let mut def = strand(); set_fit(&raw mut def, &shx_fitted_strand { status: SHX_ERROR_INVALID_ARGUMENT, ..fitted() }) });
+    case!(cases, "shx_strand_def_set_fit", "fitted", "element_count 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let _ = &s; let mut def = strand(); set_fit(&raw mut def, &shx_fitted_strand { element_count: 0, ..fitted() }) });
+    case!(cases, "shx_strand_def_set_fit", "fitted", "element_count 100_001", SHX_ERROR_INVALID_ARGUMENT, |s| { let _ = &s; let mut def = strand(); set_fit(&raw mut def, &shx_fitted_strand { element_count: 100_001, ..fitted() }) });
+    case!(cases, "shx_strand_def_set_fit", "element_lengths", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; let mut def = strand(); shx_strand_def_set_fit(&raw mut def, &raw const *Box::leak(Box::new(fitted())), null(), ROWS.as_ptr().cast()) });
+    case!(cases, "shx_strand_def_set_fit", "curvatures", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; let mut def = strand(); shx_strand_def_set_fit(&raw mut def, &raw const *Box::leak(Box::new(fitted())), LENGTHS.as_ptr(), null()) });
+    case!(cases, "shx_strand_def_set_fit", "curvatures", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| { let _ = &s; let mut def = strand(); shx_strand_def_set_fit(&raw mut def, &raw const *Box::leak(Box::new(fitted())), LENGTHS.as_ptr(), ROWS.as_ptr().cast::<f64>().wrapping_byte_add(4)) });
     case!(cases, "shx_spline_points", "kind", "0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(0, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
     case!(cases, "shx_spline_points", "kind", "4", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(4, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });
     case!(cases, "shx_spline_points", "kind", "u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| { let (mut controls, mut points) = (s.point_input(), s.output(3)); let _ = (&mut controls, &mut points); shx_spline_points(u32::MAX, SHX_SPLINE_ENDS_OPEN, &raw const controls, 2, &raw const points, s.out2(), s.out2::<usize>().add(400)) });

@@ -7,8 +7,8 @@ use superhelix::contact::shape::{DistanceGrid, Mesh};
 use superhelix::error::Error;
 use superhelix::files::{distance_grid, obj_mesh};
 
+use crate::argument_values::positive;
 use crate::failure::Failure;
-use crate::simulate::positive;
 
 /// Bakes a mesh into a grid of signed distances, a shape for scenes ("grid") that costs the same however fine the mesh is.
 #[derive(Debug, Args)]

@@ -34,7 +34,7 @@ const AT_LEAST: usize = 3;
 #[derive(Debug, Args)]
 pub struct BenchArguments {
     /// Seconds for each of the rows (at least three samples are taken).
-    #[arg(long, value_name = "S", default_value_t = 0.5, value_parser = crate::simulate::positive)]
+    #[arg(long, value_name = "S", default_value_t = 0.5, value_parser = crate::argument_values::positive)]
     seconds: f64,
     /// Most threads to use. Default: as many as the machine runs at a time.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=256))]
@@ -104,12 +104,7 @@ pub fn run(arguments: &BenchArguments) -> Result<(), Failure> {
         steps,
         sampling: sampling.ok_or_else(|| Failure::Other("nothing was sampled".into()))?,
     };
-    let text = if arguments.json {
-        serde_json::to_string_pretty(&card).map_err(|error| Failure::Other(error.to_string()))?
-    } else {
-        in_words(&card)
-    };
-    crate::print_line(&text)
+    crate::print_answer(arguments.json, &card, || in_words(&card))
 }
 
 fn in_words(card: &Card) -> String {

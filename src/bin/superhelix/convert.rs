@@ -8,9 +8,9 @@ use superhelix::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
 use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
 use superhelix::files::tfx::{self, TfxVersion};
 
+use crate::argument_values::positive;
 use crate::failure::Failure;
 use crate::picture::list_frames;
-use crate::simulate::positive;
 
 /// Writes a groom in another format, told by the name's end: .hair, .tfx, .obj, .usda. Says what the format has no place for.
 ///

@@ -11,6 +11,7 @@ use superhelix::groom::fit::{ElementLengths, Fit, FitCurve, FitOptions, MAX_STAR
 use superhelix::rod::turning::{LARGEST_TURN, largest_turn};
 use superhelix::workers::Workers;
 
+use crate::argument_values::{not_negative, positive, share};
 use crate::failure::Failure;
 use crate::fit_scene;
 use crate::groom_statistics::ranked;
@@ -18,7 +19,6 @@ use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_stiffening
 use crate::material_arguments::MaterialArguments;
 use crate::picture::view::Up;
 use crate::rest_arguments::StiffeningArguments;
-use crate::simulate::{not_negative, positive};
 use crate::unit;
 
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
@@ -48,6 +48,9 @@ pub struct FitArguments {
     /// Starts tried for a strand at most.
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=MAX_STARTS as i64))]
     starts: u32,
+    /// A strand farther than this share of its length from a point has that lowered, at the cost of the root mean square; 1: never.
+    #[arg(long, value_name = "SHARE", default_value_t = 0.01, value_parser = share)]
+    good_largest: f64,
     /// Use each K-th strand only.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     every: u32,
@@ -181,6 +184,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
             },
             twist: !arguments.no_twist,
             starts: arguments.starts as usize,
+            good_largest: arguments.good_largest,
             noise: arguments.noise * scale,
             ..FitOptions::default()
         };
@@ -219,12 +223,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         }
         fit_scene::write(path, &strands, recipe.gravity)?;
     }
-    let text = if arguments.json {
-        serde_json::to_string_pretty(&answer).map_err(|error| Failure::Other(error.to_string()))?
-    } else {
-        in_words(&answer, arguments)
-    };
-    crate::print_line(&text)
+    crate::print_answer(arguments.json, &answer, || in_words(&answer, arguments))
 }
 
 fn row(elements: u32, fits: &[(usize, Fit)], arguments: &FitArguments, unit: Option<f64>, seconds: f64) -> Row {

@@ -163,12 +163,7 @@ pub fn run(arguments: &FitFrictionArguments) -> Result<(), Failure> {
         write_curve(out, &recording, &fit)?;
     }
     let answer = answer(arguments, &curve, &fit);
-    let text = if arguments.json {
-        serde_json::to_string_pretty(&answer).map_err(|error| Failure::Other(error.to_string()))?
-    } else {
-        in_words(&answer)
-    };
-    crate::print_line(&text)
+    crate::print_answer(arguments.json, &answer, || in_words(&answer))
 }
 
 /// Three numbers of a flag.
@@ -265,7 +260,11 @@ fn motion(arguments: &FitFrictionArguments, curve: &RecordedCurve, strand: &scen
         let frames = root.iter().map(|origin| Frame { origin: *origin, rotation }).collect();
         return Ok(RootMotion::Recorded(PoseSpline::new(curve.times.clone(), frames)?));
     }
-    Ok(strand.motion.clone().map_or(RootMotion::Still, RootMotion::Recorded))
+    match &strand.motion {
+        None => Ok(RootMotion::Still),
+        Some(motion) if motion.local == Frame::default() => Ok(RootMotion::Recorded((*motion.spline).clone())),
+        Some(_) => Err(Failure::Other("the scene's root_motion has \"local\"; expected the root's own motion".into())),
+    }
 }
 
 /// The study names its own arguments: the same errors in the names of flags and files.
@@ -339,6 +338,7 @@ fn in_words(answer: &Answer) -> String {
     for found in &answer.coefficients {
         let FittedAnswer { name, unit, value, .. } = found;
         let share = match found.standard_error {
+            Some(error) if error > 10.0 * value => "standard error above 1000 %".into(),
             Some(error) => format!("standard error {:.2} %", 100.0 * error / value),
             None => "the curve does not change with it".into(),
         };

@@ -6,9 +6,9 @@ use clap::Args;
 use serde::Serialize;
 use superhelix::files::curves::{Curves, UpAxis};
 
+use crate::argument_values::positive;
 use crate::failure::Failure;
 use crate::groom_statistics::{GroomStatistics, Spread};
-use crate::simulate::positive;
 use crate::suggested::Suggested;
 use crate::unit;
 
@@ -63,12 +63,7 @@ pub fn run(arguments: &InfoArguments) -> Result<(), Failure> {
         suggested,
         held_points: curves.extras().held.as_ref().map(|held| held.iter().filter(|held| **held).count()),
     };
-    let text = if arguments.json {
-        serde_json::to_string_pretty(&answer).map_err(|error| Failure::Other(error.to_string()))?
-    } else {
-        in_words(&answer)
-    };
-    crate::print_line(&text)
+    crate::print_answer(arguments.json, &answer, || in_words(&answer))
 }
 
 fn in_words(answer: &Answer) -> String {

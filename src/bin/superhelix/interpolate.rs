@@ -1,39 +1,41 @@
 //! `superhelix interpolate`: render strands from the guides of a groom or of a cache.
 
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde_json::json;
 use superhelix::error::Error;
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::{Curves, CurvesFormat, Extras};
-use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
+use superhelix::files::curves::Extras;
 use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::render_hair::{
-    GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, resampled,
-};
+use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderSettings, Space};
 use superhelix::groom::scalp::Amount;
 use superhelix::workers::Workers;
 
+use crate::argument_values::{not_negative, positive};
 use crate::failure::Failure;
-use crate::picture::list_frames;
-use crate::region::{DensityArguments, Mesh, groom_roots};
-use crate::simulate::{not_negative, positive};
+use crate::guide_frames::GuideFrames;
+use crate::moving_scalp::{MovingScalp, ScalpFiles};
+use crate::region::{DensityArguments, groom_roots};
+use crate::render_frames::{Moment, Renderer, Velocities};
+use crate::render_output::RenderOutput;
 use crate::unit;
 
 /// Makes render strands from few guides: interpolated at the root, gathered in wisps at the tip, as curly as the hair is.
 #[derive(Debug, Args)]
 pub struct InterpolateArguments {
-    /// The guides: a groom (.hair, .tfx, .obj with lines, .usda), or a directory of frames (name.0001.hair ...), whose first is the rest pose.
+    /// The guides: a groom (.hair, .tfx, .obj with lines, .usda), or frames, whose first is the rest pose: a .usda file with time samples, or a
+    /// directory (name.0001.hair ...).
     #[arg(value_name = "GUIDES")]
     guides: PathBuf,
-    /// Where the strands go: a .hair or .usda file, with the widths of the strands (or .tfx, .obj, without); of a directory of frames a
-    /// directory of .hair files.
+    /// Where the strands go: a .hair or .usda file, with the widths of the strands (or .tfx, .obj, without). Of frames: a .usda file, with
+    /// velocities for motion blur as well, or a directory of .hair files.
     #[arg(long, short, value_name = "OUT")]
     out: PathBuf,
+    /// Frames a second of a directory of frames: a .usda file says its own.
+    #[arg(long, value_name = "N", value_parser = positive)]
+    fps: Option<f64>,
     /// Metres a unit of the files. Lengths below are in metres. Default: what the guides' file says (.usda), else 1.
     #[arg(long, value_name = "METRES", value_parser = positive)]
     scale: Option<f64>,
@@ -44,8 +46,9 @@ pub struct InterpolateArguments {
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     every: u32,
     /// Roots are scattered over this mesh (.obj with faces, in the guides' units): where --density and --density-picture say, or without them
-    /// near the guides' roots. Without a mesh, among the guides' roots.
-    #[arg(long, value_name = "MESH.obj")]
+    /// near the guides' roots. A directory of meshes (head.0001.obj ...), one for each frame of the guides, is a scalp that deforms and takes
+    /// the roots along. Without a mesh, among the guides' roots.
+    #[arg(long, value_name = "MESH.obj|DIR")]
     scalp: Option<PathBuf>,
     /// With --scalp: how near to a guide's root, m. Default: with a density anywhere, without one and a half times the distance within which
     /// nine tenths of the guides have another beside them.
@@ -177,127 +180,94 @@ impl InterpolateArguments {
         Ok(settings)
     }
 
-    /// The guides of a frame, sampled, m.
-    fn guides(&self, path: &Path, curves: &Curves, scale: f64) -> Result<Vec<Vector3<f64>>, Failure> {
-        let strands: Vec<_> = curves.strands().step_by(self.every as usize).collect();
-        let counts: Vec<u32> = strands.iter().map(|strand| strand.len() as u32).collect();
-        let all: Vec<_> = strands.iter().flat_map(|strand| unit::in_metres(strand, scale)).collect();
-        Ok(resampled(&all, &counts, None, self.points as usize).map_err(|error| Failure::file(path, error))?.points)
-    }
-
-    fn places(&self, guides: &[Vector3<f64>], scale: f64) -> Result<Vec<Vector3<f64>>, Failure> {
+    /// Where the roots are at rest, m, and the scalp that takes them along, if it deforms.
+    fn places(&self, guides: &[Vector3<f64>], frames: usize, scale: f64) -> Result<Places, Failure> {
+        let still = |roots| Places { roots, moving: None };
         if let Some(path) = &self.roots {
-            return groom_roots(path, scale);
+            return groom_roots(path, scale).map(still);
         }
         let roots = GuideRoots::new(guides.iter().step_by(self.points as usize).copied().collect())?;
         let Some(path) = &self.scalp else {
             if self.density.is_given() {
                 return Err(Failure::Other("--density and --density-picture are of a mesh: give --scalp".into()));
             }
-            return Ok(roots.among(self.count as usize, self.seed));
+            return Ok(still(roots.among(self.count as usize, self.seed)));
         };
-        let mesh = Mesh::read(path, scale)?;
+        let files = ScalpFiles::list(path)?;
+        let mesh = files.rest(scale)?;
         // A map of where hair grows needs no help from the guides.
         let within = self.within.or_else(|| (!self.density.is_given()).then(|| 1.5 * roots.spacing().unwrap_or(LONE)));
         let amount = Amount::Count(self.count as usize);
         let scattered = mesh.scatter(amount, &self.density, within.map(|within| (&roots, within)), self.seed)?;
-        Ok(scattered.follicles.iter().map(|follicle| mesh.scalp.place(follicle)).collect())
+        let roots = scattered.follicles.iter().map(|follicle| mesh.scalp.place(follicle)).collect();
+        Ok(Places { roots, moving: files.moving(path, frames, mesh, scattered.follicles)? })
     }
+}
+
+/// Where strands grow.
+struct Places {
+    /// At rest, m.
+    roots: Vec<Vector3<f64>>,
+    moving: Option<MovingScalp>,
 }
 
 /// How far guides count that have no other beside them, m.
 const LONE: f64 = 0.01;
 
-/// Points and widths in file units.
-struct Frame {
-    per_strand: usize,
-    scale: f64,
-    room: Mutex<(Vec<[f32; 3]>, Vec<f32>)>,
-}
-
-impl StrandSink for Frame {
-    fn take(&self, strand: &StrandPoints) {
-        let mut room = self.room.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        let unit = |value: f32| (f64::from(value) / self.scale) as f32;
-        for k in 0..self.per_strand {
-            let at = strand.strand * self.per_strand + k;
-            room.0[at] = strand.positions.map(|row| unit(row[k]));
-            room.1[at] = 2.0 * unit(strand.radius_factor * strand.radii[k]);
-        }
-    }
-}
-
-/// The strands of a pose, as curves with widths, of the unit and axis that `of` has.
-fn evaluated(pose: &RenderPose, scale: f64, of: &Extras) -> Result<Curves, Failure> {
-    let (count, per_strand) = (pose.hair().strand_count(), pose.hair().settings().points_per_strand);
-    let room = Mutex::new((vec![[0.0; 3]; count * per_strand], vec![0.0; count * per_strand]));
-    let frame = Frame { per_strand, scale, room };
-    let view = View { first: 0, count, origin: Vector3::zeros(), roots: None, rotations: false, motion: Motion::None };
-    pose.evaluate(&view, &frame)?;
-    let (points, widths) = frame.room.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let curves = Curves::from_counts(vec![per_strand as u32; count], points)?;
-    Ok(curves.with_extras(Extras { thickness: Some(widths), ..of.clone() })?)
-}
-
 /// Runs the command.
 pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let settings = arguments.settings()?;
-    let frames = list_frames(std::slice::from_ref(&arguments.guides))?;
-    let first = Curves::read(&frames[0])?;
-    if first.format() == CurvesFormat::Usda {
-        let samples = CurveCache::read(&frames[0])?.times().len();
-        if samples > 1 {
-            eprintln!(
-                "warning: {}: has {samples} frames, of which the first is taken: superhelix convert makes a directory of frames of it",
-                frames[0].display()
-            );
-        }
-    }
+    let frames = GuideFrames::open(&arguments.guides, arguments.fps)?;
+    let first = frames.curves(0)?;
     let of = Extras { metres_per_unit: unit::stated(arguments.scale, &first), up: first.extras().up, ..Extras::default() };
     let scale = of.metres_per_unit.unwrap_or(1.0);
-    let guides = arguments.guides(&frames[0], &first, scale)?;
-    let roots = arguments.places(&guides, scale)?;
+    let guides = |index: usize| frames.guides(index, arguments.every as usize, arguments.points as usize, scale);
+    let rest = guides(0)?;
+    let places = arguments.places(&rest.points, frames.count(), scale)?;
     let begun = Instant::now();
-    let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&guides), &roots)?;
-    let (bound, guide_count) = (begun.elapsed().as_secs_f64(), hair.guide_count());
-    let mut pose = RenderPose::new(Arc::new(hair));
-    let mut seconds = 0.0;
-    let mut frame = |guides: &[Vector3<f64>]| -> Result<Curves, Failure> {
-        let begun = Instant::now();
-        pose.set(&GuideSamples::at_rest(guides))?;
-        let curves = evaluated(&pose, scale, &of)?;
-        seconds += begun.elapsed().as_secs_f64();
-        Ok(curves)
-    };
-    if arguments.guides.is_dir() {
-        let existing = if arguments.overwrite { Existing::Replace } else { Existing::Refuse };
-        let mut writer = SequenceWriter::create(&arguments.out, "render", CacheFormat::Hair, 1, existing)?;
-        writer.write(&frame(&guides)?)?;
-        for path in &frames[1..] {
-            let guides = arguments.guides(path, &Curves::read(path)?, scale)?;
-            let made = frame(&guides).map_err(|failure| Failure::file(path, failure))?;
-            writer.write(&made)?;
+    let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&rest.points), &places.roots)?;
+    let (bound, guide_count, strand_count) = (begun.elapsed().as_secs_f64(), hair.guide_count(), hair.strand_count());
+    let directory = arguments.guides.is_dir();
+    let mut out = RenderOutput::create(&arguments.out, frames.count(), directory, frames.per_second(), arguments.overwrite)?;
+    let moment = |index: usize| -> Result<Moment, Failure> {
+        let guides = guides(index)?;
+        if guides.points.len() != rest.points.len() {
+            let here = guides.points.len() / settings.points_per_strand;
+            let name = frames.name(index);
+            return Err(Failure::Other(format!("{name}: has {here} guides where the first frame has {guide_count}")));
         }
-    } else {
-        frame(&guides)?.write(&arguments.out)?;
+        let roots = places.moving.as_ref().map(|scalp| scalp.roots(index, scale)).transpose()?;
+        Ok(Moment { time: frames.time(index), guides, roots })
+    };
+    let mut renderer = Renderer::new(hair, scale, of);
+    let (mut before, mut now, mut with_velocities) = (None, moment(0)?, false);
+    for index in 0..frames.count() {
+        let after = if index + 1 < frames.count() { Some(moment(index + 1)?) } else { None };
+        let moving = if out.holds_velocities() { Velocities::of(before.as_ref(), &now, after.as_ref()) } else { None };
+        with_velocities |= moving.is_some();
+        let made = renderer.frame(&now, moving.as_ref());
+        let made = made.map_err(|failure| Failure::Other(format!("{}: {failure}", frames.name(index))))?;
+        out.write(now.time.unwrap_or(0.0), &made)?;
+        let Some(after) = after else { break };
+        before = Some(std::mem::replace(&mut now, after));
     }
+    out.finish()?;
     let answer = json!({
         "guides": guide_count,
-        "strands": roots.len(),
+        "strands": strand_count,
         "points_per_strand": settings.points_per_strand,
-        "frames": frames.len(),
+        "frames": frames.count(),
+        "velocities": with_velocities,
         "bind_seconds": bound,
-        "evaluate_seconds": seconds,
+        "evaluate_seconds": renderer.seconds,
     });
-    crate::print_line(&if arguments.json {
-        serde_json::to_string_pretty(&answer).map_err(|error| Failure::Other(error.to_string()))?
-    } else {
+    crate::print_answer(arguments.json, &answer, || {
         format!(
-            "{}: {} strands of {} points from {guide_count} guides, {} frames",
+            "{}: {strand_count} strands of {} points from {guide_count} guides, {} frames{}",
             arguments.out.display(),
-            roots.len(),
             settings.points_per_strand,
-            frames.len()
+            frames.count(),
+            if with_velocities { " with velocities" } else { "" }
         )
     })
 }

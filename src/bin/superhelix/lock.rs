@@ -9,12 +9,12 @@ use superhelix::groom::variation::Variation;
 use superhelix::math::frame::Frame;
 use superhelix::solver::definition::StrandDef;
 
+use crate::argument_values::{not_negative, positive, triple};
 use crate::failure::Failure;
 use crate::fit_scene;
 use crate::groom_strands::check_length;
 use crate::material_arguments::{MaterialArguments, in_words_of_flags};
 use crate::picture::view::Up;
-use crate::simulate::{not_negative, positive, triple};
 
 /// Makes a lock of hair of a kind as a scene: strands side by side with the natural curl that was measured, and what varies between and along
 /// them.

@@ -1,32 +1,39 @@
 //! The command line: scenes, grooms with head motion, and pictures of what came out.
 
+mod argument_values;
 mod atomic_file;
 mod bake;
 mod bench;
 mod cache;
 mod convert;
 mod failure;
+mod film;
 mod fit;
 mod fit_friction;
 mod fit_scene;
 mod groom_statistics;
 mod groom_strands;
+mod guide_frames;
 mod head;
 mod info;
 mod interpolate;
 mod json;
 mod lock;
 mod material_arguments;
+mod moving_scalp;
 mod picture;
 mod place;
 mod pose;
 mod progress;
 mod region;
+mod render_frames;
+mod render_output;
 mod report;
 mod resolution;
 mod rest_arguments;
 mod result;
 mod run;
+mod run_cache;
 mod scene;
 mod settings;
 mod settled;
@@ -77,6 +84,15 @@ fn print_line(text: &str) -> Result<(), failure::Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Prints a command's answer as JSON, or in words.
+fn print_answer(json: bool, answer: &impl serde::Serialize, in_words: impl FnOnce() -> String) -> Result<(), failure::Failure> {
+    if !json {
+        return print_line(&in_words());
+    }
+    let text = serde_json::to_string_pretty(answer).map_err(|error| failure::Failure::Other(error.to_string()))?;
+    print_line(&text)
 }
 
 fn main() -> ExitCode {

@@ -8,10 +8,10 @@ use serde_json::json;
 use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::scalp::{Amount, Follicle, Jitter, Scalp, Scattered};
 
+use crate::argument_values::{not_negative, positive};
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
 use crate::region::{DensityArguments, Mesh, groom_roots};
-use crate::simulate::{not_negative, positive};
 
 /// Scatters follicles over a mesh, evenly or as densely as maps say, or puts them at texture coordinates, and writes their frames.
 #[derive(Debug, Args)]
@@ -73,9 +73,7 @@ pub fn run(arguments: &PlaceArguments) -> Result<(), Failure> {
     let least = scattered.least_distance.is_finite().then_some(scattered.least_distance);
     let count = scattered.follicles.len();
     let answer = json!({ "follicles": count, "least_distance": least, "area": mesh.scalp.area() });
-    crate::print_line(&if arguments.json {
-        serde_json::to_string_pretty(&answer).map_err(|error| Failure::Other(error.to_string()))?
-    } else {
+    crate::print_answer(arguments.json, &answer, || {
         let apart = least.map_or_else(String::new, |least| format!(", at least {:.3} mm apart", 1e3 * least));
         format!("{}: {count} follicles{apart}", arguments.out.display())
     })

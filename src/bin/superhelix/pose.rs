@@ -42,7 +42,7 @@ pub fn run(arguments: &PoseArguments) -> Result<(), Failure> {
         // Named as they would be in a scene.
         let node = Node { key: "posing".into(), value: &document };
         let operations = posing::read(&node).map_err(|complaint| Failure::scene(file, &complaint))?;
-        scene::pose(&mut scene, &operations).map_err(|complaint| Failure::scene(file, &complaint))?;
+        scene::do_posing(&mut scene, &operations).map_err(|complaint| Failure::scene(file, &complaint))?;
     }
     arguments.rest.apply(&mut scene, path)?;
     let document = json::parse(&scene::read_text(path)?).map_err(|complaint| Failure::scene(path, &complaint))?;
@@ -51,13 +51,13 @@ pub fn run(arguments: &PoseArguments) -> Result<(), Failure> {
     crate::print_line(&format!("{}: {} strands, {images} of them images", arguments.out.display(), scene.strands.len()))
 }
 
-/// Keys of a strand that stand in place of others.
-const REPLACED: [&str; 2] = ["elements", "length"];
+/// Keys of a strand that stand in place of others, or from which what is written here was made.
+const REPLACED: [&str; 5] = ["elements", "length", "groom", "hair", "follicles"];
 
 /// Writes the document with the scene's strands.
 fn write(path: &Path, mut document: Value, scene: &Scene) -> Result<(), Failure> {
     let given = document["strands"].as_array().cloned().unwrap_or_default();
-    let strands: Vec<Value> = scene.strands.iter().enumerate().map(|(index, strand)| one(&given, index, strand)).collect();
+    let strands: Vec<Value> = scene.strands.iter().map(|strand| one(&given, strand)).collect();
     if let Value::Object(map) = &mut document {
         map.insert("strands".into(), Value::Array(strands));
         map.remove("posing");
@@ -71,8 +71,8 @@ fn write(path: &Path, mut document: Value, scene: &Scene) -> Result<(), Failure>
 }
 
 /// A strand as the file has it, with what may have changed.
-fn one(given: &[Value], index: usize, strand: &SceneStrand) -> Value {
-    let mut map = match given.get(strand.image_of.unwrap_or(index)) {
+fn one(given: &[Value], strand: &SceneStrand) -> Value {
+    let mut map = match given.get(strand.item) {
         Some(Value::Object(map)) => map.clone(),
         _ => Map::new(),
     };
@@ -85,6 +85,10 @@ fn one(given: &[Value], index: usize, strand: &SceneStrand) -> Value {
     let Value::Object(made) = fit_scene::one(&strand.definition) else { return Value::Object(map) };
     // Where a root moves its motion says where it is.
     let moves = map.get("root_motion").is_some_and(|motion| !motion.is_null());
+    if let (true, Some(motion)) = (moves, &strand.motion) {
+        let [x, y, z]: [f64; 3] = motion.local.origin.into();
+        map["root_motion"]["local"] = json!({ "origin": [x, y, z], "rotation": motion.local.rotation_xyzw() });
+    }
     for (key, value) in made {
         if !(moves && key == "root") {
             map.insert(key, value);

@@ -69,6 +69,6 @@ impl RestArguments {
             (_, Some(_)) => return Err(Failure::Other("--stiffen needs --take rest: it is rest that takes stiffness".into())),
         };
         let operation = Operation { key: "--take".into(), strands: None, action };
-        scene::pose(scene, &[operation]).map_err(|complaint| Failure::scene(path, &complaint))
+        scene::do_posing(scene, &[operation]).map_err(|complaint| Failure::scene(path, &complaint))
     }
 }

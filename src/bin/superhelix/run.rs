@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use clap::Args;
 use superhelix::math::frame::Frame;
-use superhelix::math::pose_spline::PoseSpline;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::StrandDef;
 use superhelix::solver::id::{BodyId, ConstraintId, StrandId};
@@ -17,6 +16,8 @@ use crate::report::Report;
 use crate::resolution;
 use crate::rest_arguments::RestArguments;
 use crate::result::RunResult;
+use crate::run_cache::RunCache;
+use crate::scene::pose::Moves;
 use crate::scene::{self, Scene};
 use crate::settled;
 use crate::timeline;
@@ -32,6 +33,9 @@ pub struct RunArguments {
     /// Where the result goes: JSON. Written whole or not at all.
     #[arg(long, value_name = "RESULT.json")]
     out: PathBuf,
+    /// The strands at the same times, with velocities, for pictures and as guides of `superhelix interpolate`: the scene's `samples` a strand.
+    #[arg(long, value_name = "CACHE.usda")]
+    cache: Option<PathBuf>,
     #[command(flatten)]
     rest: RestArguments,
     /// Start the strands at rest in their static equilibrium under the scene's gravity, searched for from their initial shapes.
@@ -71,10 +75,14 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let things = Things::make(&scene, &mut solver, ids).map_err(complain)?;
 
     let mut out = AtomicFile::create(&arguments.out)?;
-    let result = simulate(&scene, &mut solver, &things, arguments.quiet)?;
+    let mut cache = arguments.cache.as_deref().map(|path| RunCache::create(path, &scene)).transpose()?;
+    let result = simulate(&scene, &mut solver, &things, cache.as_mut(), arguments.quiet)?;
     let unwritable = |error: &dyn std::fmt::Display| Failure::file(&arguments.out, format!("cannot be written: {error}"));
     serde_json::to_writer(&mut out, &result).map_err(|error| unwritable(&error))?;
     out.write_all(b"\n").map_err(|error| unwritable(&error))?;
+    if let Some(cache) = cache {
+        cache.finish()?;
+    }
     out.commit()
 }
 
@@ -109,15 +117,15 @@ impl Things {
 }
 
 /// Those of some things that move, with their motions.
-struct Moving<'a, Id> {
+struct Moving<'a, Id, Motion> {
     ids: Vec<Id>,
-    motions: Vec<&'a PoseSpline>,
+    motions: Vec<&'a Motion>,
     frames: Vec<Frame>,
 }
 
-impl<'a, Id: Copy> Moving<'a, Id> {
-    fn of(ids: &[Id], motions: impl Iterator<Item = Option<&'a PoseSpline>>) -> Self {
-        let (ids, motions): (Vec<Id>, Vec<&PoseSpline>) =
+impl<'a, Id: Copy, Motion: Moves> Moving<'a, Id, Motion> {
+    fn of(ids: &[Id], motions: impl Iterator<Item = Option<&'a Motion>>) -> Self {
+        let (ids, motions): (Vec<Id>, Vec<&Motion>) =
             ids.iter().zip(motions).filter_map(|(id, motion)| Some((*id, motion?))).unzip();
         Self { frames: Vec::with_capacity(ids.len()), ids, motions }
     }
@@ -130,7 +138,13 @@ impl<'a, Id: Copy> Moving<'a, Id> {
     }
 }
 
-fn simulate(scene: &Scene, solver: &mut Solver, things: &Things, quiet: bool) -> Result<RunResult, Failure> {
+fn simulate(
+    scene: &Scene,
+    solver: &mut Solver,
+    things: &Things,
+    mut cache: Option<&mut RunCache>,
+    quiet: bool,
+) -> Result<RunResult, Failure> {
     let times = timeline::output_times(scene.duration, scene.output_interval);
     let bar = progress::bar(times.len() as u64 - 1, "states", quiet);
     let mut roots = Moving::of(&things.strands, scene.strands.iter().map(|strand| strand.motion.as_ref()));
@@ -141,7 +155,13 @@ fn simulate(scene: &Scene, solver: &mut Solver, things: &Things, quiet: bool) ->
 
     let mut result = RunResult::new(things, &scene.outputs);
     let mut report = Report::default();
-    result.record(times[0], solver)?;
+    let mut record = |time: f64, solver: &Solver| -> Result<(), Failure> {
+        if let Some(cache) = &mut cache {
+            cache.write(time, solver, &things.strands)?;
+        }
+        Ok(result.record(time, solver)?)
+    };
+    record(times[0], solver)?;
     for pair in times.windows(2) {
         for (end, length) in timeline::steps_between(pair[0], pair[1], scene.time_step) {
             if let Some((ids, frames)) = roots.at(end) {
@@ -158,7 +178,7 @@ fn simulate(scene: &Scene, solver: &mut Solver, things: &Things, quiet: bool) ->
             }
             report.add(&solver.step(length, 1)?);
         }
-        result.record(pair[1], solver)?;
+        record(pair[1], solver)?;
         bar.inc(1);
     }
     bar.finish_and_clear();

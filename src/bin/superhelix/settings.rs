@@ -6,9 +6,9 @@ use superhelix::study::presets::Preset;
 use superhelix::study::settings::{HairShape, Settings};
 use superhelix::study::suggestion::{Scenes, suggest_settings};
 
+use crate::argument_values::{not_negative, positive};
 use crate::failure::Failure;
 use crate::scene::INTEGRATORS;
-use crate::simulate::{not_negative, positive};
 
 /// Says which integrator, substeps, elements and tolerance a preset means, or which are the cheapest that were measured to keep an error.
 ///
@@ -85,12 +85,7 @@ pub fn run(arguments: &SettingsArguments) -> Result<(), Failure> {
         (None, Some(error)) => suggest_settings(error, arguments.scenes.unwrap_or_default(), &hair, frame_time)?,
         (None, None) => return Err(Failure::Other("give --preset, --error or --error-mm".into())),
     };
-    let text = if arguments.json {
-        serde_json::to_string_pretty(&answer(&settings)).map_err(|error| Failure::Other(error.to_string()))?
-    } else {
-        in_words(&settings, arguments.length)
-    };
-    crate::print_line(&text)
+    crate::print_answer(arguments.json, &answer(&settings), || in_words(&settings, arguments.length))
 }
 
 fn answer(settings: &Settings) -> Answer {

@@ -1,6 +1,6 @@
 //! `superhelix simulate`: a groom on a moving head, to a cache and a picture.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -12,29 +12,25 @@ use superhelix::math::lane::Precision;
 use superhelix::rod::turning::coarse_strands;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, Workers};
-use superhelix::solver::id::StrandId;
 use superhelix::solver::report::StrandStatus;
 use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
 use superhelix::study::presets::Preset;
 use superhelix::study::settings::HairShape;
 
-use crate::atomic_file::AtomicFile;
-use crate::cache::Cache;
+use crate::argument_values::{named, not_negative, positive, triple};
 use crate::failure::Failure;
+use crate::film::Film;
 use crate::groom_statistics::{GroomStatistics, Spread, is_plausible_length};
 use crate::groom_strands::{self, GroomStrand, NaturalShape, StrandRecipe};
 use crate::head::Head;
 use crate::material_arguments::MaterialArguments;
-use crate::picture::sheet::{Moment, SheetOptions};
 use crate::picture::view::{Face, Up};
-use crate::picture::{self, spread};
 use crate::report::Report;
 use crate::resolution::Shapes;
 use crate::rest_arguments::StiffeningArguments;
 use crate::settings::preset;
 use crate::simulate_body::{BodyArguments, HeadBody};
 use crate::simulate_report::{FitReport, SimulateReport};
-use crate::surface::Surface;
 use crate::{progress, resolution, scene, settled, unit};
 
 /// Simulates a groom on a moving head: fits strands, steps them, writes a cache of frames and a picture.
@@ -46,10 +42,10 @@ use crate::{progress, resolution, scene, settled, unit};
 pub struct SimulateArguments {
     /// The groom: .hair, .tfx, .obj with lines, .usda or .data, root first.
     #[arg(value_name = "GROOM")]
-    groom: PathBuf,
+    pub groom: PathBuf,
     /// The head's motion: a .csv of poses or a .bvh. Without it the head stands still.
     #[arg(long, value_name = "HEAD.csv|.bvh")]
-    motion: Option<PathBuf>,
+    pub motion: Option<PathBuf>,
     /// .bvh: name of the joint that carries the hair. Default: the first with "head" in its name.
     #[arg(long, value_name = "NAME", requires = "motion")]
     motion_joint: Option<String>,
@@ -148,13 +144,13 @@ pub struct SimulateArguments {
     pub overwrite: bool,
     /// A contact sheet of the motion.
     #[arg(long, value_name = "FILE.png")]
-    picture: Option<PathBuf>,
+    pub picture: Option<PathBuf>,
     /// The axis that the face looks along, for the contact sheet. Default: +z where y is up, -y where z is up.
     #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
-    face: Option<Face>,
+    pub face: Option<Face>,
     /// Moments on the contact sheet.
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=64))]
-    moments: u32,
+    pub moments: u32,
     /// The report as JSON on standard output.
     #[arg(long)]
     json: bool,
@@ -172,36 +168,6 @@ pub enum Format {
     Hair,
     /// One USD text file with time samples and velocities.
     Usda,
-}
-
-/// A finite number, for clap.
-fn finite(text: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| "expected a finite number".to_string())
-}
-
-/// A number above zero, for clap.
-pub fn positive(text: &str) -> Result<f64, String> {
-    finite(text).ok().filter(|value| *value > 0.0).ok_or_else(|| "expected a finite number above zero".to_string())
-}
-
-/// Three numbers with commas between, for clap.
-pub fn triple(text: &str) -> Result<Vector3<f64>, String> {
-    let numbers: Result<Vec<f64>, String> = text.split(',').map(|number| finite(number.trim())).collect();
-    match numbers.as_deref() {
-        Ok([x, y, z]) => Ok(Vector3::new(*x, *y, *z)),
-        _ => Err("expected three finite numbers with commas between".to_string()),
-    }
-}
-
-/// A number, zero or above, for clap.
-pub fn not_negative(text: &str) -> Result<f64, String> {
-    finite(text).ok().filter(|value| *value >= 0.0).ok_or_else(|| "expected a finite number, zero or above".to_string())
-}
-
-fn named<T: Copy>(text: &str, choices: &[(&str, T)]) -> Result<T, String> {
-    let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-    let found = choices.iter().find(|(name, _)| *name == text).map(|(_, choice)| *choice);
-    found.ok_or_else(|| format!("expected one of {}", names.join(", ")))
 }
 
 fn integrator(text: &str) -> Result<Integrator, String> {
@@ -340,12 +306,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         cache: arguments.out.as_ref().map(|path| path.display().to_string()),
         picture: picture.map(|path| path.display().to_string()),
     };
-    let text = if arguments.json {
-        serde_json::to_string_pretty(&answer).map_err(|error| Failure::Other(error.to_string()))?
-    } else {
-        answer.in_words()
-    };
-    crate::print_line(&text)
+    crate::print_answer(arguments.json, &answer, || answer.in_words())
 }
 
 /// The motion in the groom's axes, and how long to simulate.
@@ -436,104 +397,4 @@ fn warn(arguments: &SimulateArguments, strands: &[GroomStrand], skipped: usize) 
     resolution::warn(strands.iter().map(|strand| &strand.definition), Shapes::Initial, |index| {
         format!("{}: strand {}", arguments.groom.display(), strands[index].index)
     });
-}
-
-/// The frames on their way out: to the cache, and some of them to the picture.
-struct Film {
-    cache: Option<Cache>,
-    picture: Option<AtomicFile>,
-    moments: Vec<Moment>,
-    chosen: Vec<usize>,
-    fps: f64,
-    samples: usize,
-    elements: u32,
-    units_a_metre: f64,
-    points: Vec<[f32; 3]>,
-    velocities: Vec<[f32; 3]>,
-}
-
-impl Film {
-    /// Opens what will be written, so that a directory that cannot be written to is found out before the work.
-    fn create(
-        arguments: &SimulateArguments,
-        scale: f64,
-        strands: usize,
-        frame_count: usize,
-        elements: u32,
-    ) -> Result<Self, Failure> {
-        let cache = arguments.out.as_deref().map(|directory| Cache::create(arguments, directory, scale, strands)).transpose()?;
-        let picture = arguments.picture.as_deref().map(AtomicFile::create).transpose()?;
-        let chosen = if picture.is_some() { spread(frame_count, arguments.moments as usize) } else { Vec::new() };
-        Ok(Self {
-            cache,
-            picture,
-            moments: Vec::new(),
-            chosen,
-            fps: arguments.fps,
-            samples: arguments.samples as usize,
-            elements,
-            units_a_metre: 1.0 / scale,
-            points: Vec::new(),
-            velocities: Vec::new(),
-        })
-    }
-
-    /// Takes the solver's present state as frame number `frame` (from 0).
-    fn take(
-        &mut self,
-        solver: &Solver,
-        ids: &[StrandId],
-        frame: usize,
-        body: impl FnOnce() -> Option<Surface>,
-    ) -> Result<(), Failure> {
-        let pictured = self.chosen.contains(&frame);
-        if self.cache.is_none() && !pictured {
-            return Ok(());
-        }
-        let (points, velocities, samples, units) = (&mut self.points, &mut self.velocities, self.samples, self.units_a_metre);
-        points.resize(ids.len() * samples, [0.0; 3]);
-        velocities.resize(ids.len() * samples, [0.0; 3]);
-        solver.sample_strands(ids, samples, |strand, point, sample| {
-            points[strand * samples + point] = (sample.position * units).map(|value| value as f32).into();
-            velocities[strand * samples + point] = (sample.velocity * units).map(|value| value as f32).into();
-        })?;
-        if let Some(cache) = &mut self.cache {
-            cache.write(frame as f64 / self.fps, &vec![samples as u32; ids.len()], points, velocities)?;
-        }
-        if pictured {
-            let strands = points.chunks_exact(samples).map(<[_]>::to_vec).collect();
-            let mut body = body();
-            for vertex in body.iter_mut().flat_map(|body| &mut body.vertices) {
-                *vertex *= units;
-            }
-            let bodies = body.into_iter().collect();
-            self.moments.push(Moment { label: format!("{:.2} s", frame as f64 / self.fps), strands, bodies });
-        }
-        Ok(())
-    }
-
-    /// Draws the picture; how many frames the cache has and where the picture is.
-    fn finish<'a>(
-        mut self,
-        arguments: &'a SimulateArguments,
-        strands: &[GroomStrand],
-        scale: f64,
-    ) -> Result<(u32, Option<&'a Path>), Failure> {
-        let cache_frames = self.cache.take().map_or(Ok(0), Cache::finish)?;
-        if let (Some(mut file), Some(path)) = (self.picture, &arguments.picture) {
-            let name = |path: &Path| path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-            let title = format!(
-                "{}   {}   {} strands of {} elements",
-                name(&arguments.groom),
-                arguments.motion.as_deref().map_or_else(|| "still head".to_string(), name),
-                strands.len(),
-                self.elements
-            );
-            let options =
-                SheetOptions { title, up: arguments.up, face: arguments.face, cell_width: 340, metres_per_unit: Some(scale) };
-            picture::write_png(&mut file, path, &self.moments, &options)?;
-            file.commit()?;
-        }
-        Ok((cache_frames, arguments.picture.as_deref()))
-    }
 }

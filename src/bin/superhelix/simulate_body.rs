@@ -14,10 +14,10 @@ use superhelix::math::frame::Frame;
 use superhelix::solver::Solver;
 use superhelix::solver::id::{BodyId, StrandId};
 
+use crate::argument_values::{not_negative, positive};
 use crate::failure::Failure;
 use crate::head::Head;
 use crate::scene::contact::MODELS;
-use crate::simulate::{not_negative, positive};
 use crate::surface::Surface;
 
 /// What the hair touches, and how that is answered.

@@ -113,6 +113,11 @@ impl State {
         self.weigh(weights);
     }
 
+    /// The squared distances of the samples.
+    pub fn squared_distances(&self) -> impl Iterator<Item = f64> + '_ {
+        self.placed.iter().map(|placed| placed.off.norm_squared())
+    }
+
     /// Takes other weights.
     pub fn weigh(&mut self, weights: &Weights) {
         let others = weights.normal * self.angles + weights.twist * self.twist + weights.spacing * self.spacing;

@@ -101,6 +101,16 @@ impl Scratch {
         (self.state.cost, self.state.distance)
     }
 
+    /// The squared distances of the samples where the last search ended.
+    pub fn squared_distances(&self) -> impl Iterator<Item = f64> + '_ {
+        self.state.squared_distances()
+    }
+
+    /// The largest of them.
+    pub fn largest(&self) -> f64 {
+        self.squared_distances().fold(0.0, f64::max)
+    }
+
     /// `trial` is `shape` after the step, held where an element would become too short.
     fn advance(&mut self, shape: &Shape, search: &Search) {
         self.trial.copy_from(shape);

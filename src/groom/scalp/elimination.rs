@@ -3,6 +3,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
+use std::collections::binary_heap::PeekMut;
 
 /// Pairs of candidates that are near each other: of each the other's number and their distance, as a share of the largest that counts.
 pub(super) struct Neighbours {
@@ -90,12 +91,14 @@ pub(super) fn survivors(neighbours: &Neighbours, until: Until, least: f64) -> Ve
         Until::Apart => 0,
     };
     while left > wanted {
-        let Some(Crowded { weight, index }) = heap.pop() else { break };
-        let at = index as usize;
-        // An entry of before one of its neighbours went.
-        if !stays[at] || weight != weights[at] {
+        let Some(mut most) = heap.peek_mut() else { break };
+        let at = most.index as usize;
+        // Weights only fall: an entry is at least what its candidate weighs now, and is put right when it comes to the top.
+        if most.weight != weights[at] {
+            most.weight = weights[at];
             continue;
         }
+        PeekMut::pop(most);
         if until == Until::Apart && crowding[at] == 0 {
             continue;
         }
@@ -106,8 +109,8 @@ pub(super) fn survivors(neighbours: &Neighbours, until: Until, least: f64) -> Ve
             let other = *other as usize;
             crowding[other] -= 1;
             if stays[other] {
-                weights[other] = if crowding[other] == 0 { 0.0 } else { weights[other] - share(*distance) };
-                heap.push(Crowded { weight: weights[other], index: other as u32 });
+                let less = if crowding[other] == 0 { 0.0 } else { weights[other] - share(*distance) };
+                weights[other] = less.min(weights[other]);
             }
         }
     }

@@ -55,6 +55,21 @@ pub struct Scattered {
     pub least_distance: f64,
 }
 
+/// The lower 21 bits, each with two zeros above it: three such numbers make a Morton code.
+fn spread(number: u64) -> u64 {
+    let mut bits = number & 0x1f_ffff;
+    for (shift, mask) in [
+        (32, 0x001f_0000_0000_ffff),
+        (16, 0x001f_0000_ff00_00ff),
+        (8, 0x100f_00f0_0f00_f00f),
+        (4, 0x10c3_0c30_c30c_30c3),
+        (2, 0x1249_2492_4924_9249),
+    ] {
+        bits = (bits | bits << shift) & mask;
+    }
+    bits
+}
+
 /// Candidates and what their distances are told by.
 struct Candidates {
     follicles: Vec<Follicle>,
@@ -62,6 +77,8 @@ struct Candidates {
     normals: Vec<Vector3<f64>>,
     /// √ρ.
     roots: Vec<f64>,
+    /// Which each was when it was made.
+    numbers: Vec<u32>,
     /// The share of random places that the density let pass.
     passed: f64,
 }
@@ -77,7 +94,14 @@ impl Candidates {
         }
         let field = Field::new(scalp, &scalp.vertices);
         let most = density.most();
-        let mut made = Self { follicles: Vec::new(), places: Vec::new(), normals: Vec::new(), roots: Vec::new(), passed: 1.0 };
+        let mut made = Self {
+            follicles: Vec::new(),
+            places: Vec::new(),
+            normals: Vec::new(),
+            roots: Vec::new(),
+            numbers: Vec::new(),
+            passed: 1.0,
+        };
         let mut tries = 0;
         while made.follicles.len() < count {
             if tries >= TRIES * (count as u64 + 100) {
@@ -97,12 +121,38 @@ impl Candidates {
             made.places.push(scalp.place(&follicle));
             made.normals.push(field.normal(scalp, &scalp.vertices, &follicle));
             made.roots.push(share.sqrt());
+            made.numbers.push(made.follicles.len() as u32);
             made.follicles.push(follicle);
         }
         if tries > 0 {
             made.passed = count as f64 / tries as f64;
         }
-        Ok(made)
+        Ok(made.near_by_near())
+    }
+
+    /// Sorted so that what is near each other on the scalp is so in memory: who is near whom is far larger than the caches.
+    fn near_by_near(&self) -> Self {
+        let mut low = Vector3::repeat(f64::INFINITY);
+        let mut high = -low;
+        for place in &self.places {
+            (low, high) = (low.inf(place), high.sup(place));
+        }
+        let scale = f64::from(1_u32 << 21) * (1.0 - f64::EPSILON) / (high - low).amax().max(f64::MIN_POSITIVE);
+        let code =
+            |place: &Vector3<f64>| (0..3).fold(0, |code, axis| code | spread(((place[axis] - low[axis]) * scale) as u64) << axis);
+        let mut order: Vec<(u64, usize)> = self.places.iter().enumerate().map(|(index, place)| (code(place), index)).collect();
+        order.sort_unstable();
+        fn of<T: Copy>(list: &[T], order: &[(u64, usize)]) -> Vec<T> {
+            order.iter().map(|(_, index)| list[*index]).collect()
+        }
+        Self {
+            follicles: of(&self.follicles, &order),
+            places: of(&self.places, &order),
+            normals: of(&self.normals, &order),
+            roots: of(&self.roots, &order),
+            numbers: of(&self.numbers, &order),
+            passed: self.passed,
+        }
     }
 
     /// Those that stay.
@@ -115,6 +165,7 @@ impl Candidates {
             places: of(&self.places, stays),
             normals: of(&self.normals, stays),
             roots: of(&self.roots, stays),
+            numbers: of(&self.numbers, stays),
             passed: self.passed,
         }
     }
@@ -168,7 +219,8 @@ impl Candidates {
 }
 
 impl Scalp {
-    /// Scatters follicles over the scalp at rest. The same seed gives the same follicles. Takes some 10 µs a follicle.
+    /// Scatters follicles over the scalp at rest. The same seed gives the same follicles. Takes some 20 µs a follicle, 30 µs of a
+    /// hundred and fifty thousand or with a spacing.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a density that does not fit the scalp, is negative or zero nearly everywhere, a spacing that is not
@@ -211,6 +263,8 @@ impl Scalp {
         let reach = 2.0 * reach;
         let nearest = left.pairs(reach).iter().map(|(_, _, distance)| f64::from(*distance)).fold(f64::INFINITY, f64::min);
         let least_distance = if nearest.is_finite() { nearest * reach } else { f64::INFINITY };
-        Ok(Scattered { follicles: left.follicles, least_distance })
+        let mut follicles: Vec<(u32, Follicle)> = left.numbers.iter().copied().zip(left.follicles).collect();
+        follicles.sort_unstable_by_key(|(number, _)| *number);
+        Ok(Scattered { follicles: follicles.into_iter().map(|(_, follicle)| follicle).collect(), least_distance })
     }
 }

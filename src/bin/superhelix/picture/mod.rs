@@ -49,10 +49,10 @@ pub struct PictureArguments {
     #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
     face: Option<Face>,
     /// Frames a second of the cache: labels are then times.
-    #[arg(long, value_parser = crate::simulate::positive)]
+    #[arg(long, value_parser = crate::argument_values::positive)]
     fps: Option<f64>,
     /// Metres a unit of the files: the scale bar is then in centimetres.
-    #[arg(long, value_parser = crate::simulate::positive)]
+    #[arg(long, value_parser = crate::argument_values::positive)]
     scale: Option<f64>,
     /// Draw each K-th strand only.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]

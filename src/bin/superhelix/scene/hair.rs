@@ -92,8 +92,9 @@ fn read_variation(node: &Node) -> Result<Variation, Complaint> {
 }
 
 impl SceneHair {
-    /// The strand with elements of these lengths.
-    pub fn strand(&self, element_lengths: &[f64]) -> Result<VariedStrand, Complaint> {
-        self.parameters.strand(self.strand, element_lengths).map_err(|error| Complaint::new(&self.key, error.to_string()))
+    /// The strand with elements of these lengths, so many after the one that the scene names.
+    pub fn strand(&self, after: u64, element_lengths: &[f64]) -> Result<VariedStrand, Complaint> {
+        let made = self.parameters.strand(self.strand + after, element_lengths);
+        made.map_err(|error| Complaint::new(&self.key, error.to_string()))
     }
 }

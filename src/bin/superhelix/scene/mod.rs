@@ -4,11 +4,12 @@ pub mod attachments;
 pub mod colliders;
 pub mod contact;
 mod deformation;
+mod follicles;
 mod groom;
 mod hair;
 pub mod options;
 pub mod outputs;
-mod pose;
+pub mod pose;
 mod posed;
 pub mod posing;
 mod strands;
@@ -28,7 +29,7 @@ use attachments::Attachment;
 use colliders::Collider;
 pub use options::{INTEGRATORS, LINEAR_SOLVERS, PRECISIONS};
 pub use outputs::{Output, Request};
-pub use posed::apply as pose;
+pub use posed::apply as do_posing;
 pub use strands::SceneStrand;
 pub use words::in_words_of_the_scene;
 
@@ -53,6 +54,8 @@ pub struct Scene {
     pub allow_overlaps: bool,
     /// What to write.
     pub outputs: Vec<Request>,
+    /// Samples a strand, where an output does not say its own.
+    pub samples: usize,
 }
 
 /// Reads a scene file; its strands are posed already.
@@ -120,14 +123,14 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
     let options = options::read(&scene, contact)?;
     let mut strands = Vec::new();
     let mut given = Vec::new();
-    for strand in scene.require("strands")?.list()? {
-        strands.extend(strands::read(&strand, &options, directory)?);
-        given.resize(strands.len(), contact::read_of_strand(&strand)?);
+    for (item, strand) in scene.require("strands")?.list()?.iter().enumerate() {
+        strands.extend(strands::read(strand, item, &options, directory)?);
+        given.resize(strands.len(), contact::read_of_strand(strand)?);
     }
     let colliders = scene.or("colliders", Vec::new(), |list| colliders::read(list, directory))?;
     touching.give(&mut strands, given, &colliders)?;
     let attachments = scene.or("attachments", Vec::new(), |list| attachments::read(list, &strands))?;
-    let outputs = outputs::read(&scene)?;
+    let (outputs, samples) = outputs::read(&scene)?;
     let posing = scene.or("posing", Vec::new(), posing::read)?;
     let mut scene = Scene {
         options,
@@ -139,6 +142,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         attachments,
         allow_overlaps: touching.allow_overlaps,
         outputs,
+        samples,
     };
     posed::apply(&mut scene, &posing)?;
     Ok(scene)

@@ -66,9 +66,9 @@ fn read_samples(node: &Node) -> Result<usize, Complaint> {
 }
 
 /// Reads `output` and `samples`.
-pub fn read(scene: &Entries) -> Result<Vec<Request>, Complaint> {
+pub fn read(scene: &Entries) -> Result<(Vec<Request>, usize), Complaint> {
     let samples = scene.or("samples", DEFAULT_SAMPLES, read_samples)?;
-    let Some(list) = scene.get("output") else { return Ok(vec![Request { output: Output::Tips, samples }]) };
+    let Some(list) = scene.get("output") else { return Ok((vec![Request { output: Output::Tips, samples }], samples)) };
     let mut seen = BTreeSet::new();
     let mut requests = Vec::new();
     for item in list.list()? {
@@ -89,5 +89,5 @@ pub fn read(scene: &Entries) -> Result<Vec<Request>, Complaint> {
         }
         requests.push(request);
     }
-    Ok(requests)
+    Ok((requests, samples))
 }

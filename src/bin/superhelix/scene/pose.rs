@@ -1,10 +1,13 @@
 //! Poses and motions, of roots, colliders and targets.
 
+use std::sync::Arc;
+
+use nalgebra::Vector3;
 use superhelix::math::frame::Frame;
 use superhelix::math::pose_spline::PoseSpline;
 
 use super::words::in_words_of_the_scene;
-use crate::json::{Complaint, Node};
+use crate::json::{Complaint, Entries, Node};
 
 /// A pose as an object: `origin` and `rotation`, either of which may be left out.
 pub fn read_pose(node: &Node) -> Result<Frame, Complaint> {
@@ -31,9 +34,57 @@ pub fn read_times(node: &Node) -> Result<Vec<f64>, Complaint> {
     Ok(times)
 }
 
+/// What says where something is at a time.
+pub trait Moves {
+    /// Where, s.
+    fn at(&self, time: f64) -> Frame;
+}
+
+impl Moves for PoseSpline {
+    fn at(&self, time: f64) -> Frame {
+        self.at(time)
+    }
+}
+
+/// How a root moves: rigidly with a frame that moves.
+#[derive(Debug, Clone)]
+pub struct RootMotion {
+    /// The frame's motion; strands may share it.
+    pub spline: Arc<PoseSpline>,
+    /// The root in that frame.
+    pub local: Frame,
+}
+
+impl RootMotion {
+    /// Velocity of the root (m/s) and angular velocity (rad/s).
+    pub fn velocity(&self, time: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let (linear, angular) = self.spline.velocity(time);
+        (linear + angular.cross(&(self.spline.at(time).rotation * self.local.origin)), angular)
+    }
+}
+
+impl Moves for RootMotion {
+    fn at(&self, time: f64) -> Frame {
+        // The root of a strand that has the motion to itself has its bits.
+        if self.local == Frame::default() { self.spline.at(time) } else { self.spline.at(time).compose(&self.local) }
+    }
+}
+
+/// A root's motion: that of a frame, and where the root is in it.
+pub fn read_root_motion(node: &Node) -> Result<RootMotion, Complaint> {
+    let entries = node.object(&["times", "frames", "local"])?;
+    Ok(RootMotion {
+        spline: Arc::new(read_spline(node, &entries)?),
+        local: entries.get_unless_null("local").map_or(Ok(Frame::default()), read_pose)?,
+    })
+}
+
 /// A motion: poses at times.
 pub fn read_motion(node: &Node) -> Result<PoseSpline, Complaint> {
-    let entries = node.object(&["times", "frames"])?;
+    read_spline(node, &node.object(&["times", "frames"])?)
+}
+
+fn read_spline(node: &Node, entries: &Entries) -> Result<PoseSpline, Complaint> {
     let (times_node, frames_node) = (entries.require("times")?, entries.require("frames")?);
     let times = read_times(times_node)?;
     let items = frames_node.list()?;

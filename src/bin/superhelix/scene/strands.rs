@@ -5,14 +5,15 @@ use std::path::Path;
 use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::Value;
 use superhelix::contact::options::StrandContact;
-use superhelix::math::pose_spline::PoseSpline;
+use superhelix::groom::variation::VariedStrand;
+use superhelix::math::frame::Frame;
 use superhelix::rod::freedoms::Freedoms;
 use superhelix::rod::material::Material;
 use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef};
 
-use super::pose::{read_motion, read_pose};
+use super::pose::{Moves, RootMotion, read_pose, read_root_motion};
 use super::words::in_words_of_the_scene;
-use super::{groom, hair};
+use super::{follicles, groom, hair};
 use crate::json::{Complaint, Entries, Node};
 
 /// A strand and how its root moves.
@@ -21,10 +22,12 @@ pub struct SceneStrand {
     /// What the strand is made from; its root and root velocity are already those of the motion's start.
     pub definition: StrandDef,
     /// The root's motion, if it moves.
-    pub motion: Option<PoseSpline>,
+    pub motion: Option<RootMotion>,
+    /// Which item of the file's list it comes from.
+    pub item: usize,
     /// What it is to contact, where there is anything to touch.
     pub contact: Option<StrandContact>,
-    /// Of which of the file's strands it is the image, if it is one.
+    /// Of which strand it is the image, if it is one.
     pub image_of: Option<usize>,
 }
 
@@ -32,17 +35,18 @@ pub struct SceneStrand {
 const MATERIAL: [&str; 7] =
     ["radius", "density", "youngs_modulus", "poisson_ratio", "internal_friction", "viscosity", "air_drag"];
 
-/// Reads an item of `strands`, but for its contact: one strand, or those of a groom. `directory` is where files are that it names.
-pub fn read(node: &Node, options: &SolverOptions, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
+/// Reads item number `item` of `strands`, but for its contact: one strand, one at each of its follicles, or those of a groom. `directory` is
+/// where files are that it names.
+pub fn read(node: &Node, item: usize, options: &SolverOptions, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
     if node.value.get("groom").is_none_or(Value::is_null) {
-        return Ok(vec![read_one(node)?]);
+        return read_own(node, item, directory);
     }
     let strands = node.object(&[&MATERIAL[..], &["groom", "contact"]].concat())?;
     let material = read_material(&strands, Material::default())?;
     let made = groom::read(strands.require("groom")?, material, options, directory)?;
     let strand = |definition: StrandDef| {
         definition.check(&node.key).map_err(in_words_of_the_scene)?;
-        Ok(SceneStrand { definition, motion: None, contact: None, image_of: None })
+        Ok(SceneStrand { definition, motion: None, item, contact: None, image_of: None })
     };
     made.into_iter().map(strand).collect()
 }
@@ -59,7 +63,7 @@ fn read_material(strand: &Entries, defaults: Material) -> Result<Material, Compl
     })
 }
 
-fn read_one(node: &Node) -> Result<SceneStrand, Complaint> {
+fn read_own(node: &Node, item: usize, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
     let strand = node.object(&[
         "elements",
         "length",
@@ -78,18 +82,51 @@ fn read_one(node: &Node) -> Result<SceneStrand, Complaint> {
         "initial_rates",
         "freedoms",
         "root",
+        "follicles",
         "root_motion",
         "contact",
     ])?;
+    let follicles = strand.get_unless_null("follicles");
+    let places = match (follicles, strand.get("root")) {
+        (Some(_), Some(root)) => return Err(root.complain("no such key beside follicles, which say where the roots are")),
+        (Some(follicles), None) => follicles::read(follicles, directory)?,
+        (None, root) => vec![root.map_or(Ok(Frame::default()), read_pose)?],
+    };
     let element_lengths = read_lengths(&strand)?;
+    let hair = strand.get_unless_null("hair").map(hair::read).transpose()?;
+    let motion = strand.get_unless_null("root_motion").map(read_root_motion).transpose()?;
+    let one = |(number, place): (usize, &Frame)| {
+        let hair = hair.as_ref().map(|hair| hair.strand(number as u64, &element_lengths)).transpose()?;
+        let mut definition = read_definition(&strand, element_lengths.clone(), hair.as_ref())?;
+        let mut place = *place;
+        if let Some(hair) = hair.filter(|hair| hair.root_turn != 0.0) {
+            if let Some(motion) = strand.get_unless_null("root_motion").filter(|_| follicles.is_none()) {
+                return Err(motion.complain("none where hair.variation.root_turn turns the root"));
+            }
+            place.rotation *= UnitQuaternion::from_axis_angle(&Vector3::x_axis(), hair.root_turn);
+        }
+        definition.root = place;
+        let motion = motion.as_ref().map(|motion| match follicles {
+            Some(_) => RootMotion { local: motion.local.compose(&place), ..motion.clone() },
+            None => motion.clone(),
+        });
+        if let Some(motion) = &motion {
+            definition.root = motion.at(0.0);
+            (definition.root_velocity, definition.root_angular_velocity) = motion.velocity(0.0);
+        }
+        definition.check(&node.key).map_err(in_words_of_the_scene)?;
+        Ok(SceneStrand { definition, motion, item, contact: None, image_of: None })
+    };
+    places.iter().enumerate().map(one).collect()
+}
+
+/// A strand at the origin.
+fn read_definition(strand: &Entries, element_lengths: Vec<f64>, hair: Option<&VariedStrand>) -> Result<StrandDef, Complaint> {
     let count = element_lengths.len();
-    // Of the lengths only those that are above zero make it here.
-    let hair = strand.get_unless_null("hair").map(|node| hair::read(node)?.strand(&element_lengths)).transpose()?;
-    let defaults = hair.as_ref().map_or_else(Material::default, |hair| hair.material);
-    let material = read_material(&strand, defaults)?;
+    let material = read_material(strand, hair.map_or_else(Material::default, |hair| hair.material))?;
     let rows = |name: &str| strand.get_unless_null(name).map(|rows| read_rows(rows, count)).transpose();
-    let natural = hair.as_ref().map_or_else(|| vec![[0.0; 3]; count], |hair| hair.natural.clone());
-    let mut definition = StrandDef {
+    let natural = hair.map_or_else(|| vec![[0.0; 3]; count], |hair| hair.natural.clone());
+    Ok(StrandDef {
         element_lengths,
         material,
         freedoms: strand.or("freedoms", Freedoms::ALL, read_freedoms)?,
@@ -97,23 +134,7 @@ fn read_one(node: &Node) -> Result<SceneStrand, Complaint> {
         initial: rows("initial_curvatures")?,
         initial_rates: rows("initial_rates")?,
         ..StrandDef::straight(1.0, 1)
-    };
-    if let Some(root) = strand.get("root") {
-        definition.root = read_pose(root)?;
-    }
-    if let Some(hair) = hair.filter(|hair| hair.root_turn != 0.0) {
-        if let Some(motion) = strand.get_unless_null("root_motion") {
-            return Err(motion.complain("none where hair.variation.root_turn turns the root"));
-        }
-        definition.root.rotation *= UnitQuaternion::from_axis_angle(&Vector3::x_axis(), hair.root_turn);
-    }
-    let motion = strand.get_unless_null("root_motion").map(read_motion).transpose()?;
-    if let Some(motion) = &motion {
-        definition.root = motion.at(0.0);
-        (definition.root_velocity, definition.root_angular_velocity) = motion.velocity(0.0);
-    }
-    definition.check(&node.key).map_err(in_words_of_the_scene)?;
-    Ok(SceneStrand { definition, motion, contact: None, image_of: None })
+    })
 }
 
 /// `elements` and `length`, or `element_lengths` in place of both.

@@ -1,0 +1,39 @@
+//! Values of flags, read for clap.
+
+use nalgebra::Vector3;
+
+/// A finite number.
+fn finite(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(|| "expected a finite number".to_string())
+}
+
+/// A number above zero.
+pub fn positive(text: &str) -> Result<f64, String> {
+    finite(text).ok().filter(|value| *value > 0.0).ok_or_else(|| "expected a finite number above zero".to_string())
+}
+
+/// Three numbers with commas between.
+pub fn triple(text: &str) -> Result<Vector3<f64>, String> {
+    let numbers: Result<Vec<f64>, String> = text.split(',').map(|number| finite(number.trim())).collect();
+    match numbers.as_deref() {
+        Ok([x, y, z]) => Ok(Vector3::new(*x, *y, *z)),
+        _ => Err("expected three finite numbers with commas between".to_string()),
+    }
+}
+
+/// A number, zero or above.
+pub fn not_negative(text: &str) -> Result<f64, String> {
+    finite(text).ok().filter(|value| *value >= 0.0).ok_or_else(|| "expected a finite number, zero or above".to_string())
+}
+
+/// One of some names.
+pub fn named<T: Copy>(text: &str, choices: &[(&str, T)]) -> Result<T, String> {
+    let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+    let found = choices.iter().find(|(name, _)| *name == text).map(|(_, choice)| *choice);
+    found.ok_or_else(|| format!("expected one of {}", names.join(", ")))
+}
+
+/// A share, 0 to 1.
+pub fn share(text: &str) -> Result<f64, String> {
+    finite(text).ok().filter(|value| (0.0..=1.0).contains(value)).ok_or_else(|| "expected a number from 0 to 1".to_string())
+}

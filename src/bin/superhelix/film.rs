@@ -1,0 +1,115 @@
+//! The frames of `superhelix simulate` on their way out: to the cache, and some of them to the picture.
+
+use std::path::Path;
+
+use superhelix::solver::Solver;
+use superhelix::solver::id::StrandId;
+
+use crate::atomic_file::AtomicFile;
+use crate::cache::Cache;
+use crate::failure::Failure;
+use crate::groom_strands::GroomStrand;
+use crate::picture::sheet::{Moment, SheetOptions};
+use crate::picture::{self, spread};
+use crate::simulate::SimulateArguments;
+use crate::surface::Surface;
+
+/// A film of a simulation.
+pub struct Film {
+    cache: Option<Cache>,
+    picture: Option<AtomicFile>,
+    moments: Vec<Moment>,
+    chosen: Vec<usize>,
+    fps: f64,
+    samples: usize,
+    elements: u32,
+    units_a_metre: f64,
+    points: Vec<[f32; 3]>,
+    velocities: Vec<[f32; 3]>,
+}
+
+impl Film {
+    /// Opens what will be written, so that a directory that cannot be written to is found out before the work.
+    pub fn create(
+        arguments: &SimulateArguments,
+        scale: f64,
+        strands: usize,
+        frame_count: usize,
+        elements: u32,
+    ) -> Result<Self, Failure> {
+        let cache = arguments.out.as_deref().map(|directory| Cache::create(arguments, directory, scale, strands)).transpose()?;
+        let picture = arguments.picture.as_deref().map(AtomicFile::create).transpose()?;
+        let chosen = if picture.is_some() { spread(frame_count, arguments.moments as usize) } else { Vec::new() };
+        Ok(Self {
+            cache,
+            picture,
+            moments: Vec::new(),
+            chosen,
+            fps: arguments.fps,
+            samples: arguments.samples as usize,
+            elements,
+            units_a_metre: 1.0 / scale,
+            points: Vec::new(),
+            velocities: Vec::new(),
+        })
+    }
+
+    /// Takes the solver's present state as frame number `frame` (from 0).
+    pub fn take(
+        &mut self,
+        solver: &Solver,
+        ids: &[StrandId],
+        frame: usize,
+        body: impl FnOnce() -> Option<Surface>,
+    ) -> Result<(), Failure> {
+        let pictured = self.chosen.contains(&frame);
+        if self.cache.is_none() && !pictured {
+            return Ok(());
+        }
+        let (points, velocities, samples, units) = (&mut self.points, &mut self.velocities, self.samples, self.units_a_metre);
+        points.resize(ids.len() * samples, [0.0; 3]);
+        velocities.resize(ids.len() * samples, [0.0; 3]);
+        solver.sample_strands(ids, samples, |strand, point, sample| {
+            points[strand * samples + point] = (sample.position * units).map(|value| value as f32).into();
+            velocities[strand * samples + point] = (sample.velocity * units).map(|value| value as f32).into();
+        })?;
+        if let Some(cache) = &mut self.cache {
+            cache.write(frame as f64 / self.fps, &vec![samples as u32; ids.len()], points, velocities)?;
+        }
+        if pictured {
+            let strands = points.chunks_exact(samples).map(<[_]>::to_vec).collect();
+            let mut body = body();
+            for vertex in body.iter_mut().flat_map(|body| &mut body.vertices) {
+                *vertex *= units;
+            }
+            let bodies = body.into_iter().collect();
+            self.moments.push(Moment { label: format!("{:.2} s", frame as f64 / self.fps), strands, bodies });
+        }
+        Ok(())
+    }
+
+    /// Draws the picture; how many frames the cache has and where the picture is.
+    pub fn finish<'a>(
+        mut self,
+        arguments: &'a SimulateArguments,
+        strands: &[GroomStrand],
+        scale: f64,
+    ) -> Result<(u32, Option<&'a Path>), Failure> {
+        let cache_frames = self.cache.take().map_or(Ok(0), Cache::finish)?;
+        if let (Some(mut file), Some(path)) = (self.picture, &arguments.picture) {
+            let name = |path: &Path| path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            let title = format!(
+                "{}   {}   {} strands of {} elements",
+                name(&arguments.groom),
+                arguments.motion.as_deref().map_or_else(|| "still head".to_string(), name),
+                strands.len(),
+                self.elements
+            );
+            let options =
+                SheetOptions { title, up: arguments.up, face: arguments.face, cell_width: 340, metres_per_unit: Some(scale) };
+            picture::write_png(&mut file, path, &self.moments, &options)?;
+            file.commit()?;
+        }
+        Ok((cache_frames, arguments.picture.as_deref()))
+    }
+}

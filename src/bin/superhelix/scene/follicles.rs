@@ -1,0 +1,49 @@
+//! `follicles` of a strand: places on a mesh, at each of which one such strand stands.
+
+use std::path::Path;
+
+use nalgebra::Vector3;
+use superhelix::error::Error;
+use superhelix::files::obj_mesh;
+use superhelix::groom::scalp::{Amount, Density, MOST_FOLLICLES, Scalp, ScatterOptions};
+use superhelix::math::frame::Frame;
+
+use super::colliders::{file_complaint, path_of};
+use super::pose::read_pose;
+use crate::json::{Complaint, Entries, Node};
+
+/// Reads `follicles`: frames whose first axis is the mesh's normal, and whose second lies along u, or x without texture coordinates.
+pub fn read(node: &Node, directory: &Path) -> Result<Vec<Frame>, Complaint> {
+    let entries = node.object(&["file", "scale", "pose", "count", "spacing", "density", "seed"])?;
+    let file = entries.require("file")?;
+    let scale = entries.or("scale", 1.0, Node::positive)?;
+    let pose = entries.or("pose", Frame::default(), read_pose)?;
+    let amount = match (entries.get("count"), entries.get("spacing")) {
+        (Some(count), None) => Amount::Count(count.whole(1..=MOST_FOLLICLES as u64)? as usize),
+        (None, Some(spacing)) => Amount::Spacing(spacing.positive()?),
+        (Some(_), Some(spacing)) => return Err(spacing.complain("no such key beside count")),
+        (None, None) => return Err(Complaint::new(entries.path("count"), "is missing; expected it or spacing")),
+    };
+    let seed = entries.or("seed", 0, |node| node.whole(0..=u64::from(u32::MAX)))?;
+    let (mesh, texture) = obj_mesh::read_textured(path_of(file, directory)?).map_err(|error| file_complaint(file, &error))?;
+    let vertices = mesh.vertices.iter().map(|vertex| vertex * scale).collect();
+    let uvs = texture.map(|texture| texture.corners());
+    let scalp = Scalp::new(vertices, mesh.triangles, uvs, Vector3::x()).map_err(|error| file_complaint(file, &error))?;
+    let density = read_density(&entries, directory)?;
+    let scattered = scalp.scatter(&ScatterOptions { amount, density, seed }).map_err(|error| match error {
+        Error::InvalidArgument { argument, value, expected } => Complaint::value(entries.path(&argument), value, expected),
+        other => Complaint::new(&node.key, other.to_string()),
+    })?;
+    let frames = scalp.frames(scalp.vertices(), &scattered.follicles);
+    let frames = frames.map_err(|error| Complaint::new(&node.key, error.to_string()))?;
+    Ok(frames.iter().map(|frame| pose.compose(frame)).collect())
+}
+
+/// Numbers of a text file, one for each vertex.
+fn read_density(entries: &Entries, directory: &Path) -> Result<Density, Complaint> {
+    let Some(file) = entries.get_unless_null("density") else { return Ok(Density::Product(Vec::new())) };
+    let bad = |why: String| Complaint::new(&file.key, format!("is {}: {why}", file.value));
+    let text = std::fs::read_to_string(path_of(file, directory)?).map_err(|error| bad(format!("cannot be read: {error}")))?;
+    let numbers: Result<Vec<f64>, _> = text.split_ascii_whitespace().map(str::parse).collect();
+    numbers.map(Density::Vertices).map_err(|error| bad(format!("{error}; expected a number for each vertex")))
+}
