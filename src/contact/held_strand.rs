@@ -58,6 +58,8 @@ pub struct HeldStrand {
     pub settled: bool,
     /// Whether it is at its end under the joints' forces: it stays where it is, while others go on, until these have changed.
     pub resting: bool,
+    /// Whether some of it was found, after the step's first search, in something that it was in when the step began.
+    pub left_deep: bool,
     /// How often it was woken since its island was tied.
     pub woken: u32,
     /// How far an element may be from where the iteration ends, rad.

@@ -180,15 +180,17 @@ impl Holding {
         self.end(scene, h, tally, contact, wrenches);
     }
 
-    /// How deep islands are left that have not come to their end: what touches there was no longer added to their joints, and would not be told.
+    /// How deep islands are left that have not come to their end, and what no joint holds: it was no longer added to them, and would not be told.
     fn look_at_failures(&mut self, scene: &Scene, contact: &mut ContactTally) {
         let islands = &self.islands[..self.island_count];
-        if scene.options.model.is_soft() || !self.touching.is_possible(scene) || !islands.iter().any(Island::failed) {
+        let strands = &mut self.strands[..self.count];
+        let overlooked = islands.iter().any(Island::failed) || strands.iter().any(|held| held.left_deep);
+        if scene.options.model.is_soft() || !self.touching.is_possible(scene) || !overlooked {
             return;
         }
-        let strands = &mut self.strands[..self.count];
         for held in strands.iter_mut() {
-            held.held.gone = if islands[held.island as usize].failed() { f64::INFINITY } else { 0.0 };
+            let looked_at = held.left_deep || islands[held.island as usize].failed();
+            held.held.gone = if looked_at { f64::INFINITY } else { 0.0 };
         }
         self.touching.find(scene, strands, false);
         contact.penetration = contact.penetration.max(self.touching.deepest(strands));
@@ -223,6 +225,7 @@ impl Holding {
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.begins_again, held.settled, held.resting) = (strand.touched, false, false, false);
+            held.left_deep = false;
             (held.root_gap, held.looked_ahead) = (f64::INFINITY, false);
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);

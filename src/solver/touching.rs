@@ -289,7 +289,7 @@ impl Touching {
         h: f64,
     ) -> bool {
         joints.clear();
-        let mut missed = Vec::new();
+        let (mut missed, mut left_deep) = (Vec::new(), Vec::new());
         let bodies = strands.iter().enumerate().flat_map(|(k, held)| held.found.iter().map(move |touch| (k as u32, touch)));
         for (held, touch) in bodies.chain(self.hair.iter().map(|touch| (touch.place.strand, touch))) {
             if touch.gap >= -scene.options.tolerance || islands[strands[held as usize].island as usize].is_given_up() {
@@ -297,7 +297,8 @@ impl Touching {
             }
             let mut joint = self.joint(scene, strands, held, touch);
             if joint.deep {
-                // It gives way; how deep it is says nothing.
+                // It gives way; how deep it is says nothing, but is told.
+                left_deep.extend([Some(joint.first), joint.second].into_iter().flatten());
                 continue;
             }
             let first = &strands[held as usize];
@@ -309,6 +310,9 @@ impl Touching {
             if matches!(law, Law::Contact(law) if law.normal.dot(&u) < -scene.options.tolerance) {
                 missed.push(joint);
             }
+        }
+        for end in left_deep {
+            strands[end.held as usize].left_deep = true;
         }
         if missed.is_empty() {
             return false;
