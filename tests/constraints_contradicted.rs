@@ -152,13 +152,13 @@ fn bonds_that_contradict_each_other_are_told() {
 }
 
 /// A ring that no force brings the strand into: its island ends after a few iterations that lead nowhere, not after all hundred of both
-/// attempts (528000 sweeps in all, 121000 now).
+/// attempts (363000 sweeps in all; 528000 at a sixth of the sweeps an iteration before islands ended so).
 #[test]
 fn a_ring_out_of_reach_ends_its_island_soon() {
     let ring = Hold::Ring { friction: Friction { along: 0.1, against: 0.2 } };
     let out = course(ContactModel::Hard, 0.0, |ids| ids.iter().map(|id| held(*id, 0.06, ring, at([0.1, 0.05, 0.05]))).collect());
     println!("{} violated, {} sweeps, {:e} N", out.violated, out.sweeps, out.force);
     assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0));
-    assert!(out.sweeps < 200_000, "{}", out.sweeps);
+    assert!(out.sweeps < 600_000, "{}", out.sweeps);
     assert!(out.force < MOST_FORCE);
 }

@@ -43,8 +43,8 @@ pub struct Report {
     pub dependent: Vec<DependentBond>,
 }
 
-/// Sweeps in which the residual must halve: of problems that Newton's iteration takes whole, and of larger ones.
-const PATIENCE: [u32; 2] = [20, 60];
+/// Sweeps in which the residual must halve.
+const PATIENCE: u32 = 60;
 /// Problems of at most so many touches are taken whole by Newton's iteration first (its price grows with their cube: 400 take a second).
 const WHOLE: usize = 100;
 /// So many where they are one block's,
@@ -106,7 +106,7 @@ impl GaussSeidel {
             // What does not get on will not: Newton's next iteration asks again, from elsewhere.
             if report.residual < 0.5 * best {
                 (best, best_at) = (report.residual, report.sweeps);
-            } else if report.sweeps > best_at + PATIENCE[usize::from(!whole)] {
+            } else if report.sweeps > best_at + PATIENCE {
                 break;
             }
             let slow = report.residual > SLOW * last;
