@@ -51,11 +51,11 @@ const WHOLE: usize = 100;
 const ONE_BLOCK: usize = 400;
 /// and so many where sweeps are slow.
 const RESCUE: usize = 150;
-/// Sweeps between looks at the residual, of several blocks: the first time, and later.
+/// Sweeps between looks at the residual: the first time, and of what is taken whole, between Newton's tries; and later.
 const FIRST_ROUND: u32 = 5;
 const ROUND: u32 = 20;
 /// A round that leaves more than this part of the residual is slow: then it is for a few touches, and so many patches of so many around the
-/// worst are solved, each with its neighbours as they are (`patch.rs`).
+/// worst are solved, each with its neighbours as they are (`patch.rs`), before the next round.
 const SLOW: f64 = 0.5;
 const PATCHES: usize = 8;
 const PATCH: usize = 40;

@@ -36,7 +36,8 @@ const SOFT_TOLERANCE: f64 = 2e-3;
 /// A strand that ends further from the end than this, rad, has come to nowhere.
 const LOST: f64 = 0.1;
 
-/// Iterations in which what is left to do, or what has it to do, must halve, where it is good enough as it is and where not; an island that does not get on will not.
+/// Iterations in which what is left to do, or the number of strands and joints that have it to do, must halve, where it is good enough as it is
+/// and where not; an island that does not get on will not.
 const PATIENCE: [u32; 2] = [5, 25];
 /// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
 /// of touches; a bond, m.
@@ -424,7 +425,7 @@ impl Island {
     /// the strands are now.
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
         let soft = options.model.is_soft() || self.relaxed;
-        let exact = options.model == ContactModel::Coulomb && !self.rough || !self.joints.iter().any(Joint::is_touch);
+        let exact = options.model == ContactModel::Coulomb && !self.rough || !self.has_touches();
         let enough_for_touches = match () {
             () if options.model.is_soft() => SOFT_TOLERANCE,
             () if self.rough => ROUGHEST_TOLERANCE,

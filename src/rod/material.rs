@@ -85,6 +85,11 @@ impl Material {
         ]
     }
 
+    /// Mean radius √(a1 a2) of the section, m.
+    pub fn mean_radius(&self) -> f64 {
+        (self.radius[0] * self.radius[1]).sqrt()
+    }
+
     /// ρS, kg/m.
     pub fn linear_density(&self) -> f64 {
         self.density * PI * self.radius[0] * self.radius[1]

@@ -40,8 +40,7 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidId`].
     pub fn radius(&self, id: StrandId) -> Result<f64> {
-        let [a1, a2] = self.strand("id", id)?.model.material.radius;
-        Ok((a1 * a2).sqrt())
+        Ok(self.strand("id", id)?.model.material.mean_radius())
     }
 
     /// Where a strand's root is now.

@@ -38,10 +38,10 @@ impl Cache {
             return Err(Failure::file(&path, "is there already"));
         }
         let samples = arguments.samples as usize;
-        let [a1, a2] = arguments.material.groom()?.material.radius;
+        let radius = arguments.material.groom()?.material.mean_radius();
         let extras = Extras {
             velocities: Some(vec![[0.0; 3]; strands * samples]),
-            thickness: Some(vec![(2.0 * (a1 * a2).sqrt() / scale) as f32; strands * samples]),
+            thickness: Some(vec![(2.0 * radius / scale) as f32; strands * samples]),
             metres_per_unit: Some(scale),
             up: Some(if arguments.up == Up::Y { UpAxis::Y } else { UpAxis::Z }),
             ..Extras::default()

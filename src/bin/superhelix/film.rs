@@ -11,6 +11,7 @@ use crate::failure::Failure;
 use crate::groom_strands::GroomStrand;
 use crate::picture::sheet::{Moment, SheetOptions};
 use crate::picture::{self, spread};
+use crate::sampled_frame::SampledFrame;
 use crate::simulate::SimulateArguments;
 use crate::surface::Surface;
 
@@ -21,11 +22,9 @@ pub struct Film {
     moments: Vec<Moment>,
     chosen: Vec<usize>,
     fps: f64,
-    samples: usize,
     elements: u32,
     units_a_metre: f64,
-    points: Vec<[f32; 3]>,
-    velocities: Vec<[f32; 3]>,
+    frame: SampledFrame,
 }
 
 impl Film {
@@ -46,11 +45,9 @@ impl Film {
             moments: Vec::new(),
             chosen,
             fps: arguments.fps,
-            samples: arguments.samples as usize,
             elements,
             units_a_metre: 1.0 / scale,
-            points: Vec::new(),
-            velocities: Vec::new(),
+            frame: SampledFrame::new(arguments.samples as usize, 1.0 / scale),
         })
     }
 
@@ -66,21 +63,16 @@ impl Film {
         if self.cache.is_none() && !pictured {
             return Ok(());
         }
-        let (points, velocities, samples, units) = (&mut self.points, &mut self.velocities, self.samples, self.units_a_metre);
-        points.resize(ids.len() * samples, [0.0; 3]);
-        velocities.resize(ids.len() * samples, [0.0; 3]);
-        solver.sample_strands(ids, samples, |strand, point, sample| {
-            points[strand * samples + point] = (sample.position * units).map(|value| value as f32).into();
-            velocities[strand * samples + point] = (sample.velocity * units).map(|value| value as f32).into();
-        })?;
+        self.frame.take(solver, ids)?;
+        let SampledFrame { points, velocities, samples, .. } = &self.frame;
         if let Some(cache) = &mut self.cache {
-            cache.write(frame as f64 / self.fps, &vec![samples as u32; ids.len()], points, velocities)?;
+            cache.write(frame as f64 / self.fps, &vec![*samples as u32; ids.len()], points, velocities)?;
         }
         if pictured {
-            let strands = points.chunks_exact(samples).map(<[_]>::to_vec).collect();
+            let strands = points.chunks_exact(*samples).map(<[_]>::to_vec).collect();
             let mut body = body();
             for vertex in body.iter_mut().flat_map(|body| &mut body.vertices) {
-                *vertex *= units;
+                *vertex *= self.units_a_metre;
             }
             let bodies = body.into_iter().collect();
             self.moments.push(Moment { label: format!("{:.2} s", frame as f64 / self.fps), strands, bodies });

@@ -92,9 +92,15 @@ impl GuideFrames {
         })
     }
 
-    /// Each so many-th of a frame's curves as guides of `per_strand` points, m.
-    pub fn guides(&self, index: usize, every: usize, per_strand: usize, scale: f64) -> Result<GuideFrame, Failure> {
-        let curves = self.curves(index)?;
+    /// Each so many-th of `curves`, those of a frame, as guides of `per_strand` points, m.
+    pub fn guides(
+        &self,
+        index: usize,
+        curves: &Curves,
+        every: usize,
+        per_strand: usize,
+        scale: f64,
+    ) -> Result<GuideFrame, Failure> {
         let kept: Vec<usize> = (0..curves.strand_count()).step_by(every).collect();
         let counts: Vec<u32> = kept.iter().map(|strand| curves.counts()[*strand]).collect();
         let of = |list: &[[f32; 3]]| -> Vec<Vector3<f64>> {

@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde_json::json;
 use superhelix::error::Error;
-use superhelix::files::curves::Extras;
+use superhelix::files::curves::{Curves, Extras};
 use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderSettings, Space};
 use superhelix::groom::scalp::Amount;
@@ -15,7 +15,7 @@ use superhelix::workers::Workers;
 
 use crate::argument_values::{not_negative, positive};
 use crate::failure::Failure;
-use crate::guide_frames::GuideFrames;
+use crate::guide_frames::{GuideFrame, GuideFrames};
 use crate::moving_scalp::{MovingScalp, ScalpFiles};
 use crate::region::{DensityArguments, groom_roots};
 use crate::render_frames::{Moment, Renderer, Velocities};
@@ -221,17 +221,18 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let first = frames.curves(0)?;
     let of = Extras { metres_per_unit: unit::stated(arguments.scale, &first), up: first.extras().up, ..Extras::default() };
     let scale = of.metres_per_unit.unwrap_or(1.0);
-    let guides = |index: usize| frames.guides(index, arguments.every as usize, arguments.points as usize, scale);
-    let rest = guides(0)?;
+    let guides =
+        |index: usize, curves: &Curves| frames.guides(index, curves, arguments.every as usize, arguments.points as usize, scale);
+    let rest = guides(0, &first)?;
+    let point_count = rest.points.len();
     let places = arguments.places(&rest.points, frames.count(), scale)?;
     let begun = Instant::now();
     let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&rest.points), &places.roots)?;
     let (bound, guide_count, strand_count) = (begun.elapsed().as_secs_f64(), hair.guide_count(), hair.strand_count());
     let directory = arguments.guides.is_dir();
     let mut out = RenderOutput::create(&arguments.out, frames.count(), directory, frames.per_second(), arguments.overwrite)?;
-    let moment = |index: usize| -> Result<Moment, Failure> {
-        let guides = guides(index)?;
-        if guides.points.len() != rest.points.len() {
+    let moment = |index: usize, guides: GuideFrame| -> Result<Moment, Failure> {
+        if guides.points.len() != point_count {
             let here = guides.points.len() / settings.points_per_strand;
             let name = frames.name(index);
             return Err(Failure::Other(format!("{name}: has {here} guides where the first frame has {guide_count}")));
@@ -240,9 +241,10 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
         Ok(Moment { time: frames.time(index), guides, roots })
     };
     let mut renderer = Renderer::new(hair, scale, of);
-    let (mut before, mut now, mut with_velocities) = (None, moment(0)?, false);
+    let (mut before, mut now, mut with_velocities) = (None, moment(0, rest)?, false);
     for index in 0..frames.count() {
-        let after = if index + 1 < frames.count() { Some(moment(index + 1)?) } else { None };
+        let next = index + 1;
+        let after = if next < frames.count() { Some(moment(next, guides(next, &frames.curves(next)?)?)?) } else { None };
         let moving = if out.holds_velocities() { Velocities::of(before.as_ref(), &now, after.as_ref()) } else { None };
         with_velocities |= moving.is_some();
         let made = renderer.frame(&now, moving.as_ref());

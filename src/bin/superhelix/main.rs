@@ -34,6 +34,7 @@ mod rest_arguments;
 mod result;
 mod run;
 mod run_cache;
+mod sampled_frame;
 mod scene;
 mod settings;
 mod settled;

@@ -6,7 +6,7 @@ use clap::Args;
 use nalgebra::Vector3;
 use superhelix::error::Error;
 use superhelix::files::curves::Curves;
-use superhelix::files::obj_mesh;
+use superhelix::files::obj_mesh::{self, ObjMesh, Texture};
 use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::scalp::{Amount, Density, Scalp, ScatterOptions, Scattered};
 
@@ -43,10 +43,8 @@ impl Mesh {
     /// Reads it.
     pub fn read(path: &Path, scale: f64) -> Result<Self, Failure> {
         let (mesh, texture) = obj_mesh::read_textured(path)?;
-        let vertices = mesh.vertices.iter().map(|vertex| vertex * scale).collect();
-        let uvs = texture.map(|texture| texture.corners());
-        let textured = uvs.is_some();
-        let scalp = Scalp::new(vertices, mesh.triangles, uvs, Vector3::x()).map_err(|error| Failure::file(path, error))?;
+        let textured = texture.is_some();
+        let scalp = scalp_of(mesh, texture, scale).map_err(|error| Failure::file(path, error))?;
         Ok(Self { path: path.to_owned(), scalp, textured })
     }
 
@@ -70,9 +68,8 @@ impl Mesh {
         let mut factors = Vec::new();
         if let Some(path) = &maps.density {
             let text = std::fs::read_to_string(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
-            let numbers: Result<Vec<f64>, _> = text.split_ascii_whitespace().map(str::parse).collect();
-            let numbers = numbers.map_err(|error| Failure::file(path, format!("{error}: expected a number for each vertex")))?;
-            factors.push(Density::Vertices(numbers));
+            let density = vertex_densities(&text);
+            factors.push(density.map_err(|error| Failure::file(path, format!("{error}: expected a number for each vertex")))?);
         }
         if let Some(path) = &maps.density_picture {
             self.check_textured("--density-picture")?;
@@ -89,6 +86,18 @@ impl Mesh {
             other => Failure::Other(format!("--{other}")),
         })
     }
+}
+
+/// A mesh that was read, as a scalp, m.
+pub fn scalp_of(mesh: ObjMesh, texture: Option<Texture>, scale: f64) -> Result<Scalp, Error> {
+    let vertices = mesh.vertices.iter().map(|vertex| vertex * scale).collect();
+    Scalp::new(vertices, mesh.triangles, texture.map(|texture| texture.corners()), Vector3::x())
+}
+
+/// The numbers of a text, one for each vertex.
+pub fn vertex_densities(text: &str) -> Result<Density, std::num::ParseFloatError> {
+    let numbers: Result<Vec<f64>, _> = text.split_ascii_whitespace().map(str::parse).collect();
+    numbers.map(Density::Vertices)
 }
 
 /// A picture's brightness (ITU-R BT.709's weights, of the pixels' numbers as they are) times its opacity, from the bottom row up.

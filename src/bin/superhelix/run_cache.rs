@@ -8,15 +8,14 @@ use superhelix::solver::Solver;
 use superhelix::solver::id::StrandId;
 
 use crate::failure::Failure;
+use crate::sampled_frame::SampledFrame;
 use crate::scene::Scene;
 
 /// A cache being written, in metres.
 #[derive(Debug)]
 pub struct RunCache {
     writer: CurveCacheWriter,
-    samples: usize,
-    points: Vec<[f32; 3]>,
-    velocities: Vec<[f32; 3]>,
+    frame: SampledFrame,
 }
 
 impl RunCache {
@@ -27,10 +26,10 @@ impl RunCache {
         }
         let (samples, count) = (scene.samples, scene.strands.len());
         let total = samples * count;
-        let thickness = scene.strands.iter().flat_map(|strand| {
-            let [a1, a2] = strand.definition.material.radius;
-            std::iter::repeat_n((2.0 * (a1 * a2).sqrt()) as f32, samples)
-        });
+        let thickness = scene
+            .strands
+            .iter()
+            .flat_map(|strand| std::iter::repeat_n((2.0 * strand.definition.material.mean_radius()) as f32, samples));
         let gravity = scene.options.gravity;
         let extras = Extras {
             velocities: Some(vec![[0.0; 3]; total]),
@@ -41,17 +40,13 @@ impl RunCache {
         };
         let still = Curves::from_counts(vec![samples as u32; count], vec![[0.0; 3]; total])?.with_extras(extras)?;
         let writer = CurveCacheWriter::create(path, &still, 1.0 / scene.output_interval)?;
-        Ok(Self { writer, samples, points: vec![[0.0; 3]; total], velocities: vec![[0.0; 3]; total] })
+        Ok(Self { writer, frame: SampledFrame::new(samples, 1.0) })
     }
 
     /// Writes the solver's present state as that of `time`.
     pub fn write(&mut self, time: f64, solver: &Solver, ids: &[StrandId]) -> Result<(), Failure> {
-        let (points, velocities, samples) = (&mut self.points, &mut self.velocities, self.samples);
-        solver.sample_strands(ids, samples, |strand, point, sample| {
-            points[strand * samples + point] = sample.position.map(|value| value as f32).into();
-            velocities[strand * samples + point] = sample.velocity.map(|value| value as f32).into();
-        })?;
-        Ok(self.writer.write(time, points, Some(velocities))?)
+        self.frame.take(solver, ids)?;
+        Ok(self.writer.write(time, &self.frame.points, Some(&self.frame.velocities))?)
     }
 
     /// Puts the file in its place.

@@ -142,32 +142,29 @@ impl Candidates {
             |place: &Vector3<f64>| (0..3).fold(0, |code, axis| code | spread(((place[axis] - low[axis]) * scale) as u64) << axis);
         let mut order: Vec<(u64, usize)> = self.places.iter().enumerate().map(|(index, place)| (code(place), index)).collect();
         order.sort_unstable();
-        fn of<T: Copy>(list: &[T], order: &[(u64, usize)]) -> Vec<T> {
-            order.iter().map(|(_, index)| list[*index]).collect()
+        let order: Vec<usize> = order.into_iter().map(|(_, index)| index).collect();
+        self.these(&order)
+    }
+
+    /// Some of them, in that order.
+    fn these(&self, indices: &[usize]) -> Self {
+        fn of<T: Copy>(list: &[T], indices: &[usize]) -> Vec<T> {
+            indices.iter().map(|index| list[*index]).collect()
         }
         Self {
-            follicles: of(&self.follicles, &order),
-            places: of(&self.places, &order),
-            normals: of(&self.normals, &order),
-            roots: of(&self.roots, &order),
-            numbers: of(&self.numbers, &order),
+            follicles: of(&self.follicles, indices),
+            places: of(&self.places, indices),
+            normals: of(&self.normals, indices),
+            roots: of(&self.roots, indices),
+            numbers: of(&self.numbers, indices),
             passed: self.passed,
         }
     }
 
     /// Those that stay.
     fn only(&self, stays: &[bool]) -> Self {
-        fn of<T: Clone>(list: &[T], stays: &[bool]) -> Vec<T> {
-            list.iter().zip(stays).filter(|(_, stays)| **stays).map(|(item, _)| item.clone()).collect()
-        }
-        Self {
-            follicles: of(&self.follicles, stays),
-            places: of(&self.places, stays),
-            normals: of(&self.normals, stays),
-            roots: of(&self.roots, stays),
-            numbers: of(&self.numbers, stays),
-            passed: self.passed,
-        }
+        let indices: Vec<usize> = (0..stays.len()).filter(|index| stays[*index]).collect();
+        self.these(&indices)
     }
 
     /// The distance of two candidates along the scalp; none where they are on different sides of it.

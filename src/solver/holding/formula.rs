@@ -23,7 +23,9 @@ impl Holding {
         if !asked.contains(&true) {
             return;
         }
-        scene.crew.for_each(islands, |island, _| island.refresh(strands, scene.bodies));
+        let mut refreshed: Vec<&mut Island> =
+            islands.iter_mut().zip(&asked).filter(|(_, asked)| **asked).map(|(island, _)| island).collect();
+        scene.crew.for_each(&mut refreshed, |island, _| island.refresh(strands, scene.bodies));
         scene.crew.for_each(strands, |held, _| {
             if asked[held.island as usize] {
                 held.look_ahead(&islands[held.island as usize]);

@@ -2,15 +2,15 @@
 
 use std::path::Path;
 
-use nalgebra::Vector3;
 use superhelix::error::Error;
 use superhelix::files::obj_mesh;
-use superhelix::groom::scalp::{Amount, Density, MOST_FOLLICLES, Scalp, ScatterOptions};
+use superhelix::groom::scalp::{Amount, Density, MOST_FOLLICLES, ScatterOptions};
 use superhelix::math::frame::Frame;
 
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
 use crate::json::{Complaint, Entries, Node};
+use crate::region::{scalp_of, vertex_densities};
 
 /// Reads `follicles`: frames whose first axis is the mesh's normal, and whose second lies along u, or x without texture coordinates.
 pub fn read(node: &Node, directory: &Path) -> Result<Vec<Frame>, Complaint> {
@@ -26,9 +26,7 @@ pub fn read(node: &Node, directory: &Path) -> Result<Vec<Frame>, Complaint> {
     };
     let seed = entries.or("seed", 0, |node| node.whole(0..=u64::from(u32::MAX)))?;
     let (mesh, texture) = obj_mesh::read_textured(path_of(file, directory)?).map_err(|error| file_complaint(file, &error))?;
-    let vertices = mesh.vertices.iter().map(|vertex| vertex * scale).collect();
-    let uvs = texture.map(|texture| texture.corners());
-    let scalp = Scalp::new(vertices, mesh.triangles, uvs, Vector3::x()).map_err(|error| file_complaint(file, &error))?;
+    let scalp = scalp_of(mesh, texture, scale).map_err(|error| file_complaint(file, &error))?;
     let density = read_density(&entries, directory)?;
     let scattered = scalp.scatter(&ScatterOptions { amount, density, seed }).map_err(|error| match error {
         Error::InvalidArgument { argument, value, expected } => Complaint::value(entries.path(&argument), value, expected),
@@ -44,6 +42,5 @@ fn read_density(entries: &Entries, directory: &Path) -> Result<Density, Complain
     let Some(file) = entries.get_unless_null("density") else { return Ok(Density::Product(Vec::new())) };
     let bad = |why: String| Complaint::new(&file.key, format!("is {}: {why}", file.value));
     let text = std::fs::read_to_string(path_of(file, directory)?).map_err(|error| bad(format!("cannot be read: {error}")))?;
-    let numbers: Result<Vec<f64>, _> = text.split_ascii_whitespace().map(str::parse).collect();
-    numbers.map(Density::Vertices).map_err(|error| bad(format!("{error}; expected a number for each vertex")))
+    vertex_densities(&text).map_err(|error| bad(format!("{error}; expected a number for each vertex")))
 }

@@ -35,6 +35,10 @@ pub struct SceneStrand {
 const MATERIAL: [&str; 7] =
     ["radius", "density", "youngs_modulus", "poisson_ratio", "internal_friction", "viscosity", "air_drag"];
 
+/// What only a strand that is no groom's may say of its shape and place; and contact.
+const OF_ITS_OWN: [&str; 8] =
+    ["natural_curvatures", "initial_curvatures", "initial_rates", "freedoms", "root", "follicles", "root_motion", "contact"];
+
 /// Reads item number `item` of `strands`, but for its contact: one strand, one at each of its follicles, or those of a groom. `directory` is
 /// where files are that it names.
 pub fn read(node: &Node, item: usize, options: &SolverOptions, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
@@ -64,28 +68,8 @@ fn read_material(strand: &Entries, defaults: Material) -> Result<Material, Compl
 }
 
 fn read_own(node: &Node, item: usize, directory: &Path) -> Result<Vec<SceneStrand>, Complaint> {
-    let strand = node.object(&[
-        "elements",
-        "length",
-        "element_lengths",
-        "groom",
-        "hair",
-        "radius",
-        "density",
-        "youngs_modulus",
-        "poisson_ratio",
-        "internal_friction",
-        "viscosity",
-        "air_drag",
-        "natural_curvatures",
-        "initial_curvatures",
-        "initial_rates",
-        "freedoms",
-        "root",
-        "follicles",
-        "root_motion",
-        "contact",
-    ])?;
+    let strand =
+        node.object(&[&["elements", "length", "element_lengths", "groom", "hair"][..], &MATERIAL, &OF_ITS_OWN].concat())?;
     let follicles = strand.get_unless_null("follicles");
     let places = match (follicles, strand.get("root")) {
         (Some(_), Some(root)) => return Err(root.complain("no such key beside follicles, which say where the roots are")),
