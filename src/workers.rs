@@ -116,6 +116,11 @@ impl Drop for Pool {
 }
 
 impl<S: Default + Send> Crew<S> {
+    /// The calling thread alone.
+    pub fn serial() -> Self {
+        Self { runner: Runner::Serial, workspaces: Mutex::default() }
+    }
+
     pub fn new(workers: &Workers) -> Result<Self> {
         let runner = match workers {
             Workers::Serial => Runner::Serial,

@@ -3,6 +3,8 @@
 //! Boxes go into every cell they meet; a pair that meets in several cells counts in one of them only: the one with the lower corner of what
 //! the two have in common. Memory is kept from call to call.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use super::shape::Bounds;
@@ -35,7 +37,13 @@ fn pack(cell: [u32; 3]) -> u64 {
 impl Grid {
     /// Calls `found(i, j)` once for every pair of boxes that meet and of which one is `asked`, i < j, in an order that depends on the boxes alone.
     /// Boxes that are not finite meet nothing.
-    pub fn pairs(&mut self, boxes: &[Bounds], asked: impl Fn(usize) -> bool, mut found: impl FnMut(u32, u32)) {
+    pub fn pairs(&mut self, boxes: &[Bounds], asked: impl Fn(usize) -> bool, found: impl FnMut(u32, u32)) {
+        let buckets = self.fill(boxes);
+        self.pairs_in(0..buckets, boxes, asked, found);
+    }
+
+    /// Sorts the boxes into cells and these into buckets, and says how many buckets there are.
+    pub fn fill(&mut self, boxes: &[Bounds]) -> usize {
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         let (mut sides, mut count) = (0.0, 0.0);
         for item in boxes.iter().filter(|item| item.is_finite()) {
@@ -44,7 +52,7 @@ impl Grid {
             count += 1.0;
         }
         if count < 2.0 {
-            return;
+            return 0;
         }
         let mut side = (CELL * sides / count).max((high - low).max() / MOST_CELLS).max(f64::MIN_POSITIVE);
         while self.number(boxes, &low, side) > MOST_ENTRIES * count {
@@ -74,9 +82,20 @@ impl Grid {
             });
         }
         // Now starts[k + 1] is where bucket k begins; where it ends is where the next one begins.
-        for index in 0..1 << bits {
+        1 << bits
+    }
+
+    /// The part of [`Grid::pairs`] that some of the buckets of the last [`Grid::fill`] have in it: any number of threads may ask for theirs.
+    pub fn pairs_in(
+        &self,
+        buckets: Range<usize>,
+        boxes: &[Bounds],
+        asked: impl Fn(usize) -> bool,
+        mut found: impl FnMut(u32, u32),
+    ) {
+        for index in buckets {
             let from = self.starts[index + 1] as usize;
-            let to = self.starts.get(index + 2).map_or(total, |next| *next as usize);
+            let to = self.starts.get(index + 2).map_or(self.entries.len(), |next| *next as usize);
             for (i, first) in self.entries[from..to].iter().enumerate() {
                 let a = &boxes[first.item as usize];
                 let first_asked = asked(first.item as usize);

@@ -1,5 +1,7 @@
 //! The problem in contact space: how the touched points of every strand answer to forces, and which touches there are.
 
+use std::fmt::Display;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::law::Law;
@@ -76,24 +78,24 @@ impl ContactSpace {
     /// Adds a touch. Errors: an end that is not among the strands' points, two ends that are the same, a free displacement that is not finite,
     /// a law with a number out of its range.
     pub fn add_touch(&mut self, touch: SpaceTouch) -> Result<()> {
-        let name = format!("touches[{}]", self.touches.len());
-        self.check_end(&format!("{name}.first"), touch.first)?;
+        let index = self.touches.len();
+        self.check_end(format_args!("touches[{index}].first"), touch.first)?;
         if let Some(second) = touch.second {
-            self.check_end(&format!("{name}.second"), second)?;
+            self.check_end(format_args!("touches[{index}].second"), second)?;
             if second == touch.first {
                 let value = format!("strand {} point {}", second.strand, second.point);
-                return Err(Error::invalid(format!("{name}.second"), value, "another point than the first"));
+                return Err(Error::invalid(format!("touches[{index}].second"), value, "another point than the first"));
             }
         }
         for i in 0..3 {
-            check_finite(|| format!("{name}.free[{i}]"), touch.free[i])?;
+            check_finite(|| format!("touches[{index}].free[{i}]"), touch.free[i])?;
         }
-        touch.law.check(&format!("{name}.law"))?;
+        touch.law.check(format_args!("touches[{index}].law"))?;
         self.touches.push(touch);
         Ok(())
     }
 
-    fn check_end(&self, argument: &str, end: End) -> Result<()> {
+    fn check_end(&self, argument: impl Display, end: End) -> Result<()> {
         let Some(block) = self.strands.get(end.strand as usize) else {
             let most = self.strands.len();
             return Err(Error::invalid(format!("{argument}.strand"), end.strand, format!("less than the {most} strands")));

@@ -7,6 +7,8 @@
 mod knots;
 mod memory;
 
+use std::ops::Range;
+
 use nalgebra::{Matrix3, Vector3};
 
 use knots::Knots;
@@ -20,6 +22,7 @@ use super::shape::Bounds;
 use super::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
 use super::touches::{MovingPiece, TouchScratch, TwoStrands, relative_motion};
 use crate::error::{Error, Result, check_not_negative};
+use crate::workers::Crew;
 
 /// How far to look.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,6 +60,16 @@ pub struct Group {
     to: u32,
 }
 
+/// Some buckets of the grid, and the candidates found in them.
+#[derive(Debug, Default)]
+struct SearchPart {
+    buckets: Range<usize>,
+    found: Vec<u128>,
+}
+
+/// In so many parts, whoever searches them.
+const PARTS: usize = 32;
+
 /// Pairs of strands that may touch. Memory is kept: once it has grown, nothing is allocated.
 #[derive(Debug, Default)]
 pub struct HairPairs {
@@ -68,7 +81,9 @@ pub struct HairPairs {
     grid: Grid,
     boxes: Vec<Bounds>,
     candidates: Vec<(u32, u32)>,
-    /// Those found by the present search, as numbers in the candidates' order.
+    /// What the present search finds, in parts.
+    parts: Vec<SearchPart>,
+    /// All of it, as numbers in the candidates' order.
     found: Vec<u128>,
     merged: Vec<(u32, u32)>,
     groups: Vec<Group>,
@@ -133,6 +148,11 @@ impl HairPairs {
     /// # Errors
     /// [`Error::InvalidArgument`] for another number of strands than of wisps.
     pub fn update(&mut self, strands: &[StrandPath]) -> Result<bool> {
+        self.update_by(strands, &Crew::<()>::serial())
+    }
+
+    /// [`HairPairs::update`], with others' help.
+    pub(crate) fn update_by<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>) -> Result<bool> {
         if strands.len() != self.wisps.len() {
             return Err(Error::invalid("strands", strands.len(), format!("{}, the number of wisps", self.wisps.len())));
         }
@@ -160,7 +180,7 @@ impl HairPairs {
             self.found_at.resize(self.now.len(), Vector3::zeros());
             self.found_sagittas.resize(self.pieces.pieces.len(), 0.0);
         }
-        self.search();
+        self.search(crew);
         (self.valid, self.found_this_step) = (true, true);
         Ok(true)
     }
@@ -211,8 +231,10 @@ impl HairPairs {
     }
 
     /// Finds the candidates of the strands that have left their room, in a new one; all others' stay.
-    fn search(&mut self) {
-        let Self { wisps, pieces, boxes, candidates, found, merged, carried, left, found_at, found_sagittas, .. } = self;
+    fn search<S: Default + Send>(&mut self, crew: &Crew<S>) {
+        let Self {
+            wisps, pieces, boxes, candidates, grid, parts, found, merged, carried, left, found_at, found_sagittas, ..
+        } = self;
         let pieces = &pieces.pieces;
         for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| left[piece.strand as usize]) {
             let node = piece.node as usize;
@@ -247,24 +269,39 @@ impl HairPairs {
             let node = pieces[index].node as usize;
             [now[node] - carried[node], now[node + 1] - carried[node + 1]]
         };
-        self.grid.pairs(boxes, has_left, |i, j| {
-            let (a, b) = (i as usize, j as usize);
-            let (first, second) = (&pieces[a], &pieces[b]);
-            let (wisp, other) = (&wisps[first.strand as usize], &wisps[second.strand as usize]);
-            let may = if first.strand == second.strand {
-                wisp.meets_itself && second.element > first.element + 1
-            } else {
-                wisp.meets(other)
-            };
-            if may {
-                let room = wisp.radius + other.radius + sagittas[a] + sagittas[b] + self.activation + 2.0 * self.margin;
-                let (at_a, at_b) = (ends(a), ends(b));
-                let distance = closest_of_segments([&at_a[0], &at_a[1]], [&at_b[0], &at_b[1]]).distance;
-                if distance <= room + relative_motion(moved(a), moved(b)) {
-                    found.push(order(&(i, j)));
-                }
+        let buckets = grid.fill(boxes);
+        let (activation, margin) = (self.activation, self.margin);
+        parts.resize_with(PARTS, SearchPart::default);
+        for (k, part) in parts.iter_mut().enumerate() {
+            part.buckets = buckets * k / PARTS..buckets * (k + 1) / PARTS;
+            part.found.clear();
+        }
+        let (grid, boxes) = (&*grid, &*boxes);
+        crew.for_each_task(parts, 1, 1, |parts, _| {
+            for SearchPart { buckets, found } in parts {
+                grid.pairs_in(buckets.clone(), boxes, has_left, |i, j| {
+                    let (a, b) = (i as usize, j as usize);
+                    let (first, second) = (&pieces[a], &pieces[b]);
+                    let (wisp, other) = (&wisps[first.strand as usize], &wisps[second.strand as usize]);
+                    let may = if first.strand == second.strand {
+                        wisp.meets_itself && second.element > first.element + 1
+                    } else {
+                        wisp.meets(other)
+                    };
+                    if may {
+                        let room = wisp.radius + other.radius + sagittas[a] + sagittas[b] + activation + 2.0 * margin;
+                        let (at_a, at_b) = (ends(a), ends(b));
+                        let distance = closest_of_segments([&at_a[0], &at_a[1]], [&at_b[0], &at_b[1]]).distance;
+                        if distance <= room + relative_motion(moved(a), moved(b)) {
+                            found.push(order(&(i, j)));
+                        }
+                    }
+                });
             }
         });
+        for part in parts.iter() {
+            found.extend_from_slice(&part.found);
+        }
         found.sort_unstable();
         // Those that stay and those that are new, in their common order.
         merged.clear();

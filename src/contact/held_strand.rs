@@ -15,6 +15,7 @@ use crate::chain::load::Station;
 use crate::math::vector::Vec3;
 use crate::step::Setting;
 use crate::step::held::{Held, WorldBond};
+use crate::step::members::One;
 
 /// A strand that was woken so often rests no more: two neighbours would go on waking each other in turn.
 const MOST_WAKES: u32 = 2;
@@ -71,6 +72,8 @@ pub struct HeldStrand {
     /// The gap between its root and the nearest body, m; infinite where none is near, or the root touches nothing. The host puts the root
     /// where it is, and no force moves it: it is told, and is no touch.
     pub root_gap: f64,
+    /// Where the attached points are, in the attachments' order, each with the station that it was found for.
+    places: Vec<(Station, EndState)>,
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
     bonds: Vec<Option<WorldBond>>,
@@ -83,6 +86,12 @@ impl HeldStrand {
     /// Its curve as the step found it and at the present iterate.
     pub fn path(&self) -> StrandPath<'_> {
         path_of(self.index, &self.held)
+    }
+
+    /// Begins its step of `h` seconds.
+    pub fn begin(&mut self, one: &One, setting: &Setting, h: f64) {
+        self.places.clear();
+        self.held.begin(one, setting, h, self.first_order);
     }
 
     /// Finds the touches with bodies that are nearer than `within` (m) at the present iterate.
@@ -123,10 +132,38 @@ impl HeldStrand {
 
     /// Where a station is.
     pub fn end_state(&self, station: &Station) -> EndState {
+        self.end_now(station, Held::place(self.held.start(), station))
+    }
+
+    /// The same of one whose place at the step's start is known.
+    fn end_now(&self, station: &Station, start: Vector3<f64>) -> EndState {
         EndState {
-            start: Held::place(self.held.start(), station),
+            start,
             now: Held::place(self.held.now(), station),
             tangent: self.path().now.tangent(station.element, station.s),
+        }
+    }
+
+    /// Where an attached point is.
+    pub fn place(&self, point: u32) -> EndState {
+        self.places[point as usize].1
+    }
+
+    /// Finds where the attached points are that have another station than before; once the strand has `moved`, all of them.
+    fn find_places(&mut self, moved: bool) {
+        self.places.truncate(self.attachments.len());
+        for index in 0..self.attachments.len() {
+            let station = self.attachments[index].station;
+            match self.places.get(index) {
+                Some((known, state)) if *known == station => {
+                    if moved {
+                        let start = state.start;
+                        self.places[index].1 = self.end_now(&station, start);
+                    }
+                }
+                Some(_) => self.places[index] = (station, self.end_state(&station)),
+                None => self.places.push((station, self.end_state(&station))),
+            }
         }
     }
 
@@ -199,6 +236,7 @@ impl HeldStrand {
         }
         self.choose_rest(island);
         self.sort(island);
+        self.find_places(false);
         if self.resting {
             return;
         }
@@ -226,6 +264,7 @@ impl HeldStrand {
         }
         self.pull(island);
         self.residual = self.held.advance(setting, &self.forces);
+        self.find_places(true);
     }
 
     /// How far an attached point would go in this iteration without forces.

@@ -271,11 +271,12 @@ impl Island {
     }
 
     fn evaluate(&mut self, joint: usize, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> (Law, Vector3<f64>) {
+        let ends = &self.ends[joint];
         let joint = &mut self.joints[joint];
         let first = &strands[joint.first.held as usize];
         let second = joint.second.map_or(first, |end| &strands[end.held as usize]);
-        let a = first.end_state(&joint.first.station);
-        let b = joint.second.map_or(a, |end| second.end_state(&end.station));
+        let a = first.place(ends[0].point);
+        let b = joint.second.map_or(a, |_| second.place(ends[1].point));
         let (mut law, u) = joint.evaluate([a, b], [&first.contact, &second.contact], options, step);
         if self.relaxed || joint.deep {
             let compliance = RELAXED * step * step / first.mass.min(second.mass);

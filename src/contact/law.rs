@@ -12,6 +12,8 @@ pub mod response;
 pub mod ring;
 pub mod secular;
 
+use std::fmt::Display;
+
 use nalgebra::{Matrix3, Vector3};
 
 use self::bond::Bond;
@@ -32,7 +34,7 @@ pub enum Law {
 
 impl Law {
     /// Checks every number of the law; `argument` names it in errors.
-    pub fn check(&self, argument: &str) -> Result<()> {
+    pub fn check(&self, argument: impl Display) -> Result<()> {
         match self {
             Law::Contact(contact) => contact.check(argument),
             Law::Bond(bond) => bond.check(argument),

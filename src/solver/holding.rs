@@ -210,7 +210,7 @@ impl Holding {
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             if held.begins_again {
                 (held.begins_again, held.first_order, held.resting, held.looked_ahead) = (false, true, false, false);
-                strand.with_one(|one| held.held.begin(one, scene.setting, h, true));
+                strand.with_one(|one| held.begin(one, scene.setting, h));
             }
         });
     }
@@ -231,7 +231,7 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             strand.begin_root_way(h);
-            strand.with_one(|one| held.held.begin(one, scene.setting, h, held.first_order));
+            strand.with_one(|one| held.begin(one, scene.setting, h));
         });
     }
 

@@ -149,7 +149,7 @@ impl Touching {
             tied(scene.constraints, |id| of.binary_search(&(scene.slots.index(id)? as u32)).ok(), ties);
             self.ready &= self.pairs.set_ties(&self.ties).is_ok();
         }
-        self.ready &= self.pairs.update(&paths).is_ok();
+        self.ready &= self.pairs.update_by(&paths, scene.crew).is_ok();
         if !self.ready {
             return;
         }

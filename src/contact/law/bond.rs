@@ -1,5 +1,7 @@
 //! Bonds: points or rotations held together (pins, clamps, ties).
 
+use std::fmt::Display;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::{across, check_unit};
@@ -49,7 +51,7 @@ impl Bond {
     }
 
     /// See [`super::Law::check`].
-    pub(super) fn check(&self, argument: &str) -> Result<()> {
+    pub(super) fn check(&self, argument: impl Display) -> Result<()> {
         if let BondAxes::Across(d) | BondAxes::Along(d) = &self.axes {
             check_unit(|| format!("{argument}.direction"), d)?;
         }

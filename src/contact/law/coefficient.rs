@@ -1,6 +1,8 @@
 //! Friction coefficients that depend on the direction of sliding: the cuticle's scales point to the tip, so that what goes over a hair
 //! from root to tip meets less friction than what goes from tip to root (paper 000, section 2 and "Friction with another object").
 
+use std::fmt::Display;
+
 use nalgebra::Vector3;
 
 use crate::error::{Error, Result, check_finite, check_not_negative};
@@ -37,7 +39,7 @@ impl Coefficient {
         (self.mean + self.lean.dot(d)).max(0.0)
     }
 
-    pub(super) fn check(&self, argument: &str) -> Result<()> {
+    pub(super) fn check(&self, argument: impl Display) -> Result<()> {
         check_not_negative(|| format!("{argument}.mean"), self.mean)?;
         for i in 0..3 {
             check_finite(|| format!("{argument}.lean[{i}]"), self.lean[i])?;

@@ -6,6 +6,8 @@
 //! |λ_T| − μ λ_N is positive at α = 0 and negative at α = ∞. (Isotropic and hard it is the quartic of Daviet et al. 2011, solved here by a
 //! bracketed search, which needs neither isotropy nor a linear response.)
 
+use std::fmt::Display;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::coefficient::Coefficient;
@@ -40,12 +42,14 @@ pub struct Contact {
 
 impl Contact {
     /// See [`super::Law::check`].
-    pub(super) fn check(&self, argument: &str) -> Result<()> {
+    pub(super) fn check(&self, argument: impl Display) -> Result<()> {
         check_unit(|| format!("{argument}.normal"), &self.normal)?;
-        self.response.check(&format!("{argument}.response"))?;
+        self.response.check(format_args!("{argument}.response"))?;
         match &self.friction {
             Friction::None => Ok(()),
-            Friction::Coulomb(coefficient) | Friction::Viscous(coefficient) => coefficient.check(&format!("{argument}.friction")),
+            Friction::Coulomb(coefficient) | Friction::Viscous(coefficient) => {
+                coefficient.check(format_args!("{argument}.friction"))
+            }
         }
     }
 

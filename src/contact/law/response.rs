@@ -1,5 +1,7 @@
 //! The normal response: how deep a contact's surfaces go into each other under a normal force.
 
+use std::fmt::Display;
+
 use crate::error::{Result, check_not_negative, check_positive};
 
 /// How a contact answers in its normal direction. With depth d (m, minus the gap at the step's end) and force F (N): F ≥ 0, and d is at
@@ -38,7 +40,7 @@ pub(super) struct Depth {
 }
 
 impl Response {
-    pub(super) fn check(&self, argument: &str) -> Result<()> {
+    pub(super) fn check(&self, argument: impl Display) -> Result<()> {
         match *self {
             Response::Hard => Ok(()),
             Response::Penalty { stiffness, damping, depth_at_start } => {

@@ -4,6 +4,8 @@
 //! and λ* the force that would hold it; where friction cannot hold that, λ_t lies between 0 and λ* where |λ_t| = μ |λ_⊥(λ_t)|, a quadratic
 //! equation.
 
+use std::fmt::Display;
+
 use nalgebra::{Matrix3, Vector3};
 
 use super::coefficient::Coefficient;
@@ -21,9 +23,9 @@ pub struct Ring {
 
 impl Ring {
     /// See [`super::Law::check`].
-    pub(super) fn check(&self, argument: &str) -> Result<()> {
+    pub(super) fn check(&self, argument: impl Display) -> Result<()> {
         check_unit(|| format!("{argument}.tangent"), &self.tangent)?;
-        self.friction.check(&format!("{argument}.friction"))
+        self.friction.check(format_args!("{argument}.friction"))
     }
 
     /// See [`super::Law::residual`].
