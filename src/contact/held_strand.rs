@@ -6,6 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use nalgebra::Vector3;
 
 use super::body::BodyAt;
+use super::ending::Ending;
 use super::island::Island;
 use super::joint::EndState;
 use super::options::StrandContact;
@@ -55,8 +56,8 @@ pub struct HeldStrand {
     pub begins_again: bool,
     /// Whether the first half of the first iteration is done already.
     pub looked_ahead: bool,
-    /// Whether its island's iteration has ended well, and nothing new holds it since.
-    pub settled: bool,
+    /// How its island's iteration has ended, if nothing new holds it since.
+    pub ended: Option<Ending>,
     /// Whether it is at its end under the joints' forces: it stays where it is, while others go on, until these have changed.
     pub resting: bool,
     /// Whether some of it was found, after the step's first search, in something that it was in when the step began.

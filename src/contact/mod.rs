@@ -11,6 +11,7 @@ pub mod contact_space;
 mod dense;
 mod descent;
 mod element_path;
+pub mod ending;
 pub mod gauss_seidel;
 mod ground;
 pub mod hair_pairs;

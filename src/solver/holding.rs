@@ -224,7 +224,7 @@ impl Holding {
             held.bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            (held.first_order, held.begins_again, held.settled, held.resting) = (strand.touched, false, false, false);
+            (held.first_order, held.begins_again, held.ended, held.resting) = (strand.touched, false, None, false);
             held.left_deep = false;
             (held.root_gap, held.looked_ahead) = (f64::INFINITY, false);
         }
@@ -261,7 +261,7 @@ impl Holding {
                 goes_on = true;
                 for held in &island.strands {
                     let held = &mut self.strands[*held as usize];
-                    (held.settled, held.resting, held.woken) = (false, false, 0);
+                    (held.ended, held.resting, held.woken) = (None, false, 0);
                 }
             }
         }
@@ -298,8 +298,12 @@ impl Holding {
             self.islands[island].strands.push(k as u32);
         }
         for island in &mut self.islands[..self.island_count] {
-            if island.strands.iter().all(|held| self.strands[*held as usize].settled) {
-                (island.done, island.converged) = (true, true);
+            // Strands that nothing new holds hang together as they did.
+            let ended = |held: &u32| self.strands[*held as usize].ended;
+            if island.strands.iter().all(|held| ended(held).is_some())
+                && let Some(ending) = island.strands.first().and_then(ended)
+            {
+                island.keep(ending);
             }
         }
         for joint in self.joints.drain(..) {

@@ -318,11 +318,11 @@ impl Touching {
             return false;
         }
         for held in strands.iter_mut() {
-            held.settled = islands[held.island as usize].converged;
-            held.resting |= held.settled;
+            held.ended = islands[held.island as usize].ending();
+            held.resting |= held.ended.is_some_and(|ending| ending.converged);
         }
         for end in missed.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
-            strands[end.held as usize].settled = false;
+            strands[end.held as usize].ended = None;
         }
         for island in islands.iter_mut() {
             joints.append(&mut island.joints);
