@@ -8,60 +8,55 @@ use superhelix::groom::scalp::Follicle;
 
 use crate::failure::Failure;
 use crate::picture::list_frames;
-use crate::region::Mesh;
+use crate::region::{Mesh, Placement};
 
-/// The meshes of a scalp: one, or one a frame.
+/// A scalp: a mesh, or one a frame.
 #[derive(Debug)]
-pub struct ScalpFiles(Vec<PathBuf>);
+pub struct ScalpFiles {
+    /// The mesh at rest: the first.
+    pub rest: Mesh,
+    files: Vec<PathBuf>,
+    placed: Placement,
+}
 
 impl ScalpFiles {
-    /// A mesh, or the meshes of a directory in the order of their numbers.
-    pub fn list(path: &Path) -> Result<Self, Failure> {
-        Ok(Self(list_frames(&[path.to_owned()])?))
-    }
-
-    /// The mesh at rest: the first.
-    pub fn rest(&self, scale: f64) -> Result<Mesh, Failure> {
-        Mesh::read(&self.0[0], scale)
-    }
-
-    /// The follicles on a scalp that has a mesh for each of `frames` frames; none if it stands still.
-    pub fn moving(
-        self,
-        path: &Path,
-        frames: usize,
-        mesh: Mesh,
-        follicles: Vec<Follicle>,
-    ) -> Result<Option<MovingScalp>, Failure> {
-        match self.0.len() {
-            1 => Ok(None),
-            meshes if meshes == frames => Ok(Some(MovingScalp { files: self.0, mesh, follicles })),
-            meshes => Err(Failure::file(
-                path,
-                format!("has {meshes} meshes; expected one, or one for each of the guides' {frames} frames"),
-            )),
+    /// Reads a mesh, or the first of a directory's in the order of their numbers, which must be as many as there are frames.
+    pub fn read(path: &Path, placed: Placement, frames: usize) -> Result<Self, Failure> {
+        let files = list_frames(&[path.to_owned()])?;
+        let meshes = files.len();
+        if meshes != 1 && meshes != frames {
+            let expected = format!("expected one, or one for each of the guides' {frames} frames");
+            return Err(Failure::file(path, format!("has {meshes} meshes; {expected}")));
         }
+        Ok(Self { rest: Mesh::read(&files[0], placed)?, files, placed })
+    }
+
+    /// The follicles on the scalp as it deforms; none if it stands still.
+    pub fn moving(self, follicles: Vec<Follicle>) -> Option<MovingScalp> {
+        (self.files.len() > 1).then_some(MovingScalp { scalp: self, follicles })
     }
 }
 
 /// Follicles on a mesh that deforms.
+#[derive(Debug)]
 pub struct MovingScalp {
-    files: Vec<PathBuf>,
-    mesh: Mesh,
+    scalp: ScalpFiles,
     follicles: Vec<Follicle>,
 }
 
 impl MovingScalp {
     /// Where the follicles are at a frame, m.
-    pub fn roots(&self, frame: usize, scale: f64) -> Result<Vec<Vector3<f64>>, Failure> {
-        let path = &self.files[frame];
-        let read = obj_mesh::read(path)?;
-        let scalp = &self.mesh.scalp;
-        if read.triangles != scalp.triangles() {
-            return Err(Failure::file(path, format!("has other faces than {}", self.files[0].display())));
+    pub fn roots(&self, frame: usize) -> Result<Vec<Vector3<f64>>, Failure> {
+        let ScalpFiles { rest, files, placed } = &self.scalp;
+        let (path, scalp) = (&files[frame], &rest.scalp);
+        // The first was read already.
+        let read = if frame == 0 { None } else { Some(obj_mesh::read(path)?) };
+        if read.as_ref().is_some_and(|read| read.triangles != scalp.triangles()) {
+            return Err(Failure::file(path, format!("has other faces than {}", files[0].display())));
         }
-        let vertices: Vec<_> = read.vertices.iter().map(|vertex| vertex * scale).collect();
-        let frames = scalp.frames(&vertices, &self.follicles).map_err(|error| Failure::file(path, error))?;
+        let moved: Option<Vec<_>> = read.map(|read| read.vertices.iter().map(|vertex| placed.place(vertex)).collect());
+        let vertices = moved.as_deref().unwrap_or(scalp.vertices());
+        let frames = scalp.frames(vertices, &self.follicles).map_err(|error| Failure::file(path, error))?;
         Ok(frames.into_iter().map(|frame| frame.origin).collect())
     }
 }
