@@ -76,6 +76,13 @@ fn a_scene_makes_the_render_hair_that_interpolate_makes_of_its_cache() {
         let text = metres.replacen("v 0.1 0.1 0", &format!("v 0.1 0.1 {}", 0.003 * f64::from(frame * frame)), 1);
         std::fs::write(place.join(format!("meshes/head.{frame:04}.obj")), text).unwrap();
     }
+    // The same in one file, in its own unit, with samples at other times than the states.
+    let corners = |lift: f64| format!("[(-10, -10, 0), (10, -10, 0), (10, 10, {lift}), (-10, 10, 0)]");
+    let samples = format!("0: {}, 1: {}, 2: {}", corners(0.0), corners(2.0), corners(1.0));
+    let mesh = "int[] faceVertexCounts = [4]\nint[] faceVertexIndices = [0, 1, 2, 3]\npoint3f[] points.timeSamples";
+    let text =
+        format!("#usda 1.0\n(upAxis = \"Z\" timeCodesPerSecond = 40)\ndef Mesh \"head\"\n{{\n{mesh} = {{ {samples} }}\n}}\n");
+    std::fs::write(place.join("head.usda"), text).unwrap();
     let every_setting = json!({
         "out": "render.usda", "every": 2, "count": 50, "scalp": { "file": "metres.obj", "within": 0.05 }, "points": 9,
         "space": "curvature", "guides_per_strand": 2, "curliness": 0.4, "max_tip_distance": 0.2, "max_tip_ratio": 0.9, "wisps": 2,
@@ -100,6 +107,11 @@ fn a_scene_makes_the_render_hair_that_interpolate_makes_of_its_cache() {
             json!({ "out": "render.usda", "count": 40, "scalp": { "file": "meshes" }, "curliness": "measured" }),
             "render.usda",
             "--count 40 --scalp meshes --curliness measured",
+        ),
+        (
+            json!({ "out": "render.usda", "count": 40, "scalp": { "file": "head.usda" } }),
+            "render.usda",
+            "--count 40 --scalp head.usda",
         ),
         (
             json!({ "out": "render.usda", "roots": { "file": "roots.obj", "metres_per_unit": 1 } }),
@@ -180,6 +192,10 @@ fn bad_sections_are_named() {
     std::fs::write(place.join("bare.txt"), "0 0 0 0").unwrap();
     std::fs::write(place.join("word.txt"), "1 2 3 four").unwrap();
     std::fs::write(place.join("bare.obj"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n").unwrap();
+    let mesh = "int[] faceVertexCounts = [3]\nint[] faceVertexIndices = [0, 1, 2]\npoint3f[] points.timeSamples";
+    let corners = "[(0, 0, 0), (1, 0, 0), (1, 1, 0)]";
+    let text = format!("#usda 1.0\ndef Mesh \"head\"\n{{\n{mesh} = {{ 0: {corners}, 1: {corners} }}\n}}\n");
+    std::fs::write(place.join("short.usda"), text).unwrap();
     let scalp = |more: Value| {
         let mut scalp = json!({ "file": "square.obj", "scale": 0.01 });
         more.as_object().unwrap().iter().for_each(|(key, value)| scalp[key] = value.clone());
@@ -216,6 +232,8 @@ fn bad_sections_are_named() {
         ("scalp", json!({}), "scalp.file", "is missing"),
         ("scalp", scalp(json!({ "file": "none.obj" })), "scalp.file", "\"none.obj\""),
         ("scalp", scalp(json!({ "file": "two" })), "scalp.file", "has 2 meshes"),
+        ("scalp", scalp(json!({ "file": "short.usda" })), "scalp.file", "has samples from 0 to 0.041666666666666664 s"),
+        ("scalp", scalp(json!({ "file": "three.txt" })), "scalp.file", "\"three.txt\""),
         ("scalp", scalp(json!({ "scale": 0 })), "scalp.scale", "0"),
         ("scalp", scalp(json!({ "within": 0 })), "scalp.within", "0"),
         ("scalp", scalp(json!({ "within": 1e-9, "pose": { "origin": [9, 9, 9] } })), "scalp.within", "0 everywhere"),

@@ -9,7 +9,7 @@ use crate::files::bytes;
 use crate::files::curves::{Curves, Extras};
 use crate::files::usd_curves;
 use crate::files::usda::{self, LayerHead, Vector};
-use crate::files::usda_layer::Layer;
+use crate::files::usda_layer::{Layer, Wanted};
 
 /// The curves of a `.usda` file at its time samples. Frames are made when they are asked for; the file stays in memory as it was read.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ impl CurveCache {
         if let Some(what) = usda::other_scene_format(bytes) {
             return Err(Error::file(name, what));
         }
-        let layer = Layer::read(name, bytes)?;
+        let layer = Layer::read(name, bytes, Wanted::Curves)?;
         let mut codes = usd_curves::times(&layer);
         if codes.is_empty() {
             codes.push(0.0);

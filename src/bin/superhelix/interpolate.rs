@@ -4,15 +4,15 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use serde_json::json;
-use superhelix::files::curves::{Curves, Extras};
+use superhelix::files::curves::{Curves, Extras, UpAxis};
 use superhelix::groom::render_hair::{RenderSettings, Space};
 use superhelix::workers::Workers;
 
 use crate::argument_values::{not_negative, positive};
 use crate::failure::Failure;
 use crate::guide_frames::GuideFrames;
-use crate::moving_scalp::ScalpFiles;
-use crate::region::{DensityArguments, Placement, groom_roots, in_flags};
+use crate::moving_scalp::{ScalpFiles, ScalpRequest};
+use crate::region::{DensityArguments, groom_roots, in_flags};
 use crate::render_output::{OutputKind, RenderOutput};
 use crate::render_roots::{Ground, Scattering};
 use crate::render_run::{BoundHair, RenderRun};
@@ -41,10 +41,10 @@ pub struct InterpolateArguments {
     /// Use each K-th strand as a guide only.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     every: u32,
-    /// Roots are scattered over this mesh (.obj with faces, in the guides' units): where --density and --density-picture say, or without them
-    /// near the guides' roots. A directory of meshes (head.0001.obj ...), one for each frame of the guides, is a scalp that deforms and takes
-    /// the roots along. Without a mesh, among the guides' roots.
-    #[arg(long, value_name = "MESH.obj|DIR")]
+    /// Roots are scattered over this mesh (.obj with faces in the guides' units, or .usda, which says its own): where --density and
+    /// --density-picture say, or without them near the guides' roots. A directory of meshes (head.0001.obj ...), one for each frame of the
+    /// guides, or a .usda mesh with time samples is a scalp that deforms and takes the roots along. Without a mesh, among the guides' roots.
+    #[arg(long, value_name = "MESH|DIR")]
     scalp: Option<PathBuf>,
     /// With --scalp: how near to a guide's root, m. Default: with a density anywhere, without one and a half times the distance within which
     /// nine tenths of the guides have another beside them.
@@ -175,8 +175,8 @@ impl InterpolateArguments {
         Ok(settings)
     }
 
-    /// What the strands grow on, of guides with so many frames and metres a unit.
-    fn ground(&self, frames: usize, scale: f64) -> Result<Ground, Failure> {
+    /// What the strands grow on, of guides with such frames, metres a unit and perhaps an axis that points up.
+    fn ground(&self, frames: &GuideFrames, scale: f64, up: Option<UpAxis>) -> Result<Ground, Failure> {
         if let Some(path) = &self.roots {
             return Ok(Ground::Given(groom_roots(path, scale)?));
         }
@@ -187,7 +187,9 @@ impl InterpolateArguments {
             }
             return Ok(Ground::Among(count));
         };
-        let scalp = ScalpFiles::read(path, Placement::scaled(scale), frames)?;
+        let times: Vec<Option<f64>> = (0..frames.count()).map(|index| frames.time(index)).collect();
+        let request = ScalpRequest { path, scale: self.scale, otherwise: scale, pose: None, up, times: &times };
+        let scalp = ScalpFiles::read(&request)?;
         let maps = self.density.read(&scalp.rest)?;
         Ok(Ground::Scalp(Box::new(Scattering { scalp, count, maps, within: self.within })))
     }
@@ -204,7 +206,7 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
         |index: usize, curves: &Curves| frames.guides(index, curves, arguments.every as usize, arguments.points as usize, scale);
     let rest = guides(0, &first)?;
     let point_count = rest.points.len();
-    let places = arguments.ground(frames.count(), scale)?.places(&rest.points, settings.points_per_strand, settings.seed);
+    let places = arguments.ground(&frames, scale, of.up)?.places(&rest.points, settings.points_per_strand, settings.seed);
     let bound = BoundHair::bind(&settings, places.map_err(in_flags)?, &rest)?;
     let kind = OutputKind::of_name(&arguments.out, frames.count(), arguments.guides.is_dir(), frames.per_second());
     let kind = kind.map_err(|reason| Failure::file(&arguments.out, reason))?;

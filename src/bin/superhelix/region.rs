@@ -80,6 +80,11 @@ impl Mesh {
     /// Reads it.
     pub fn read(path: &Path, placed: Placement) -> Result<Self, Failure> {
         let (mesh, texture) = obj_mesh::read_textured(path)?;
+        Self::new(path, mesh, texture, placed)
+    }
+
+    /// What was read of a file.
+    pub fn new(path: &Path, mesh: ObjMesh, texture: Option<Texture>, placed: Placement) -> Result<Self, Failure> {
         let textured = texture.is_some();
         let scalp = scalp_of(mesh, texture, placed).map_err(|error| Failure::file(path, error))?;
         Ok(Self { path: path.to_owned(), scalp, textured })
@@ -90,7 +95,8 @@ impl Mesh {
         if self.textured {
             return Ok(());
         }
-        let reason = format!("{flag} needs texture coordinates at every corner of its faces (\"vt\", \"f 1/1 2/2 3/3\")");
+        let reason =
+            format!("{flag} needs texture coordinates at every corner of its faces (\"vt\", \"f 1/1 2/2 3/3\"; primvars:st)");
         Err(Failure::file(&self.path, reason))
     }
 

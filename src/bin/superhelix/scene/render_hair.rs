@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use superhelix::error::Error;
+use superhelix::files::curve_cache::time_as_read;
 use superhelix::files::curves::Curves;
 use superhelix::groom::render_hair::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, Space};
 use superhelix::groom::scalp::MOST_FOLLICLES;
@@ -12,7 +13,7 @@ use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
 use crate::failure::Failure;
 use crate::json::{Complaint, Entries, Node};
-use crate::moving_scalp::ScalpFiles;
+use crate::moving_scalp::{ScalpFiles, ScalpRequest};
 use crate::region::{Placement, read_picture, read_vertex_densities};
 use crate::render_output::OutputKind;
 use crate::render_roots::{Ground, Scattering};
@@ -95,12 +96,13 @@ pub fn read(node: &Node, scene: &Scene, directory: &Path) -> Result<SceneRenderH
     if scene.strands.is_empty() {
         return Err(Complaint::value("strands", "[]", format!("at least one strand, a guide of {}", node.key)));
     }
-    let frames = timeline::output_times(scene.duration, scene.output_interval).len();
+    let states = timeline::output_times(scene.duration, scene.output_interval);
+    let times: Vec<Option<f64>> = states.iter().map(|time| Some(time_as_read(*time, per_second(scene)))).collect();
     let settings = read_settings(node, &entries, scene)?;
-    let ground = read_ground(&entries, frames, directory)?;
+    let ground = read_ground(&entries, &times, directory)?;
     let out_node = entries.require("out")?;
     let out = path_of(out_node, directory)?;
-    let kind = OutputKind::of_name(&out, frames, true, Some(per_second(scene)));
+    let kind = OutputKind::of_name(&out, times.len(), true, Some(per_second(scene)));
     let kind = kind.map_err(|reason| Complaint::new(&out_node.key, format!("is {}, which {reason}", out_node.value)))?;
     let scalp = entries.get_unless_null("scalp").and_then(|scalp| scalp.value.as_object());
     let density = scalp.and_then(|scalp| DENSITIES.into_iter().find(|key| scalp.get(*key).is_some_and(|map| !map.is_null())));
@@ -166,7 +168,7 @@ fn complaint(file: &Node, failure: &Failure) -> Complaint {
     Complaint::new(&file.key, format!("is {}: {failure}", file.value))
 }
 
-fn read_ground(entries: &Entries, frames: usize, directory: &Path) -> Result<Ground, Complaint> {
+fn read_ground(entries: &Entries, times: &[Option<f64>], directory: &Path) -> Result<Ground, Complaint> {
     let (count, scalp, roots) = (entries.get("count"), entries.get_unless_null("scalp"), entries.get_unless_null("roots"));
     if let Some(roots) = roots {
         if let Some(other) = count.or(scalp) {
@@ -175,7 +177,7 @@ fn read_ground(entries: &Entries, frames: usize, directory: &Path) -> Result<Gro
         return read_roots(roots, directory);
     }
     let count = count.map_or(Ok(DEFAULT_COUNT), |node| Ok(node.whole(1..=MOST_FOLLICLES as u64)? as usize))?;
-    scalp.map_or(Ok(Ground::Among(count)), |scalp| read_scalp(scalp, count, frames, directory))
+    scalp.map_or(Ok(Ground::Among(count)), |scalp| read_scalp(scalp, count, times, directory))
 }
 
 /// The roots of a groom's strands.
@@ -193,13 +195,15 @@ fn read_roots(node: &Node, directory: &Path) -> Result<Ground, Complaint> {
 /// Keys of a scalp that say how densely roots stand, the most likely to be wrong first.
 const DENSITIES: [&str; 3] = ["density", "density_picture", "within"];
 
-fn read_scalp(node: &Node, count: usize, frames: usize, directory: &Path) -> Result<Ground, Complaint> {
+fn read_scalp(node: &Node, count: usize, times: &[Option<f64>], directory: &Path) -> Result<Ground, Complaint> {
     let entries = node.object(&["file", "scale", "pose", "within", "density", "density_picture"])?;
     let file = entries.require("file")?;
-    let scale = entries.or("scale", 1.0, Node::positive)?;
-    let placed = Placement { scale, pose: entries.get_unless_null("pose").map(read_pose).transpose()? };
+    let scale = entries.get("scale").map(Node::positive).transpose()?;
+    let pose = entries.get_unless_null("pose").map(read_pose).transpose()?;
     let within = entries.get_unless_null("within").map(Node::positive).transpose()?;
-    let scalp = ScalpFiles::read(&path_of(file, directory)?, placed, frames).map_err(|failure| complaint(file, &failure))?;
+    let path = path_of(file, directory)?;
+    let request = ScalpRequest { path: &path, scale, otherwise: 1.0, pose, up: None, times };
+    let scalp = ScalpFiles::read(&request).map_err(|failure| complaint(file, &failure))?;
     let mut maps = Vec::new();
     if let Some(map) = entries.get_unless_null("density") {
         maps.push(read_vertex_densities(&path_of(map, directory)?).map_err(|failure| complaint(map, &failure))?);
