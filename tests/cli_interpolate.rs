@@ -199,6 +199,49 @@ fn roots_stay_on_a_scalp_that_deforms() {
             assert!((0..3).all(|axis| off(axis) < 2e-3), "frame {index}: {:?} {a:?} {b:?}", velocity[0]);
         }
     }
+    // The same scalp as one file with time samples, at the guides' times; in its own unit; or a sample a frame where there are no times.
+    let usda = |name: &str, unit: f64, up: char, codes: [f64; 3]| {
+        let points = |frame: u32| {
+            let corners = [[-1.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, -1.0], [-1.0, 0.0, -1.0]].map(|at| moved(frame, at));
+            corners.map(|at| format!("({}, {}, {})", at[0] / unit, at[1] / unit, at[2] / unit)).join(", ")
+        };
+        let samples: String = (0..3).map(|frame| format!("{}: [{}],\n", codes[frame as usize], points(frame))).collect();
+        let text = format!(
+            "#usda 1.0\n(\n metersPerUnit = {unit}\n upAxis = \"{up}\"\n timeCodesPerSecond = 10\n)\ndef Mesh \"head\"\n{{\n\
+             int[] faceVertexCounts = [4]\nint[] faceVertexIndices = [0, 1, 2, 3]\npoint3f[] points.timeSamples = {{\n{samples}}}\n}}\n"
+        );
+        let path = place.join(name);
+        std::fs::write(&path, text).expect("a mesh");
+        path.display().to_string()
+    };
+    let head = usda("head.usda", 1.0, 'Y', [0.0, 5.0, 10.0]);
+    for scalp in [&head, &usda("centimetres.usda", 0.01, 'Y', [0.0, 5.0, 10.0])] {
+        answer(&[&fixed[..], &["--scalp", scalp, "--json"]].concat());
+        for ((points, velocities), (others, theirs)) in frames.iter().zip(frames_of(&out)) {
+            let near = |a: &Vectors, b: &Vectors, most: f32| {
+                a.iter().zip(b).all(|(a, b)| (0..3).all(|axis| (a[axis] - b[axis]).abs() < most))
+            };
+            assert!(near(points, &others, 1e-5) && near(velocities, &theirs, 1e-2), "{scalp}");
+        }
+    }
+    let untimed = place.join("untimed").display().to_string();
+    answer(&[
+        "interpolate",
+        &cache,
+        "--count",
+        "50",
+        "--points",
+        "6",
+        "--within",
+        "9",
+        "--scalp",
+        &head,
+        "--out",
+        &untimed,
+        "--json",
+    ]);
+    let last = Curves::read(format!("{untimed}/render.0003.hair")).expect("a frame");
+    assert!(last.points().iter().zip(&frames[2].0).all(|(a, b)| (0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-5)));
     // One mesh stands still: roots then go with the guides, which are no rigid motion here.
     let one = format!("{scalp}/head.0000.obj");
     answer(&[&fixed[..], &["--scalp", &one, "--json"]].concat());
@@ -206,9 +249,17 @@ fn roots_stay_on_a_scalp_that_deforms() {
     let few = mesh(&place.join("few"), 2, "");
     let other = mesh(&place.join("other"), 3, "f 1 2 3\nf 1 3 4\nf 4 3 2 1\n");
     let hair = place.join("render.hair").display().to_string();
+    let (short, lying) = (usda("short.usda", 1.0, 'Y', [0.0, 5.0, 9.0]), usda("lying.usda", 1.0, 'Z', [0.0, 5.0, 10.0]));
+    let single = format!("{cache}/hair.0001.obj");
     for (arguments, text) in [
         ([&fixed[..], &["--scalp", &few]].concat(), "has 2 meshes; expected one, or one for each of the guides' 3 frames"),
         ([&fixed[..], &["--scalp", &other]].concat(), "head.0002.obj: has other faces than"),
+        (
+            [&fixed[..], &["--scalp", &short]].concat(),
+            "short.usda: has samples from 0 to 0.9 s, and the guides have a frame at 1 s",
+        ),
+        (vec!["interpolate", &out, "--scalp", &lying, "--out", &hair], "lying.usda: has z up, and the guides have y"),
+        (vec!["interpolate", &single, "--scalp", &short, "--out", &hair], "has 3 samples; expected one, or one for each"),
         (vec!["interpolate", &cache, "--out", &out], "give --fps"),
         (vec!["interpolate", &out, "--fps", "3", "--out", &out], "leave --fps out"),
         (vec!["interpolate", &cache, "--out", &hair], "render.hair: holds one frame, and there are 3"),

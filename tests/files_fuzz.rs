@@ -9,6 +9,7 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use superhelix::files::curve_cache::CurveCache;
 use superhelix::files::curves::{Curves, Extras};
+use superhelix::files::mesh_cache::MeshCache;
 use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::files::recorded_curve::RecordedCurve;
 use superhelix::files::tfx::TfxVersion;
@@ -85,6 +86,7 @@ fn make_seeds() -> Vec<(&'static str, Vec<u8>)> {
         ("placed.usda", std::fs::read(format!("{}/tests/data/usd/placed.usda", env!("CARGO_MANIFEST_DIR"))).unwrap()),
         ("groom.usda", groom()),
         ("written.usda", usda::write_to_bytes(&even())),
+        ("head.usdmesh", usd_mesh()),
         ("ball.shxgrid", ball()),
     ]
 }
@@ -153,6 +155,24 @@ fn strip() -> Vec<u8> {
     ((0..9).map(row).collect::<String>() + &(0..8).map(face).collect::<String>()).into_bytes()
 }
 
+/// A strip of quads as USD text, moving and placed.
+fn usd_mesh() -> Vec<u8> {
+    let points = |y: u32| (0..10).map(|k| format!("({}, {y}, {})", k / 2, k % 2)).collect::<Vec<_>>().join(", ");
+    let indices =
+        (0..4).map(|k| format!("{}, {}, {}, {}", 2 * k, 2 * k + 2, 2 * k + 3, 2 * k + 1)).collect::<Vec<_>>().join(", ");
+    let uvs = (0..16).map(|k| format!("(0.{k}, 1)")).collect::<Vec<_>>().join(", ");
+    format!(
+        "#usda 1.0\n(\n    metersPerUnit = 1\n    upAxis = \"Y\"\n)\ndef Xform \"root\"\n{{\n    float3 xformOp:scale = (1, 2, 1)\n    \
+         uniform token[] xformOpOrder = [\"xformOp:scale\"]\n    def Mesh \"head\"\n    {{\n        int[] faceVertexCounts = [4, 4, 4, 4]\n        \
+         int[] faceVertexIndices = [{indices}]\n        uniform token orientation = \"leftHanded\"\n        point3f[] points.timeSamples = {{\n            \
+         0: [{}],\n            1: [{}],\n        }}\n        texCoord2f[] primvars:st = [{uvs}] (\n            interpolation = \"faceVarying\"\n        \
+         )\n    }}\n}}\n",
+        points(0),
+        points(3)
+    )
+    .into_bytes()
+}
+
 /// A small grid of distances.
 fn ball() -> Vec<u8> {
     let at = |node: u32, axis: u32| f64::from(node / 6_u32.pow(axis) % 6) - 2.5;
@@ -216,6 +236,26 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
         let memory = memory.max(more);
         return (mesh.map(|mesh| mesh.vertices.len()), memory);
     }
+    if name.ends_with(".usdmesh") {
+        let (result, memory) = peak(|| MeshCache::read_from_bytes(name, bytes));
+        let cache = result.ok();
+        if let Some(cache) = &cache {
+            let mesh = cache.first();
+            let count = mesh.vertices.len() as u32;
+            assert!(mesh.vertices.iter().flatten().all(|value| value.is_finite()) && !mesh.triangles.is_empty());
+            assert!(mesh.triangles.iter().flatten().all(|at| *at < count));
+            assert!(cache.texture().is_none_or(|texture| texture.corners().len() == mesh.triangles.len()));
+            for time in cache.times().iter().take(4) {
+                let (vertices, memory) = peak(|| cache.vertices(*time));
+                assert!(memory <= allowance(name, bytes.len()), "{name}, at {time}: {memory}");
+                assert!(
+                    vertices.is_ok_and(|vertices| vertices.iter().flatten().all(|value| value.is_finite()))
+                        || *time > cache.times()[0]
+                );
+            }
+        }
+        return (cache.map(|cache| cache.first().vertices.len()), memory);
+    }
     if name.ends_with(".shxgrid") {
         let (result, memory) = peak(|| distance_grid::read_from_bytes(name, bytes));
         let grid = result.ok();
@@ -254,7 +294,7 @@ fn read(name: &str, bytes: &[u8]) -> (Option<usize>, usize) {
 fn allowance(name: &str, bytes: usize) -> usize {
     let times = match name {
         _ if is_motion(name) || is_recorded_curve(name) => 24,
-        _ if name.ends_with(".usda") => 48,
+        _ if name.ends_with(".usda") || name.ends_with(".usdmesh") => 48,
         _ => 8,
     };
     times * bytes + 8192
@@ -315,13 +355,22 @@ fn no_number_in_a_head_makes_a_reader_ask_for_much() {
 
 /// The least that a prim of USD text can say, thousands of times, side by side and in each other.
 fn small_prims_take_little() {
-    for prim in ["def\"\"{", "def BasisCurves\"\"{", "def BasisCurves\"\"{t points=[]", "def\"\"{t xformOp=1 "] {
+    for prim in [
+        "def\"\"{",
+        "def BasisCurves\"\"{",
+        "def BasisCurves\"\"{t points=[]",
+        "def\"\"{t xformOp=1 ",
+        "def Mesh\"\"{",
+        "def Mesh\"\"{t points=[]",
+    ] {
         for text in [
             format!("#usda 1.0\n{}", format!("{prim}}}").repeat(3000)),
             format!("#usda 1.0\n{}{}", prim.repeat(3000), "}".repeat(3000)),
         ] {
-            let (_, memory) = read("prims.usda", text.as_bytes());
-            assert!(memory <= allowance("prims.usda", text.len()), "{prim}: {memory} for {}", text.len());
+            for name in ["prims.usda", "prims.usdmesh"] {
+                let (_, memory) = read(name, text.as_bytes());
+                assert!(memory <= allowance(name, text.len()), "{name}, {prim}: {memory} for {}", text.len());
+            }
         }
     }
 }
@@ -410,7 +459,8 @@ fn mutilated_files_are_survived() {
 static WHOLE: AtomicUsize = AtomicUsize::new(0);
 
 fn noise_is_survived() {
-    let names = ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a.curve", "a.mesh", "a.shxgrid", "a", "HAIR", "a.usda"];
+    let names =
+        ["a.hair", "a.tfx", "a.obj", "a.csv", "a.bvh", "a.curve", "a.mesh", "a.shxgrid", "a", "HAIR", "a.usda", "a.usdmesh"];
     let mut runner = TestRunner::new(ProptestConfig {
         cases: ProptestConfig::default().cases.max(10_000),
         failure_persistence: None,

@@ -189,8 +189,39 @@ def combed_sphere():
     )
 
 
+def render_hair():
+    radius, tilt, strands, count = 0.09, 0.3, [], 40
+    times = [0.0, 0.25, 0.5, 0.75, 1.0]
+    # The head nods about x and back.
+    angles = [0.0, tilt, 0.0, -tilt, 0.0]
+    frames = [[0, 0, 0, math.sin(angle / 2), 0, 0, math.cos(angle / 2)] for angle in angles]
+    for index in range(count):
+        # Even over a cap of 50 degrees, by the golden angle.
+        height = 1 - (1 - math.cos(math.radians(50))) * (index + 0.5) / count
+        around = index * math.pi * (3 - math.sqrt(5))
+        flat = math.sqrt(1 - height * height)
+        normal = [flat * math.cos(around), flat * math.sin(around), height]
+        strands.append({
+            "elements": 6, "length": 0.12,
+            "hair": {"type": "caucasian2", "strand": index, "variation": {"between": 0.1, "seed": 1}},
+            "root_motion": {
+                "times": times, "frames": frames,
+                "local": {"origin": [radius * value for value in normal], "rotation": turn(normal)},
+            },
+        })
+    write(
+        "render_hair.json",
+        ["Forty guides on a head that nods, and two thousand strands to be drawn that follow them in wisps: render.usda beside this file."],
+        {
+            "version": 1, "time_step": 1 / 60, "duration": 1.0, "output_interval": 1 / 30, "strands": strands,
+            "render_hair": {"out": "render.usda", "count": 2000, "curliness": 0.5, "wisps": 3, "frizz": 0.001},
+        },
+    )
+
+
 if __name__ == "__main__":
     incline()
     braid_tie()
     shoulder()
     combed_sphere()
+    render_hair()

@@ -9,7 +9,7 @@ use crate::files::bytes;
 use crate::files::curves::{Curves, Extras};
 use crate::files::usd_curves;
 use crate::files::usda::{self, LayerHead, Vector};
-use crate::files::usda_layer::Layer;
+use crate::files::usda_layer::{Layer, Wanted};
 
 /// The curves of a `.usda` file at its time samples. Frames are made when they are asked for; the file stays in memory as it was read.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ impl CurveCache {
         if let Some(what) = usda::other_scene_format(bytes) {
             return Err(Error::file(name, what));
         }
-        let layer = Layer::read(name, bytes)?;
+        let layer = Layer::read(name, bytes, Wanted::Curves)?;
         let mut codes = usd_curves::times(&layer);
         if codes.is_empty() {
             codes.push(0.0);
@@ -86,6 +86,18 @@ impl CurveCache {
         };
         usd_curves::at(&self.layer, &self.name, code)
     }
+}
+
+/// The time code of a time. A frame's number that was divided to a time comes back as the number.
+fn code_of(time: f64, per_second: f64) -> f64 {
+    let code = time * per_second;
+    if (code - code.round()).abs() <= 2.0 * f64::EPSILON * code.abs() { code.round() } else { code }
+}
+
+/// The time (s) that a reader of a cache finds where a frame was written at `time`: files have time codes, from which it may come back in
+/// another last bit.
+pub fn time_as_read(time: f64, time_codes_per_second: f64) -> f64 {
+    code_of(time, time_codes_per_second) / time_codes_per_second
 }
 
 /// Writes curves over time into one `.usda` file, a frame a call. Memory does not grow with the frames but for 32 bytes each. The file
@@ -176,9 +188,7 @@ impl CurveCacheWriter {
     /// cache is of no further use.
     pub fn write(&mut self, time: f64, points: &[[f32; 3]], velocities: Option<&[[f32; 3]]>) -> Result<()> {
         check_finite(|| "time".to_owned(), time)?;
-        let code = time * self.per_second;
-        // A frame's number that was divided to a time comes back as the number.
-        let code = if (code - code.round()).abs() <= 2.0 * f64::EPSILON * code.abs() { code.round() } else { code };
+        let code = code_of(time, self.per_second);
         check_finite(|| "time".to_owned(), code)?;
         if let Some((before, ..)) = self.extents.last()
             && code <= *before

@@ -175,8 +175,8 @@ impl Controls<'_> {
             Interpolation::Uniform => Ok(Spread::Points(
                 items.iter().zip(&made_counts).flat_map(|(item, count)| std::iter::repeat_n(*item, *count as usize)).collect(),
             )),
-            Interpolation::Vertex if items.len() != self.total => wrong(self.total, "a point"),
-            Interpolation::Vertex => Ok(Spread::Controls(items.to_vec())),
+            Interpolation::Vertex | Interpolation::FaceVarying if items.len() != self.total => wrong(self.total, "a point"),
+            Interpolation::Vertex | Interpolation::FaceVarying => Ok(Spread::Controls(items.to_vec())),
             Interpolation::Varying if matches!(way, Way::Linear) => match items.len() == self.total {
                 true => Ok(Spread::Controls(items.to_vec())),
                 false => wrong(self.total, "a point"),

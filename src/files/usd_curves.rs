@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::files::curves::{Curves, CurvesFormat, Extras};
 use crate::files::usd_controls::{Bad, Controls, Way, narrow, wide};
 use crate::files::usda_layer::{CurvesPrim, Layer};
-use crate::files::usda_values::{Attribute, Interpolation};
+use crate::files::usda_values::{Attribute, Interpolation, indexed};
 use crate::math::spline::{SplineEnds, SplineKind};
 
 /// The times at which any curve of the layer is sampled, in time codes, ascending; none if they stand still.
@@ -130,7 +130,7 @@ impl One<'_> {
                 moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
             }
         });
-        let velocities = match self.vectors_at(&self.prim.velocities) {
+        let velocities = match self.prim.velocities.vectors_at(self.time) {
             Some(list) => {
                 controls.check("velocities", list.len(), bad)?;
                 Some(controls.vectors(&way, &list, bad)?)
@@ -201,18 +201,7 @@ impl One<'_> {
 
     /// Points, between samples if the time is.
     fn points(&self) -> Result<Vec<[f32; 3]>> {
-        self.vectors_at(&self.prim.points).map_or_else(|| Ok(Vec::new()), Ok)
-    }
-
-    fn vectors_at(&self, attribute: &Attribute<Vec<[f32; 3]>>) -> Option<Vec<[f32; 3]>> {
-        match attribute.between(self.time) {
-            Some((before, after, share)) if before.len() == after.len() => {
-                let mix = |a: f32, b: f32| (f64::from(a) + (f64::from(b) - f64::from(a)) * share) as f32;
-                let pairs = before.iter().zip(after);
-                Some(pairs.map(|(a, b)| std::array::from_fn(|axis| mix(a[axis], b[axis]))).collect())
-            }
-            _ => attribute.at(self.time).cloned(),
-        }
+        self.prim.points.vectors_at(self.time).map_or_else(|| Ok(Vec::new()), Ok)
     }
 
     fn singles_at(&self, attribute: &Attribute<Vec<f32>>) -> Option<Vec<f32>> {
@@ -273,19 +262,6 @@ impl One<'_> {
     }
 }
 
-/// The entries of a primvar in their order; the index that is of no entry.
-fn indexed<T: Copy>(values: Option<&Vec<T>>, indices: Option<&Vec<u32>>) -> std::result::Result<Option<Vec<T>>, u32> {
-    match (values, indices) {
-        (None, _) => Ok(None),
-        (Some(values), None) => Ok(Some(values.clone())),
-        (Some(values), Some(indices)) => indices
-            .iter()
-            .map(|index| values.get(*index as usize).copied().ok_or(*index))
-            .collect::<std::result::Result<_, _>>()
-            .map(Some),
-    }
-}
-
 /// A placement that is not the identity.
 struct Moved {
     matrix: Matrix4<f64>,
@@ -297,19 +273,7 @@ struct Moved {
 
 impl Moved {
     fn of(one: &One<'_>) -> Result<Option<Self>> {
-        let matrix = |time: f64| -> Result<Matrix4<f64>> {
-            let mut world = Matrix4::identity();
-            for prim in one.layer.ancestry(one.index) {
-                if let Some(placement) = &prim.placement {
-                    let (local, anew) = placement.matrix(time, one.file, &|| one.layer.path(one.index))?;
-                    world = local * world;
-                    if anew {
-                        break;
-                    }
-                }
-            }
-            Ok(world)
-        };
+        let matrix = |time: f64| one.layer.world(one.index, time, one.file);
         let now = matrix(one.time)?;
         let moves = one.layer.ancestry(one.index).any(|prim| prim.placement.as_ref().is_some_and(|placement| placement.moves()));
         if now == Matrix4::identity() && !moves {

@@ -41,6 +41,11 @@ impl Placement {
         self.operations.iter().any(|(_, operation)| operation.times().count() > 1)
     }
 
+    /// The times at which it is sampled.
+    pub fn times(&self) -> impl Iterator<Item = f64> + '_ {
+        self.operations.iter().flat_map(|(_, operation)| operation.times())
+    }
+
     /// The matrix (columns) at a time, and whether it starts anew from the world.
     pub fn matrix(&self, time: f64, file: &str, path: &dyn Fn() -> String) -> Result<(Matrix4<f64>, bool)> {
         let mut matrix = Matrix4::identity();

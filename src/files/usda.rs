@@ -1,4 +1,4 @@
-//! USD as text (`.usda`): curves in and out.
+//! USD as text (`.usda`): curves in and out. Meshes over time are read by [`mesh_cache`](super::mesh_cache).
 //!
 //! Read are `BasisCurves` (linear; cubic Bézier, B-spline and Catmull–Rom, open or pinned) and `NurbsCurves`, wherever they stand among the
 //! prims, with widths, velocities, `displayColor`, `displayOpacity` and `st`, their time samples, the `xformOp`s of the prims that they are in,
@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::files::bytes;
 use crate::files::curves::{Curves, UpAxis};
 use crate::files::usd_curves;
-use crate::files::usda_layer::Layer;
+use crate::files::usda_layer::{Layer, Wanted};
 
 /// Reads the curves of a `.usda` file, at the first of its time samples if it has any.
 ///
@@ -32,7 +32,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     if let Some(what) = other_scene_format(bytes) {
         return Err(Error::file(name, what));
     }
-    let layer = Layer::read(name, bytes)?;
+    let layer = Layer::read(name, bytes, Wanted::Curves)?;
     let first = usd_curves::times(&layer).first().copied().unwrap_or(0.0);
     usd_curves::at(&layer, name, first)
 }

@@ -1,11 +1,14 @@
-//! A USD text file as far as curves go: what the layer says of units, axes and time, and of its prims the curves and the placements above
-//! them.
+//! A USD text file as far as curves or meshes go: what the layer says of units, axes and time, and of its prims the curves or the meshes
+//! and the placements above them.
 //!
 //! A layer is read by itself: nothing that other files or variants would add to it. Where it asks for such things it is refused rather than
 //! read in part.
 
+use nalgebra::Matrix4;
+
 use crate::error::{Error, Result};
 use crate::files::curves::UpAxis;
+use crate::files::usd_mesh::MeshPrim;
 use crate::files::usd_placement::Placement;
 use crate::files::usda_scan::Scan;
 use crate::files::usda_values::{Attribute, Interpolation, list, tuple};
@@ -63,15 +66,23 @@ const WANTED: [&str; 18] = [
     "pointWeights",
 ];
 
-/// What kind of curves a prim is.
+/// What is read of a layer: what is not is read past, whatever it says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum CurvesKind {
+pub(super) enum Wanted {
+    Curves,
+    Meshes,
+}
+
+/// What a prim is, of that which is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum PrimKind {
     None,
     Basis,
     Nurbs,
+    Mesh,
 }
 
-/// A prim: its name, the prim that it is in, its curves and its placement if it has any. Small prims are many, so what most have not is
+/// A prim: its name, the prim that it is in, its curves, its mesh and its placement if it has any. Small prims are many, so what most have not is
 /// made when the first of it is read.
 #[derive(Debug)]
 pub(super) struct Prim {
@@ -79,8 +90,9 @@ pub(super) struct Prim {
     parent: Option<u32>,
     /// Whether it and all above it are defined, active and not abstract.
     alive: bool,
-    kind: CurvesKind,
+    kind: PrimKind,
     pub curves: Option<Box<CurvesPrim>>,
+    pub mesh: Option<Box<MeshPrim>>,
     pub placement: Option<Box<Placement>>,
 }
 
@@ -94,6 +106,7 @@ pub(super) struct Layer {
     /// What the format means where the file does not say: 24.
     pub time_codes_per_second: f64,
     pub prims: Vec<Prim>,
+    wanted: Wanted,
 }
 
 impl Layer {
@@ -101,6 +114,27 @@ impl Layer {
     pub fn curves(&self) -> impl Iterator<Item = (usize, &CurvesPrim)> {
         let alive = self.prims.iter().enumerate().filter(|(_, prim)| prim.alive);
         alive.filter_map(|(index, prim)| prim.curves.as_deref().map(|curves| (index, curves)))
+    }
+
+    /// The prims that are in use and have meshes.
+    pub fn meshes(&self) -> impl Iterator<Item = (usize, &MeshPrim)> {
+        let alive = self.prims.iter().enumerate().filter(|(_, prim)| prim.alive);
+        alive.filter_map(|(index, prim)| prim.mesh.as_deref().map(|mesh| (index, mesh)))
+    }
+
+    /// Where a prim is in the world at a time, as the placements of it and of those it is in say.
+    pub fn world(&self, prim: usize, time: f64, file: &str) -> Result<Matrix4<f64>> {
+        let mut world = Matrix4::identity();
+        for above in self.ancestry(prim) {
+            if let Some(placement) = &above.placement {
+                let (local, anew) = placement.matrix(time, file, &|| self.path(prim))?;
+                world = local * world;
+                if anew {
+                    break;
+                }
+            }
+        }
+        Ok(world)
     }
 
     /// A prim and those it is in, itself first.
@@ -115,12 +149,12 @@ impl Layer {
         names.iter().fold(String::new(), |path, name| path + "/" + name)
     }
 
-    /// Reads a layer.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<Self> {
+    /// Reads a layer, as far as it is wanted.
+    pub fn read(name: &str, bytes: &[u8], wanted: Wanted) -> Result<Self> {
         if !bytes.starts_with(b"#usda 1.") {
             return Err(Error::file(name, "does not begin with \"#usda 1.\": no USD text file"));
         }
-        let mut layer = Layer { metres_per_unit: 0.01, up: UpAxis::Y, time_codes_per_second: 24.0, prims: Vec::new() };
+        let mut layer = Layer { metres_per_unit: 0.01, up: UpAxis::Y, time_codes_per_second: 24.0, prims: Vec::new(), wanted };
         let scan = &mut Scan::new(name, bytes);
         let mut frames_per_second = None;
         let mut time_codes_per_second = None;
@@ -205,10 +239,11 @@ impl Layer {
         }
         scan.expect(b'{', format_args!("to begin {name:?}"))?;
         let above = parent.is_none_or(|parent| self.prims[parent as usize].alive);
-        let kind = match kind {
-            "BasisCurves" => CurvesKind::Basis,
-            "NurbsCurves" => CurvesKind::Nurbs,
-            _ => CurvesKind::None,
+        let kind = match (kind, self.wanted) {
+            ("BasisCurves", Wanted::Curves) => PrimKind::Basis,
+            ("NurbsCurves", Wanted::Curves) => PrimKind::Nurbs,
+            ("Mesh", Wanted::Meshes) => PrimKind::Mesh,
+            _ => PrimKind::None,
         };
         let index = u32::try_from(self.prims.len()).map_err(|_| scan.error("more than 4294967295 prims"))?;
         if self.prims.len() == self.prims.capacity() {
@@ -221,6 +256,7 @@ impl Layer {
             alive: above && defined && active,
             kind,
             curves: None,
+            mesh: None,
             placement: None,
         });
         Ok(index)
@@ -286,8 +322,10 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
         let taken = if name.starts_with("xformOp") {
             prim.placement.get_or_insert_default().take(scan, name, over_time)?;
             true
-        } else if prim.kind != CurvesKind::None && WANTED.contains(&name) {
-            let nurbs = prim.kind == CurvesKind::Nurbs;
+        } else if prim.kind == PrimKind::Mesh {
+            MeshPrim::wants(name) && prim.mesh.get_or_insert_default().take(scan, name, over_time)?
+        } else if prim.kind != PrimKind::None && WANTED.contains(&name) {
+            let nurbs = prim.kind == PrimKind::Nurbs;
             let curves = prim.curves.get_or_insert_with(|| Box::new(CurvesPrim { nurbs, ..CurvesPrim::default() }));
             take(scan, curves, name, over_time)?
         } else {
@@ -298,15 +336,16 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
         }
     }
     if scan.accept(b'(') {
-        let interpolation = match &mut prim.curves {
-            Some(curves) => match name {
+        let interpolation = match (&mut prim.curves, &mut prim.mesh) {
+            (_, Some(mesh)) => (name == "primvars:st").then_some(&mut mesh.uvs.interpolation),
+            (Some(curves), None) => match name {
                 "widths" => Some(&mut curves.widths.interpolation),
                 "primvars:displayColor" => Some(&mut curves.colors.interpolation),
                 "primvars:displayOpacity" => Some(&mut curves.opacities.interpolation),
                 "primvars:st" => Some(&mut curves.uvs.interpolation),
                 _ => None,
             },
-            None => None,
+            (None, None) => None,
         };
         let mut found = None;
         metadata(scan, |key, scan| match key {
@@ -315,9 +354,10 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
                     "constant" => Some(Interpolation::Constant),
                     "uniform" => Some(Interpolation::Uniform),
                     "varying" => Some(Interpolation::Varying),
-                    "vertex" | "faceVarying" => Some(Interpolation::Vertex),
+                    "vertex" => Some(Interpolation::Vertex),
+                    "faceVarying" => Some(Interpolation::FaceVarying),
                     other => {
-                        let expected = "constant, uniform, varying or vertex";
+                        let expected = "constant, uniform, varying, vertex or faceVarying";
                         return Err(scan.error(format_args!("interpolation is {other:?}; expected {expected}")));
                     }
                 };

@@ -12,8 +12,10 @@ pub(super) enum Interpolation {
     Uniform,
     /// One at each end of a span.
     Varying,
-    /// One a control point.
+    /// One a control point, or a vertex of a mesh.
     Vertex,
+    /// One a corner of each face of a mesh; of curves the same as one a control point.
+    FaceVarying,
 }
 
 /// What an attribute says, and when. An empty attribute takes no memory beside its own.
@@ -83,6 +85,40 @@ impl<T> Attribute<T> {
         }
         let ((begin, first), (end, second)) = (&self.samples[after - 1], &self.samples[after]);
         Some((first.as_ref()?, second.as_ref()?, (time - begin) / (end - begin)))
+    }
+}
+
+impl<T: PartialEq> Attribute<T> {
+    /// Whether all its samples are the same.
+    pub fn stands_still(&self) -> bool {
+        self.samples.windows(2).all(|pair| pair[0].1 == pair[1].1)
+    }
+}
+
+impl<const N: usize> Attribute<Vec<[f32; N]>> {
+    /// The vectors at a time, between two samples of as many straight from the one to the other.
+    pub fn vectors_at(&self, time: f64) -> Option<Vec<[f32; N]>> {
+        match self.between(time) {
+            Some((before, after, share)) if before.len() == after.len() => {
+                let mix = |a: f32, b: f32| (f64::from(a) + (f64::from(b) - f64::from(a)) * share) as f32;
+                let pairs = before.iter().zip(after);
+                Some(pairs.map(|(a, b)| std::array::from_fn(|axis| mix(a[axis], b[axis]))).collect())
+            }
+            _ => self.at(time).cloned(),
+        }
+    }
+}
+
+/// The entries of a primvar in their order; the index that is of no entry.
+pub(super) fn indexed<T: Copy>(values: Option<&Vec<T>>, indices: Option<&Vec<u32>>) -> std::result::Result<Option<Vec<T>>, u32> {
+    match (values, indices) {
+        (None, _) => Ok(None),
+        (Some(values), None) => Ok(Some(values.clone())),
+        (Some(values), Some(indices)) => indices
+            .iter()
+            .map(|index| values.get(*index as usize).copied().ok_or(*index))
+            .collect::<std::result::Result<_, _>>()
+            .map(Some),
     }
 }
 

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
+use superhelix::error::Error;
 use superhelix::files::curve_cache::CurveCache;
 use superhelix::files::curves::{Curves, CurvesFormat};
 use superhelix::groom::render_hair::resampled;
@@ -92,7 +93,7 @@ impl GuideFrames {
         })
     }
 
-    /// Each so many-th of `curves`, those of a frame, as guides of `per_strand` points, m.
+    /// The guides of a frame, as [`guides_of`] makes them.
     pub fn guides(
         &self,
         index: usize,
@@ -101,16 +102,21 @@ impl GuideFrames {
         per_strand: usize,
         scale: f64,
     ) -> Result<GuideFrame, Failure> {
-        let kept: Vec<usize> = (0..curves.strand_count()).step_by(every).collect();
-        let counts: Vec<u32> = kept.iter().map(|strand| curves.counts()[*strand]).collect();
-        let of = |list: &[[f32; 3]]| -> Vec<Vector3<f64>> {
-            kept.iter().flat_map(|strand| unit::in_metres(&list[curves.strand_range(*strand)], scale)).collect()
-        };
-        let velocities = curves.extras().velocities.as_deref().map(of);
-        let made = resampled(&of(curves.points()), &counts, velocities.as_deref(), per_strand);
-        let made = made.map_err(|error| Failure::Other(format!("{}: {error}", self.name(index))))?;
-        Ok(GuideFrame { points: made.points, velocities: made.values })
+        let made = guides_of(curves, every, per_strand, scale);
+        made.map_err(|error| Failure::Other(format!("{}: {error}", self.name(index))))
     }
+}
+
+/// Each so many-th of some curves as a guide of `per_strand` points, m.
+pub fn guides_of(curves: &Curves, every: usize, per_strand: usize, scale: f64) -> Result<GuideFrame, Error> {
+    let kept: Vec<usize> = (0..curves.strand_count()).step_by(every).collect();
+    let counts: Vec<u32> = kept.iter().map(|strand| curves.counts()[*strand]).collect();
+    let of = |list: &[[f32; 3]]| -> Vec<Vector3<f64>> {
+        kept.iter().flat_map(|strand| unit::in_metres(&list[curves.strand_range(*strand)], scale)).collect()
+    };
+    let velocities = curves.extras().velocities.as_deref().map(of);
+    let made = resampled(&of(curves.points()), &counts, velocities.as_deref(), per_strand)?;
+    Ok(GuideFrame { points: made.points, velocities: made.values })
 }
 
 /// Velocities of things at a moment from where they are then, and at the moments before and after, as far as there are any: of the parabola

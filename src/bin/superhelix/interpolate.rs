@@ -1,25 +1,21 @@
 //! `superhelix interpolate`: render strands from the guides of a groom or of a cache.
 
 use std::path::PathBuf;
-use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use nalgebra::Vector3;
 use serde_json::json;
-use superhelix::error::Error;
-use superhelix::files::curves::{Curves, Extras};
-use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderSettings, Space};
-use superhelix::groom::scalp::Amount;
+use superhelix::files::curves::{Curves, Extras, UpAxis};
+use superhelix::groom::render_hair::{RenderSettings, Space};
 use superhelix::workers::Workers;
 
 use crate::argument_values::{not_negative, positive};
 use crate::failure::Failure;
-use crate::guide_frames::{GuideFrame, GuideFrames};
-use crate::moving_scalp::{MovingScalp, ScalpFiles};
-use crate::region::{DensityArguments, groom_roots};
-use crate::render_frames::{Moment, Renderer, Velocities};
-use crate::render_output::RenderOutput;
+use crate::guide_frames::GuideFrames;
+use crate::moving_scalp::{ScalpFiles, ScalpRequest};
+use crate::region::{DensityArguments, groom_roots, in_flags};
+use crate::render_output::{OutputKind, RenderOutput};
+use crate::render_roots::{Ground, Scattering};
+use crate::render_run::{BoundHair, RenderRun};
 use crate::unit;
 
 /// Makes render strands from few guides: interpolated at the root, gathered in wisps at the tip, as curly as the hair is.
@@ -45,10 +41,10 @@ pub struct InterpolateArguments {
     /// Use each K-th strand as a guide only.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     every: u32,
-    /// Roots are scattered over this mesh (.obj with faces, in the guides' units): where --density and --density-picture say, or without them
-    /// near the guides' roots. A directory of meshes (head.0001.obj ...), one for each frame of the guides, is a scalp that deforms and takes
-    /// the roots along. Without a mesh, among the guides' roots.
-    #[arg(long, value_name = "MESH.obj|DIR")]
+    /// Roots are scattered over this mesh (.obj with faces in the guides' units, or .usda, which says its own): where --density and
+    /// --density-picture say, or without them near the guides' roots. A directory of meshes (head.0001.obj ...), one for each frame of the
+    /// guides, or a .usda mesh with time samples is a scalp that deforms and takes the roots along. Without a mesh, among the guides' roots.
+    #[arg(long, value_name = "MESH|DIR")]
     scalp: Option<PathBuf>,
     /// With --scalp: how near to a guide's root, m. Default: with a density anywhere, without one and a half times the distance within which
     /// nine tenths of the guides have another beside them.
@@ -98,6 +94,9 @@ pub struct InterpolateArguments {
     /// Radius at the tip, m.
     #[arg(long, value_name = "METRES", default_value_t = 15e-6, value_parser = not_negative)]
     tip_radius: f64,
+    /// From where on, as a share of the length, the radius goes to that of the tip; 0 to less than 1.
+    #[arg(long, value_name = "SHARE", default_value_t = 0.5, value_parser = not_negative)]
+    taper_from: f64,
     /// By which share radii differ between strands at most.
     #[arg(long, value_name = "SHARE", default_value_t = 0.1, value_parser = not_negative)]
     radius_variation: f64,
@@ -165,54 +164,36 @@ impl InterpolateArguments {
             frizz_waves: self.frizz_waves,
             radius: self.radius,
             tip_radius: self.tip_radius,
+            taper_from: self.taper_from,
             radius_variation: self.radius_variation,
             length_variation: self.length_variation,
             seed: self.seed,
             workers: if self.threads == 1 { Workers::Serial } else { Workers::Pool(self.threads as usize) },
             ..RenderSettings::default()
         };
-        settings.check("--").map_err(|error| match error {
-            Error::InvalidArgument { argument, value, expected } => {
-                Failure::Other(format!("{} is {value}; expected {expected}", argument.replace('_', "-")))
-            }
-            other => Failure::from(other),
-        })?;
+        settings.check("").map_err(in_flags)?;
         Ok(settings)
     }
 
-    /// Where the roots are at rest, m, and the scalp that takes them along, if it deforms.
-    fn places(&self, guides: &[Vector3<f64>], frames: usize, scale: f64) -> Result<Places, Failure> {
-        let still = |roots| Places { roots, moving: None };
+    /// What the strands grow on, of guides with such frames, metres a unit and perhaps an axis that points up.
+    fn ground(&self, frames: &GuideFrames, scale: f64, up: Option<UpAxis>) -> Result<Ground, Failure> {
         if let Some(path) = &self.roots {
-            return groom_roots(path, scale).map(still);
+            return Ok(Ground::Given(groom_roots(path, scale)?));
         }
-        let roots = GuideRoots::new(guides.iter().step_by(self.points as usize).copied().collect())?;
+        let count = self.count as usize;
         let Some(path) = &self.scalp else {
             if self.density.is_given() {
                 return Err(Failure::Other("--density and --density-picture are of a mesh: give --scalp".into()));
             }
-            return Ok(still(roots.among(self.count as usize, self.seed)));
+            return Ok(Ground::Among(count));
         };
-        let files = ScalpFiles::list(path)?;
-        let mesh = files.rest(scale)?;
-        // A map of where hair grows needs no help from the guides.
-        let within = self.within.or_else(|| (!self.density.is_given()).then(|| 1.5 * roots.spacing().unwrap_or(LONE)));
-        let amount = Amount::Count(self.count as usize);
-        let scattered = mesh.scatter(amount, &self.density, within.map(|within| (&roots, within)), self.seed)?;
-        let roots = scattered.follicles.iter().map(|follicle| mesh.scalp.place(follicle)).collect();
-        Ok(Places { roots, moving: files.moving(path, frames, mesh, scattered.follicles)? })
+        let times: Vec<Option<f64>> = (0..frames.count()).map(|index| frames.time(index)).collect();
+        let request = ScalpRequest { path, scale: self.scale, otherwise: scale, pose: None, up, times: &times };
+        let scalp = ScalpFiles::read(&request)?;
+        let maps = self.density.read(&scalp.rest)?;
+        Ok(Ground::Scalp(Box::new(Scattering { scalp, count, maps, within: self.within })))
     }
 }
-
-/// Where strands grow.
-struct Places {
-    /// At rest, m.
-    roots: Vec<Vector3<f64>>,
-    moving: Option<MovingScalp>,
-}
-
-/// How far guides count that have no other beside them, m.
-const LONE: f64 = 0.01;
 
 /// Runs the command.
 pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
@@ -225,51 +206,40 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
         |index: usize, curves: &Curves| frames.guides(index, curves, arguments.every as usize, arguments.points as usize, scale);
     let rest = guides(0, &first)?;
     let point_count = rest.points.len();
-    let places = arguments.places(&rest.points, frames.count(), scale)?;
-    let begun = Instant::now();
-    let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&rest.points), &places.roots)?;
-    let (bound, guide_count, strand_count) = (begun.elapsed().as_secs_f64(), hair.guide_count(), hair.strand_count());
-    let directory = arguments.guides.is_dir();
-    let mut out = RenderOutput::create(&arguments.out, frames.count(), directory, frames.per_second(), arguments.overwrite)?;
-    let moment = |index: usize, guides: GuideFrame| -> Result<Moment, Failure> {
+    let places = arguments.ground(&frames, scale, of.up)?.places(&rest.points, settings.points_per_strand, settings.seed);
+    let bound = BoundHair::bind(&settings, places.map_err(in_flags)?, &rest)?;
+    let kind = OutputKind::of_name(&arguments.out, frames.count(), arguments.guides.is_dir(), frames.per_second());
+    let kind = kind.map_err(|reason| Failure::file(&arguments.out, reason))?;
+    let out = RenderOutput::create(&arguments.out, kind, arguments.overwrite)?;
+    let mut run = RenderRun::new(bound, scale, of, out);
+    run.take(frames.name(0), frames.time(0), rest)?;
+    for index in 1..frames.count() {
+        let (name, guides) = (frames.name(index), guides(index, &frames.curves(index)?)?);
         if guides.points.len() != point_count {
-            let here = guides.points.len() / settings.points_per_strand;
-            let name = frames.name(index);
-            return Err(Failure::Other(format!("{name}: has {here} guides where the first frame has {guide_count}")));
+            let [here, first] = [guides.points.len(), point_count].map(|points| points / settings.points_per_strand);
+            return Err(Failure::Other(format!("{name}: has {here} guides where the first frame has {first}")));
         }
-        let roots = places.moving.as_ref().map(|scalp| scalp.roots(index, scale)).transpose()?;
-        Ok(Moment { time: frames.time(index), guides, roots })
-    };
-    let mut renderer = Renderer::new(hair, scale, of);
-    let (mut before, mut now, mut with_velocities) = (None, moment(0, rest)?, false);
-    for index in 0..frames.count() {
-        let next = index + 1;
-        let after = if next < frames.count() { Some(moment(next, guides(next, &frames.curves(next)?)?)?) } else { None };
-        let moving = if out.holds_velocities() { Velocities::of(before.as_ref(), &now, after.as_ref()) } else { None };
-        with_velocities |= moving.is_some();
-        let made = renderer.frame(&now, moving.as_ref());
-        let made = made.map_err(|failure| Failure::Other(format!("{}: {failure}", frames.name(index))))?;
-        out.write(now.time.unwrap_or(0.0), &made)?;
-        let Some(after) = after else { break };
-        before = Some(std::mem::replace(&mut now, after));
+        run.take(name, frames.time(index), guides)?;
     }
-    out.finish()?;
+    let done = run.finish()?;
     let answer = json!({
-        "guides": guide_count,
-        "strands": strand_count,
+        "guides": done.guides,
+        "strands": done.strands,
         "points_per_strand": settings.points_per_strand,
-        "frames": frames.count(),
-        "velocities": with_velocities,
-        "bind_seconds": bound,
-        "evaluate_seconds": renderer.seconds,
+        "frames": done.frames,
+        "velocities": done.with_velocities,
+        "bind_seconds": done.bind_seconds,
+        "evaluate_seconds": done.evaluate_seconds,
     });
     crate::print_answer(arguments.json, &answer, || {
         format!(
-            "{}: {strand_count} strands of {} points from {guide_count} guides, {} frames{}",
+            "{}: {} strands of {} points from {} guides, {} frames{}",
             arguments.out.display(),
+            done.strands,
             settings.points_per_strand,
-            frames.count(),
-            if with_velocities { " with velocities" } else { "" }
+            done.guides,
+            done.frames,
+            if done.with_velocities { " with velocities" } else { "" }
         )
     })
 }

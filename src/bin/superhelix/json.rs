@@ -258,7 +258,7 @@ impl<'a> Node<'a> {
     pub fn whole(&self, range: std::ops::RangeInclusive<u64>) -> Result<u64, Complaint> {
         let expected = || self.complain(format!("a whole number, {} to {}", range.start(), range.end()));
         let number = self.value.as_f64().ok_or_else(expected)?;
-        // Every whole number that a range here allows is exact in f64.
+        // Whole numbers up to 9e15 are exact in f64.
         let whole = self.value.as_u64().or((number.fract() == 0.0 && (0.0..9e15).contains(&number)).then_some(number as u64));
         whole.filter(|whole| range.contains(whole)).ok_or_else(expected)
     }

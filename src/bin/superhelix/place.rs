@@ -11,7 +11,7 @@ use superhelix::groom::scalp::{Amount, Follicle, Jitter, Scalp, Scattered};
 use crate::argument_values::{not_negative, positive};
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
-use crate::region::{DensityArguments, Mesh, groom_roots};
+use crate::region::{DensityArguments, Mesh, Placement, groom_roots, in_flags};
 
 /// Scatters follicles over a mesh, evenly or as densely as maps say, or puts them at texture coordinates, and writes their frames.
 #[derive(Debug, Args)]
@@ -60,7 +60,7 @@ pub fn run(arguments: &PlaceArguments) -> Result<(), Failure> {
         return Err(Failure::Other("--jitter is of --uvs: scattered follicles stand in no rows".into()));
     }
     let mut out = AtomicFile::create(&arguments.out)?;
-    let mesh = Mesh::read(&arguments.mesh, arguments.scale)?;
+    let mesh = Mesh::read(&arguments.mesh, Placement::scaled(arguments.scale))?;
     let scattered = match (&arguments.uvs, arguments.count, arguments.spacing) {
         (Some(path), ..) => at_coordinates(&mesh, path, arguments)?,
         (None, Some(count), _) => scatter(&mesh, Amount::Count(count as usize), arguments)?,
@@ -82,7 +82,8 @@ pub fn run(arguments: &PlaceArguments) -> Result<(), Failure> {
 fn scatter(mesh: &Mesh, amount: Amount, arguments: &PlaceArguments) -> Result<Scattered, Failure> {
     let roots = arguments.near.as_deref().map(|path| groom_roots(path, arguments.scale)).transpose()?;
     let roots = roots.map(GuideRoots::new).transpose()?;
-    mesh.scatter(amount, &arguments.density, roots.as_ref().zip(arguments.within), arguments.seed)
+    let maps = arguments.density.read(mesh)?;
+    mesh.scatter(amount, maps, roots.as_ref().zip(arguments.within), arguments.seed).map_err(in_flags)
 }
 
 /// Follicles where a file of texture coordinates says. How far they are apart is not looked at.

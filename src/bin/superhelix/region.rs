@@ -9,6 +9,7 @@ use superhelix::files::curves::Curves;
 use superhelix::files::obj_mesh::{self, ObjMesh, Texture};
 use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::scalp::{Amount, Density, Scalp, ScatterOptions, Scattered};
+use superhelix::math::frame::Frame;
 
 use crate::failure::Failure;
 
@@ -29,9 +30,45 @@ impl DensityArguments {
     pub fn is_given(&self) -> bool {
         self.density.is_some() || self.density_picture.is_some()
     }
+
+    /// The maps, which are of `mesh`.
+    pub fn read(&self, mesh: &Mesh) -> Result<Vec<Density>, Failure> {
+        let mut maps = Vec::new();
+        if let Some(path) = &self.density {
+            maps.push(read_vertex_densities(path)?);
+        }
+        if let Some(path) = &self.density_picture {
+            mesh.check_textured("--density-picture")?;
+            maps.push(read_picture(path)?);
+        }
+        Ok(maps)
+    }
+}
+
+/// Where a mesh's file is in the world.
+#[derive(Debug, Clone, Copy)]
+pub struct Placement {
+    /// Metres a unit of the file.
+    pub scale: f64,
+    /// Of the file's origin and axes; none where they are the world's.
+    pub pose: Option<Frame>,
+}
+
+impl Placement {
+    /// A file in the world's axes.
+    pub fn scaled(scale: f64) -> Self {
+        Self { scale, pose: None }
+    }
+
+    /// A point of the file, m.
+    pub fn place(&self, point: &Vector3<f64>) -> Vector3<f64> {
+        let point = point * self.scale;
+        self.pose.map_or(point, |pose| pose.origin + pose.rotation * point)
+    }
 }
 
 /// A mesh that follicles stand on, m.
+#[derive(Debug)]
 pub struct Mesh {
     path: PathBuf,
     /// The mesh; with texture coordinates where the file has one at every corner.
@@ -41,10 +78,15 @@ pub struct Mesh {
 
 impl Mesh {
     /// Reads it.
-    pub fn read(path: &Path, scale: f64) -> Result<Self, Failure> {
+    pub fn read(path: &Path, placed: Placement) -> Result<Self, Failure> {
         let (mesh, texture) = obj_mesh::read_textured(path)?;
+        Self::new(path, mesh, texture, placed)
+    }
+
+    /// What was read of a file.
+    pub fn new(path: &Path, mesh: ObjMesh, texture: Option<Texture>, placed: Placement) -> Result<Self, Failure> {
         let textured = texture.is_some();
-        let scalp = scalp_of(mesh, texture, scale).map_err(|error| Failure::file(path, error))?;
+        let scalp = scalp_of(mesh, texture, placed).map_err(|error| Failure::file(path, error))?;
         Ok(Self { path: path.to_owned(), scalp, textured })
     }
 
@@ -53,55 +95,58 @@ impl Mesh {
         if self.textured {
             return Ok(());
         }
-        let reason = format!("{flag} needs texture coordinates at every corner of its faces (\"vt\", \"f 1/1 2/2 3/3\")");
+        let reason =
+            format!("{flag} needs texture coordinates at every corner of its faces (\"vt\", \"f 1/1 2/2 3/3\"; primvars:st)");
         Err(Failure::file(&self.path, reason))
     }
 
-    /// Follicles, near some places where there are any. Names of what is wrong are those of the command line.
+    /// Follicles, as densely as all maps together say, and near some places where there are any.
     pub fn scatter(
         &self,
         amount: Amount,
-        maps: &DensityArguments,
+        mut maps: Vec<Density>,
         near: Option<(&GuideRoots, f64)>,
         seed: u64,
-    ) -> Result<Scattered, Failure> {
-        let mut factors = Vec::new();
-        if let Some(path) = &maps.density {
-            let text = std::fs::read_to_string(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
-            let density = vertex_densities(&text);
-            factors.push(density.map_err(|error| Failure::file(path, format!("{error}: expected a number for each vertex")))?);
-        }
-        if let Some(path) = &maps.density_picture {
-            self.check_textured("--density-picture")?;
-            factors.push(read_picture(path)?);
-        }
+    ) -> Result<Scattered, Error> {
         if let Some((roots, within)) = near {
-            factors.push(Density::Vertices(roots.nearness(self.scalp.vertices(), within)?));
+            maps.push(Density::Vertices(roots.nearness(self.scalp.vertices(), within)?));
         }
-        let options = ScatterOptions { amount, density: Density::Product(factors), seed };
+        let options = ScatterOptions { amount, density: Density::Product(maps), seed };
         self.scalp.scatter(&options).map_err(|error| match error {
-            Error::InvalidArgument { ref argument, .. } if argument == "density" && near.is_some() => {
-                Failure::Other(format!("--{error} (with what is near the roots)"))
+            Error::InvalidArgument { argument, value, expected } if argument == "density" && near.is_some() => {
+                Error::InvalidArgument { argument, value, expected: format!("{expected} (with what is near the roots)") }
             }
-            other => Failure::Other(format!("--{other}")),
+            other => other,
         })
     }
 }
 
+/// A complaint of the library in the words of the command line.
+pub fn in_flags(error: Error) -> Failure {
+    match error {
+        Error::InvalidArgument { argument, value, expected } => {
+            Failure::Other(format!("--{} is {value}; expected {expected}", argument.replace('_', "-")))
+        }
+        other => Failure::from(other),
+    }
+}
+
 /// A mesh that was read, as a scalp, m.
-pub fn scalp_of(mesh: ObjMesh, texture: Option<Texture>, scale: f64) -> Result<Scalp, Error> {
-    let vertices = mesh.vertices.iter().map(|vertex| vertex * scale).collect();
+pub fn scalp_of(mesh: ObjMesh, texture: Option<Texture>, placed: Placement) -> Result<Scalp, Error> {
+    let vertices = mesh.vertices.iter().map(|vertex| placed.place(vertex)).collect();
     Scalp::new(vertices, mesh.triangles, texture.map(|texture| texture.corners()), Vector3::x())
 }
 
-/// The numbers of a text, one for each vertex.
-pub fn vertex_densities(text: &str) -> Result<Density, std::num::ParseFloatError> {
+/// The numbers of a text file, one for each vertex.
+pub fn read_vertex_densities(path: &Path) -> Result<Density, Failure> {
+    let text = std::fs::read_to_string(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
     let numbers: Result<Vec<f64>, _> = text.split_ascii_whitespace().map(str::parse).collect();
-    numbers.map(Density::Vertices)
+    let numbers = numbers.map_err(|error| Failure::file(path, format!("{error}: expected a number for each vertex")))?;
+    Ok(Density::Vertices(numbers))
 }
 
 /// A picture's brightness (ITU-R BT.709's weights, of the pixels' numbers as they are) times its opacity, from the bottom row up.
-fn read_picture(path: &Path) -> Result<Density, Failure> {
+pub fn read_picture(path: &Path) -> Result<Density, Failure> {
     let bytes = std::fs::read(path).map_err(|error| Failure::file(path, format!("cannot be read: {error}")))?;
     let picture = tiny_skia::Pixmap::decode_png(&bytes)
         .map_err(|error| Failure::file(path, format!("cannot be read as a picture in PNG: {error}")))?;

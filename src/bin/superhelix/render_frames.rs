@@ -14,6 +14,8 @@ use crate::guide_frames::{GuideFrame, velocities};
 
 /// Guides and roots at a moment.
 pub struct Moment {
+    /// What it is called in errors.
+    pub name: String,
     /// s, where it is known.
     pub time: Option<f64>,
     /// m.

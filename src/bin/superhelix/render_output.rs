@@ -26,33 +26,46 @@ pub enum RenderOutput {
     },
 }
 
-impl RenderOutput {
-    /// Chosen by the name: a `.usda` file holds one frame or many, whose times must be known; any other groom one; and a directory takes
-    /// frames (`directory`), with `overwrite` in place of those that it holds.
-    pub fn create(
-        path: &Path,
-        frames: usize,
-        directory: bool,
-        per_second: Option<f64>,
-        overwrite: bool,
-    ) -> Result<Self, Failure> {
-        let format = CurvesFormat::of_name(path);
-        match (format, per_second) {
+/// Where frames go, by the name that was given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum OutputKind {
+    /// The one frame of a groom.
+    Groom,
+    /// A file a frame, in a directory.
+    Frames,
+    /// One file, with so many time codes a second.
+    Cache(f64),
+}
+
+impl OutputKind {
+    /// A `.usda` file holds one frame or many, whose times must be known; any other groom one; and a directory takes frames (`directory`).
+    /// What does not go together is said in words that follow the name.
+    pub fn of_name(path: &Path, frames: usize, directory: bool, per_second: Option<f64>) -> Result<Self, String> {
+        match (CurvesFormat::of_name(path), per_second) {
             (Some(CurvesFormat::Usda), None) if frames > 1 => {
-                Err(Failure::file(path, "holds frames at times: give --fps, the frames a second"))
+                Err("holds frames at times: give --fps, the frames a second".to_string())
             }
-            (Some(CurvesFormat::Usda), Some(per_second)) if frames > 1 => {
-                Ok(RenderOutput::Cache { path: path.to_owned(), per_second, writer: None })
-            }
+            (Some(CurvesFormat::Usda), Some(per_second)) if frames > 1 => Ok(OutputKind::Cache(per_second)),
             (Some(_), _) if frames > 1 => {
-                Err(Failure::file(path, format!("holds one frame, and there are {frames}: give a directory or a .usda file")))
+                Err(format!("holds one frame, and there are {frames}: give a directory or a .usda file"))
             }
-            (None, _) if directory || frames > 1 => {
-                let existing = if overwrite { Existing::Replace } else { Existing::Refuse };
-                Ok(RenderOutput::Frames(SequenceWriter::create(path, "render", CacheFormat::Hair, 1, existing)?))
-            }
-            _ => Ok(RenderOutput::Groom(path.to_owned())),
+            (None, _) if directory || frames > 1 => Ok(OutputKind::Frames),
+            _ => Ok(OutputKind::Groom),
         }
+    }
+}
+
+impl RenderOutput {
+    /// Begins the files, with `overwrite` in place of those that a directory holds.
+    pub fn create(path: &Path, kind: OutputKind, overwrite: bool) -> Result<Self, Failure> {
+        Ok(match kind {
+            OutputKind::Groom => RenderOutput::Groom(path.to_owned()),
+            OutputKind::Frames => {
+                let existing = if overwrite { Existing::Replace } else { Existing::Refuse };
+                RenderOutput::Frames(SequenceWriter::create(path, "render", CacheFormat::Hair, 1, existing)?)
+            }
+            OutputKind::Cache(per_second) => RenderOutput::Cache { path: path.to_owned(), per_second, writer: None },
+        })
     }
 
     /// Whether velocities have a place in it.

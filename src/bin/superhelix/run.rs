@@ -16,13 +16,13 @@ use crate::report::Report;
 use crate::resolution;
 use crate::rest_arguments::RestArguments;
 use crate::result::RunResult;
-use crate::run_cache::RunCache;
+use crate::run_files::RunFiles;
 use crate::scene::pose::Moves;
 use crate::scene::{self, Scene};
 use crate::settled;
 use crate::timeline;
 
-/// Runs a scene file (docs/scene_format.md) and writes what happened.
+/// Runs a scene file (docs/scene_format.md) and writes what happened, and the render hair that the scene asks for.
 ///
 /// Exit status: 0 when the run ended, 2 for a bad scene (nothing is written), 1 for anything else.
 #[derive(Debug, Args)]
@@ -75,14 +75,12 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let things = Things::make(&scene, &mut solver, ids).map_err(complain)?;
 
     let mut out = AtomicFile::create(&arguments.out)?;
-    let mut cache = arguments.cache.as_deref().map(|path| RunCache::create(path, &scene)).transpose()?;
-    let result = simulate(&scene, &mut solver, &things, cache.as_mut(), arguments.quiet)?;
+    let mut files = RunFiles::create(arguments.cache.as_deref(), &mut scene, path, &solver, &things.strands)?;
+    let result = simulate(&scene, &mut solver, &things, &mut files, arguments.quiet)?;
     let unwritable = |error: &dyn std::fmt::Display| Failure::file(&arguments.out, format!("cannot be written: {error}"));
     serde_json::to_writer(&mut out, &result).map_err(|error| unwritable(&error))?;
     out.write_all(b"\n").map_err(|error| unwritable(&error))?;
-    if let Some(cache) = cache {
-        cache.finish()?;
-    }
+    files.finish()?;
     out.commit()
 }
 
@@ -142,7 +140,7 @@ fn simulate(
     scene: &Scene,
     solver: &mut Solver,
     things: &Things,
-    mut cache: Option<&mut RunCache>,
+    files: &mut RunFiles,
     quiet: bool,
 ) -> Result<RunResult, Failure> {
     let times = timeline::output_times(scene.duration, scene.output_interval);
@@ -156,9 +154,7 @@ fn simulate(
     let mut result = RunResult::new(things, &scene.outputs);
     let mut report = Report::default();
     let mut record = |time: f64, solver: &Solver| -> Result<(), Failure> {
-        if let Some(cache) = &mut cache {
-            cache.write(time, solver, &things.strands)?;
-        }
+        files.write(time, solver, &things.strands)?;
         Ok(result.record(time, solver)?)
     };
     record(times[0], solver)?;

@@ -4,8 +4,6 @@ use std::path::Path;
 
 use superhelix::files::curve_cache::CurveCacheWriter;
 use superhelix::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
-use superhelix::solver::Solver;
-use superhelix::solver::id::StrandId;
 
 use crate::failure::Failure;
 use crate::sampled_frame::SampledFrame;
@@ -15,7 +13,18 @@ use crate::scene::Scene;
 #[derive(Debug)]
 pub struct RunCache {
     writer: CurveCacheWriter,
-    frame: SampledFrame,
+}
+
+/// Unit and axis of files that a scene's strands go to.
+pub fn extras_of(scene: &Scene) -> Extras {
+    let gravity = scene.options.gravity;
+    let up = if gravity.y.abs() > gravity.z.abs() { UpAxis::Y } else { UpAxis::Z };
+    Extras { metres_per_unit: Some(1.0), up: Some(up), ..Extras::default() }
+}
+
+/// What the times of those files are counted in, a second.
+pub fn per_second(scene: &Scene) -> f64 {
+    1.0 / scene.output_interval
 }
 
 impl RunCache {
@@ -30,23 +39,15 @@ impl RunCache {
             .strands
             .iter()
             .flat_map(|strand| std::iter::repeat_n((2.0 * strand.definition.material.mean_radius()) as f32, samples));
-        let gravity = scene.options.gravity;
-        let extras = Extras {
-            velocities: Some(vec![[0.0; 3]; total]),
-            thickness: Some(thickness.collect()),
-            metres_per_unit: Some(1.0),
-            up: Some(if gravity.y.abs() > gravity.z.abs() { UpAxis::Y } else { UpAxis::Z }),
-            ..Extras::default()
-        };
+        let velocities = Some(vec![[0.0; 3]; total]);
+        let extras = Extras { velocities, thickness: Some(thickness.collect()), ..extras_of(scene) };
         let still = Curves::from_counts(vec![samples as u32; count], vec![[0.0; 3]; total])?.with_extras(extras)?;
-        let writer = CurveCacheWriter::create(path, &still, 1.0 / scene.output_interval)?;
-        Ok(Self { writer, frame: SampledFrame::new(samples, 1.0) })
+        Ok(Self { writer: CurveCacheWriter::create(path, &still, per_second(scene))? })
     }
 
-    /// Writes the solver's present state as that of `time`.
-    pub fn write(&mut self, time: f64, solver: &Solver, ids: &[StrandId]) -> Result<(), Failure> {
-        self.frame.take(solver, ids)?;
-        Ok(self.writer.write(time, &self.frame.points, Some(&self.frame.velocities))?)
+    /// Writes the state of a time.
+    pub fn write(&mut self, time: f64, frame: &SampledFrame) -> Result<(), Failure> {
+        Ok(self.writer.write(time, &frame.points, Some(&frame.velocities))?)
     }
 
     /// Puts the file in its place.

@@ -1,6 +1,7 @@
 //! Strands as a solver has them, sampled for files and pictures.
 
 use superhelix::error::Result;
+use superhelix::files::curves::{Curves, Extras};
 use superhelix::solver::Solver;
 use superhelix::solver::id::StrandId;
 
@@ -31,5 +32,12 @@ impl SampledFrame {
             points[strand * *samples + point] = (sample.position * *units_a_metre).map(|value| value as f32).into();
             velocities[strand * *samples + point] = (sample.velocity * *units_a_metre).map(|value| value as f32).into();
         })
+    }
+
+    /// As curves with velocities.
+    pub fn curves(&self) -> Result<Curves> {
+        let counts = vec![self.samples as u32; self.points.len() / self.samples];
+        let extras = Extras { velocities: Some(self.velocities.clone()), ..Extras::default() };
+        Curves::from_counts(counts, self.points.clone())?.with_extras(extras)
     }
 }

@@ -10,7 +10,7 @@ use superhelix::math::frame::Frame;
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
 use crate::json::{Complaint, Entries, Node};
-use crate::region::{scalp_of, vertex_densities};
+use crate::region::{Placement, read_vertex_densities, scalp_of};
 
 /// Reads `follicles`: frames whose first axis is the mesh's normal, and whose second lies along u, or x without texture coordinates.
 pub fn read(node: &Node, directory: &Path) -> Result<Vec<Frame>, Complaint> {
@@ -26,7 +26,7 @@ pub fn read(node: &Node, directory: &Path) -> Result<Vec<Frame>, Complaint> {
     };
     let seed = entries.or("seed", 0, |node| node.whole(0..=u64::from(u32::MAX)))?;
     let (mesh, texture) = obj_mesh::read_textured(path_of(file, directory)?).map_err(|error| file_complaint(file, &error))?;
-    let scalp = scalp_of(mesh, texture, scale).map_err(|error| file_complaint(file, &error))?;
+    let scalp = scalp_of(mesh, texture, Placement::scaled(scale)).map_err(|error| file_complaint(file, &error))?;
     let density = read_density(&entries, directory)?;
     let scattered = scalp.scatter(&ScatterOptions { amount, density, seed }).map_err(|error| match error {
         Error::InvalidArgument { argument, value, expected } => Complaint::value(entries.path(&argument), value, expected),
@@ -40,7 +40,6 @@ pub fn read(node: &Node, directory: &Path) -> Result<Vec<Frame>, Complaint> {
 /// Numbers of a text file, one for each vertex.
 fn read_density(entries: &Entries, directory: &Path) -> Result<Density, Complaint> {
     let Some(file) = entries.get_unless_null("density") else { return Ok(Density::Product(Vec::new())) };
-    let bad = |why: String| Complaint::new(&file.key, format!("is {}: {why}", file.value));
-    let text = std::fs::read_to_string(path_of(file, directory)?).map_err(|error| bad(format!("cannot be read: {error}")))?;
-    vertex_densities(&text).map_err(|error| bad(format!("{error}; expected a number for each vertex")))
+    let read = read_vertex_densities(&path_of(file, directory)?);
+    read.map_err(|failure| Complaint::new(&file.key, format!("is {}: {failure}", file.value)))
 }

@@ -12,6 +12,7 @@ pub mod outputs;
 pub mod pose;
 mod posed;
 pub mod posing;
+pub mod render_hair;
 mod strands;
 mod words;
 
@@ -30,6 +31,7 @@ use colliders::Collider;
 pub use options::{INTEGRATORS, LINEAR_SOLVERS, PRECISIONS};
 pub use outputs::{Output, Request};
 pub use posed::apply as do_posing;
+use render_hair::SceneRenderHair;
 pub use strands::SceneStrand;
 pub use words::in_words_of_the_scene;
 
@@ -56,6 +58,8 @@ pub struct Scene {
     pub outputs: Vec<Request>,
     /// Samples a strand, where an output does not say its own.
     pub samples: usize,
+    /// Render hair that follows the strands.
+    pub render_hair: Option<SceneRenderHair>,
 }
 
 /// Reads a scene file; its strands are posed already.
@@ -101,6 +105,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         "posing",
         "samples",
         "output",
+        "render_hair",
     ])?;
     scene.require("version")?.whole(1..=1)?;
 
@@ -132,6 +137,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
     let attachments = scene.or("attachments", Vec::new(), |list| attachments::read(list, &strands))?;
     let (outputs, samples) = outputs::read(&scene)?;
     let posing = scene.or("posing", Vec::new(), posing::read)?;
+    let wanted = scene.get_unless_null("render_hair");
     let mut scene = Scene {
         options,
         time_step,
@@ -143,8 +149,10 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         allow_overlaps: touching.allow_overlaps,
         outputs,
         samples,
+        render_hair: None,
     };
     posed::apply(&mut scene, &posing)?;
+    scene.render_hair = wanted.map(|node| render_hair::read(node, &scene, directory)).transpose()?;
     Ok(scene)
 }
 

@@ -1,0 +1,49 @@
+//! The render hair of `superhelix run`: what `superhelix interpolate` would make of the run's cache, to the bit, without the cache.
+
+use std::path::{Path, PathBuf};
+
+use superhelix::files::curve_cache::time_as_read;
+
+use crate::failure::Failure;
+use crate::guide_frames::guides_of;
+use crate::render_output::RenderOutput;
+use crate::render_run::{BoundHair, RenderRun};
+use crate::run_cache::{extras_of, per_second};
+use crate::sampled_frame::SampledFrame;
+use crate::scene::Scene;
+use crate::scene::render_hair::SceneRenderHair;
+
+/// Render hair being written, in metres.
+pub struct RunRender {
+    run: RenderRun,
+    scene: PathBuf,
+    per_second: f64,
+    every: usize,
+    per_strand: usize,
+}
+
+impl RunRender {
+    /// Binds the render hair of a scene to its strands as they are at the start, and begins its files.
+    pub fn create(wanted: SceneRenderHair, scene: &Scene, path: &Path, start: &SampledFrame) -> Result<Self, Failure> {
+        let (every, per_strand) = (wanted.every, wanted.settings.points_per_strand);
+        let rest = guides_of(&start.curves()?, every, per_strand, 1.0)?;
+        let complain = |error| Failure::scene(path, &wanted.keys.complaint(error));
+        let places = wanted.ground.places(&rest.points, per_strand, wanted.settings.seed).map_err(complain)?;
+        let bound = BoundHair::bind(&wanted.settings, places, &rest).map_err(complain)?;
+        let out = RenderOutput::create(&wanted.out, wanted.kind, wanted.overwrite)?;
+        let run = RenderRun::new(bound, 1.0, extras_of(scene), out);
+        Ok(Self { run, scene: path.to_owned(), per_second: per_second(scene), every, per_strand })
+    }
+
+    /// Takes the state of a time.
+    pub fn write(&mut self, time: f64, frame: &SampledFrame) -> Result<(), Failure> {
+        let guides = guides_of(&frame.curves()?, self.every, self.per_strand, 1.0)?;
+        let name = format!("{}, at {time} s", self.scene.display());
+        self.run.take(name, Some(time_as_read(time, self.per_second)), guides)
+    }
+
+    /// Ends the files.
+    pub fn finish(self) -> Result<(), Failure> {
+        self.run.finish().map(|_| ())
+    }
+}
