@@ -146,6 +146,7 @@ impl HeldStrand {
     }
 
     /// Where an attached point is.
+    #[inline]
     pub fn place(&self, point: u32) -> EndState {
         self.places[point as usize].1
     }
