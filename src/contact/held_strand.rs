@@ -146,7 +146,6 @@ impl HeldStrand {
     }
 
     /// Where an attached point is.
-    #[inline]
     pub fn place(&self, point: u32) -> EndState {
         self.places[point as usize].1
     }
