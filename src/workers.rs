@@ -19,7 +19,7 @@ pub enum Workers {
     /// The calling thread.
     #[default]
     Serial,
-    /// A private pool of that many threads (2 to 256), made with the solver and joined when it is dropped.
+    /// That many threads (2 to 256): the calling one and a private pool of the others, made with the solver and joined when it is dropped.
     Pool(usize),
     /// The host's task system.
     Host(Arc<dyn ParallelFor>),
@@ -54,11 +54,14 @@ impl Workers {
 const CHUNK: usize = 8;
 /// Tasks a thread, at least: so many that the last to end is not far behind the first.
 const TASKS_PER_THREAD: usize = 4;
+/// Most shares that items are parted into; of more threads some begin with the same one.
+const MOST_SHARES: usize = 32;
 
 /// Who runs, and the scratch memory of those who do.
 pub(crate) struct Crew<S> {
     runner: Runner,
-    workspaces: Mutex<Vec<S>>,
+    /// A thread of the pool finds its own again; all others share the first's.
+    workspaces: Vec<Mutex<Vec<S>>>,
 }
 
 enum Runner {
@@ -67,8 +70,8 @@ enum Runner {
     Host(std::sync::Arc<dyn ParallelFor>),
 }
 
-/// A private rayon pool whose threads are joined when it goes: rayon's own drop only tells them to stop, and a library that is
-/// unloaded with a thread still on its way out takes the process down.
+/// A private rayon pool of all threads but the calling one. They are joined when it goes: rayon's own drop only tells them to stop, and a
+/// library that is unloaded with a thread still on its way out takes the process down.
 struct Pool {
     pool: Option<rayon::ThreadPool>,
     threads: Vec<JoinHandle<()>>,
@@ -77,6 +80,7 @@ struct Pool {
 }
 
 impl Pool {
+    /// With `count` threads of its own.
     fn new(count: usize) -> Result<Self> {
         let mut threads = Vec::with_capacity(count);
         let pool = rayon::ThreadPoolBuilder::new()
@@ -89,7 +93,7 @@ impl Pool {
             .build()
             .map_err(|error| Error::Unsupported {
                 argument: "worker_count".into(),
-                value: count.to_string(),
+                value: (count + 1).to_string(),
                 hint: format!("the threads could not be started ({error})"),
             })?;
         Ok(Self { pool: Some(pool), threads, process: std::process::id() })
@@ -118,16 +122,16 @@ impl Drop for Pool {
 impl<S: Default + Send> Crew<S> {
     /// The calling thread alone.
     pub fn serial() -> Self {
-        Self { runner: Runner::Serial, workspaces: Mutex::default() }
+        Self { runner: Runner::Serial, workspaces: vec![Mutex::default()] }
     }
 
     pub fn new(workers: &Workers) -> Result<Self> {
-        let runner = match workers {
-            Workers::Serial => Runner::Serial,
-            Workers::Pool(count) => Runner::Pool(Pool::new(*count)?),
-            Workers::Host(host) => Runner::Host(host.clone()),
+        let (runner, threads) = match workers {
+            Workers::Serial => (Runner::Serial, 1),
+            Workers::Pool(count) => (Runner::Pool(Pool::new(count - 1)?), *count),
+            Workers::Host(host) => (Runner::Host(host.clone()), 1),
         };
-        Ok(Self { runner, workspaces: Mutex::new(vec![S::default()]) })
+        Ok(Self { runner, workspaces: (0..threads).map(|_| Mutex::new(vec![S::default()])).collect() })
     }
 
     /// Calls `work` on every item once, each call with scratch memory of its own.
@@ -142,24 +146,29 @@ impl<S: Default + Send> Crew<S> {
     /// Calls `work` on slices that make up `items`, each call with scratch memory of its own. Slices are multiples of `least` long (the
     /// last may be shorter), and at most `most`.
     pub fn for_each_task<T: Send>(&self, items: &mut [T], least: usize, most: usize, work: impl Fn(&mut [T], &mut S) + Sync) {
-        let run = |chunk: &mut [T]| {
-            let mut scratch = self.lock().pop().unwrap_or_default();
-            work(chunk, &mut scratch);
-            self.lock().push(scratch);
-        };
+        let run = |chunk: &mut [T]| self.with_scratch(0, |scratch| work(chunk, scratch));
         // A host's threads are not known: its tasks are as small as may be.
         let threads = match &self.runner {
-            Runner::Serial => 1,
-            Runner::Pool(Pool { pool: Some(pool), .. }) => pool.current_num_threads() * TASKS_PER_THREAD,
-            Runner::Pool(_) => 1,
+            Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if crew.is_here() => pool.current_num_threads() + 1,
+            Runner::Serial | Runner::Pool(_) => 1,
             Runner::Host(_) => usize::MAX,
         };
-        let chunk = (items.len() / threads / least * least).clamp(least, most);
+        let tasks = if threads == 1 { 1 } else { threads.saturating_mul(TASKS_PER_THREAD) };
+        let chunk = (items.len() / tasks / least * least).clamp(least, most);
         match &self.runner {
-            Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if items.len() > chunk && crew.is_here() => pool.install(|| {
-                use rayon::prelude::*;
-                items.par_chunks_mut(chunk).for_each(run);
-            }),
+            Runner::Pool(Pool { pool: Some(pool), .. }) if threads > 1 && items.len() > chunk => {
+                let shares = Shares::new(items, chunk, threads);
+                let do_share = |thread| {
+                    self.with_scratch(thread, |scratch| shares.work(thread, &mut |chunk: &mut [T]| work(chunk, scratch)));
+                };
+                pool.in_place_scope(|scope| {
+                    for thread in 1..threads {
+                        let do_share = &do_share;
+                        scope.spawn(move |_| do_share(thread));
+                    }
+                    do_share(0);
+                });
+            }
             Runner::Serial | Runner::Pool(_) => items.chunks_mut(chunk).for_each(run),
             Runner::Host(host) => {
                 let chunks: Vec<Mutex<Option<&mut [T]>>> = items.chunks_mut(chunk).map(|chunk| Mutex::new(Some(chunk))).collect();
@@ -185,17 +194,83 @@ impl<S: Default + Send> Crew<S> {
     /// As [`Crew::for_each`], but never on the host's threads: the calling thread does what the host's would.
     pub fn for_each_on_own<T: Send>(&self, items: &mut [T], work: impl Fn(&mut T, &mut S) + Sync) {
         if let Runner::Host(_) = self.runner {
-            let mut workspace = self.lock().pop().unwrap_or_default();
-            for item in items {
-                work(item, &mut workspace);
-            }
-            self.lock().push(workspace);
+            self.with_scratch(0, |scratch| items.iter_mut().for_each(|item| work(item, scratch)));
         } else {
             self.for_each(items, work);
         }
     }
 
-    fn lock(&self) -> std::sync::MutexGuard<'_, Vec<S>> {
-        self.workspaces.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    fn with_scratch(&self, thread: usize, work: impl FnOnce(&mut S)) {
+        let free = || self.workspaces[thread % self.workspaces.len()].lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let mut scratch = free().pop().unwrap_or_default();
+        work(&mut scratch);
+        free().push(scratch);
+    }
+}
+
+/// Items in chunks, and these in shares, one a thread. Loops over the same strands give a strand to the same thread each time, whose caches have it:
+/// where threads took what came first, two of them were a third faster than one in contact, not twice as fast.
+struct Shares<'a, T> {
+    shares: [Mutex<std::slice::ChunksMut<'a, T>>; MOST_SHARES],
+    count: usize,
+}
+
+impl<'a, T: Send> Shares<'a, T> {
+    fn new(items: &'a mut [T], chunk: usize, threads: usize) -> Self {
+        let count = threads.min(MOST_SHARES);
+        let (all, mut rest, mut taken) = (items.len().div_ceil(chunk), items, 0);
+        let shares = std::array::from_fn(|k| {
+            let to = all * (k + 1).min(count) / count;
+            let length = ((to - taken) * chunk).min(rest.len());
+            let (own, others) = std::mem::take(&mut rest).split_at_mut(length);
+            (rest, taken) = (others, to);
+            Mutex::new(own.chunks_mut(chunk))
+        });
+        Self { shares, count }
+    }
+
+    /// Does a thread's share from its front, then what is left of the others' from their backs.
+    fn work(&self, thread: usize, run: &mut impl FnMut(&mut [T])) {
+        for k in 0..self.count {
+            let share = &self.shares[(thread + k) % self.count];
+            let next = || {
+                let mut share = share.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                if k == 0 { share.next() } else { share.next_back() }
+            };
+            while let Some(chunk) = next() {
+                run(chunk);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_item_is_worked_on_once() {
+        for threads in [2, 3, 40] {
+            let crew = Crew::<()>::new(&Workers::Pool(threads)).unwrap();
+            for count in [0, 1, 7, 8, 9, 65, 1000] {
+                for (least, most) in [(1, 1), (4, 4), (4, 64)] {
+                    let mut items = vec![0_u32; count];
+                    crew.for_each_task(&mut items, least, most, |chunk, _| {
+                        assert!(chunk.len() <= most);
+                        chunk.iter_mut().for_each(|item| *item += 1);
+                    });
+                    assert!(items.iter().all(|item| *item == 1), "{threads} threads, {count} items, {least} to {most}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_thread_begins_with_its_own_share_and_ends_with_what_others_left() {
+        let mut items: Vec<usize> = (0..100).collect();
+        let shares = Shares::new(&mut items, 8, 3);
+        let mut order = Vec::new();
+        shares.work(1, &mut |chunk: &mut [usize]| order.push(chunk[0]));
+        assert_eq!(order, [32, 40, 48, 56, 96, 88, 80, 72, 64, 24, 16, 8, 0]);
     }
 }

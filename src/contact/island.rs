@@ -77,6 +77,14 @@ const LOOKS: u32 = 6;
 /// By how much more than before a normal may point along the strand.
 const ALONG: f64 = 0.1;
 
+/// The memory of contact problems, of one island's after another's: a worker's, in whose caches it stays.
+#[derive(Debug, Default)]
+pub struct ProblemScratch {
+    space: ContactSpace,
+    solver: GaussSeidel,
+    forces: Vec<Vector3<f64>>,
+}
+
 /// Strands that hang together.
 #[derive(Debug, Default)]
 pub struct Island {
@@ -116,9 +124,6 @@ pub struct Island {
     fewest: (usize, u32),
     /// Iterations in a row that led nowhere, see [`IDLE`].
     idle: u32,
-    space: ContactSpace,
-    solver: GaussSeidel,
-    forces: Vec<Vector3<f64>>,
     ends: Vec<[End; 2]>,
     /// The joints that have a part in the present contact problem: a strand at their ends moves.
     parts: Vec<u32>,
@@ -301,18 +306,25 @@ impl Island {
     ///
     /// # Errors
     /// Where a number has turned non-finite.
-    pub fn solve(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> Result<()> {
+    pub fn solve(
+        &mut self,
+        strands: &[HeldStrand],
+        options: &ContactOptions,
+        step: f64,
+        scratch: &mut ProblemScratch,
+    ) -> Result<()> {
+        let ProblemScratch { space, solver, forces } = scratch;
         self.iterations += 1;
-        self.space.reset(step)?;
+        space.reset(step)?;
         self.choose_parts(strands);
         for (held, has_part) in self.strands.iter().zip(&self.strand_has_part) {
             if !has_part {
-                self.space.add_strand(0);
+                space.add_strand(0);
                 continue;
             }
             let operator = &strands[*held as usize].held.delassus;
             let size = 3 * operator.stations;
-            let matrix = self.space.add_strand(operator.stations);
+            let matrix = space.add_strand(operator.stations);
             for (j, column) in operator.blocks.chunks_exact(operator.stations.max(1)).enumerate() {
                 // Symmetric: a row of blocks is the transpose of a column of blocks.
                 for (i, block) in column.iter().enumerate() {
@@ -322,7 +334,7 @@ impl Island {
                 }
             }
         }
-        self.forces.clear();
+        forces.clear();
         for index in 0..self.parts.len() {
             let joint = self.parts[index] as usize;
             let presses = self.joints[joint].presses();
@@ -343,8 +355,8 @@ impl Island {
                 free -= at(end);
             }
             self.joints[joint].standing.free = free.norm();
-            self.space.add_touch(SpaceTouch { first, second, law, free })?;
-            self.forces.push(self.joints[joint].force);
+            space.add_touch(SpaceTouch { first, second, law, free })?;
+            forces.push(self.joints[joint].force);
         }
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
@@ -352,9 +364,9 @@ impl Island {
         let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, least: self.scales_of_the_rest() };
-        self.report = self.solver.solve(&self.space, &settings, &mut self.forces);
+        self.report = solver.solve(space, &settings, forces);
         self.sweeps += self.report.sweeps;
-        for (joint, force) in self.parts.iter().zip(&self.forces) {
+        for (joint, force) in self.parts.iter().zip(&*forces) {
             let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
             joint.force = *force;
             if matches!(joint.kind, JointKind::Pin { .. }) {

@@ -349,12 +349,14 @@ impl Holding {
                     held.linearise(island);
                 }
             });
-            // One by one: a few are large, and often follow each other.
-            scene.crew.for_each_task(islands, 1, 1, |islands, _| {
-                for island in islands.iter_mut().filter(|island| !island.done) {
+            // One by one, the largest first: a few take longer than all the others.
+            let mut to_solve: Vec<&mut Island> = islands.iter_mut().filter(|island| !island.done).collect();
+            to_solve.sort_by_key(|island| std::cmp::Reverse(island.joints.len()));
+            scene.crew.for_each_task(&mut to_solve, 1, 1, |islands, scratch| {
+                for island in islands {
                     island.find_ends(strands);
                     // A number that is not finite: the strand that it comes from is told apart at the end.
-                    if island.solve(strands, options, h).is_err() {
+                    if island.solve(strands, options, h, &mut scratch.problem).is_err() {
                         (island.done, island.lost) = (true, island.relaxed);
                     }
                 }
@@ -396,9 +398,9 @@ impl Holding {
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;
             let most_elastic = strand.energies.elastic + held.mass * speed * speed;
-            strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.rule));
+            strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.step.rule));
             let outcome = held.held.outcome;
-            strand.ended(outcome, setting, h, scratch);
+            strand.ended(outcome, setting, h, &mut scratch.step);
             strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
         });
         (contact.touches, contact.roots_inside) = (0, 0);

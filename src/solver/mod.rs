@@ -119,7 +119,7 @@ impl Solver {
         self.options.gravity = gravity;
         let rules = &self.rules;
         self.crew.for_each(&mut self.strands, |strand, scratch| {
-            strand.update_energies(gravity, rules, &mut scratch.one.workspace.iterate.kinematics);
+            strand.update_energies(gravity, rules, &mut scratch.step.one.workspace.iterate.kinematics);
         });
         Ok(())
     }

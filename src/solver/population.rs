@@ -42,7 +42,7 @@ impl Solver {
         let (gravity, rules) = (self.options.gravity, &*self.rules);
         self.crew.for_each_on_own(&mut made, |Made { id, def, section, strand }, workspace| {
             let strand = strand.insert(Strand::new(*id, def, section.clone(), rules));
-            strand.update_energies(gravity, rules, &mut workspace.one.workspace.iterate.kinematics);
+            strand.update_energies(gravity, rules, &mut workspace.step.one.workspace.iterate.kinematics);
         });
         let ids = made.iter().map(|made| made.id).collect();
         self.make_room(strands.len());

@@ -48,7 +48,7 @@ impl Solver {
         self.crew.for_each(&mut made, |(index, natural), scratch| {
             let Strand { model, state, .. } = &strands[*index];
             let rule = coming_rule(&strands[*index], rules);
-            let kinematics = &mut scratch.one.workspace.iterate.kinematics;
+            let kinematics = &mut scratch.step.one.workspace.iterate.kinematics;
             *natural = held_up(model, &state.root, &state.curvatures, gravity, rule, kinematics);
         });
         if let Some(k) = made.iter().position(|(_, natural)| !natural.iter().flatten().all(|x| x.is_finite())) {
@@ -77,7 +77,7 @@ impl Solver {
         self.crew.for_each_on_own(&mut found, |(index, stability), scratch| {
             let Strand { model, state, .. } = &strands[*index];
             let rule = coming_rule(&strands[*index], rules);
-            let kinematics = &mut scratch.one.workspace.iterate.kinematics;
+            let kinematics = &mut scratch.step.one.workspace.iterate.kinematics;
             kinematics.update(&rotation_matrix(&state.root), &model.lengths, &state.curvatures, rule);
             stability.smallest_eigenvalue = softest(model, kinematics, &weights(model, &rule.weights, gravity)).0;
         });

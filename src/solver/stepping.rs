@@ -54,7 +54,7 @@ impl Solver {
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             for _ in 0..substeps {
-                side_by_side::take(strands, &setting, h, set, &mut tally, scratch);
+                side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step);
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
@@ -123,7 +123,7 @@ impl Solver {
             Holding::mark(&mut scene, h);
             self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
                 let mut tally = Tally::default();
-                side_by_side::take(strands, &setting, h, set, &mut tally, scratch);
+                side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step);
                 total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
             });
             let mut tally = Tally::default();

@@ -1,6 +1,16 @@
 //! Who runs the strands of a step.
 
-use crate::step::scratch::Scratch;
+use crate::contact::island::ProblemScratch;
+use crate::step;
+
+/// The scratch memory of one worker.
+#[derive(Debug, Default)]
+pub(super) struct Scratch {
+    /// For strands, one pack at a time.
+    pub step: step::scratch::Scratch,
+    /// For islands of held strands, one at a time.
+    pub problem: ProblemScratch,
+}
 
 /// Workers with the scratch memory of a step.
 pub(super) type Crew = crate::workers::Crew<Scratch>;
