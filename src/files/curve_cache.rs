@@ -9,15 +9,13 @@ use crate::files::bytes;
 use crate::files::curves::{Curves, Extras};
 use crate::files::usd_curves;
 use crate::files::usda::{self, LayerHead, Vector};
-use crate::files::usda_layer::{Layer, Wanted};
+use crate::files::usda_layer::Wanted;
+use crate::files::usda_samples::SampledLayer;
 
 /// The curves of a `.usda` file at its time samples. Frames are made when they are asked for; the file stays in memory as it was read.
 #[derive(Debug)]
 pub struct CurveCache {
-    name: String,
-    layer: Layer,
-    codes: Vec<f64>,
-    times: Vec<f64>,
+    samples: SampledLayer,
 }
 
 impl CurveCache {
@@ -36,29 +34,17 @@ impl CurveCache {
     /// # Errors
     /// As [`CurveCache::read`].
     pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Self> {
-        if let Some(what) = usda::other_scene_format(bytes) {
-            return Err(Error::file(name, what));
-        }
-        let layer = Layer::read(name, bytes, Wanted::Curves)?;
-        let mut codes = usd_curves::times(&layer);
-        if codes.is_empty() {
-            codes.push(0.0);
-        }
-        let times: Vec<f64> = codes.iter().map(|code| code / layer.time_codes_per_second).collect();
-        if let Some(code) = times.iter().zip(&codes).find(|(time, _)| !time.is_finite()) {
-            return Err(Error::file(name, format_args!("time code {} is no time", code.1)));
-        }
-        Ok(Self { name: name.to_owned(), layer, codes, times })
+        Ok(Self { samples: SampledLayer::read(name, bytes, Wanted::Curves, usd_curves::times)? })
     }
 
     /// The times of the frames, s, ascending; at least one.
     pub fn times(&self) -> &[f64] {
-        &self.times
+        &self.samples.times
     }
 
     /// Time codes (frames) a second.
     pub fn time_codes_per_second(&self) -> f64 {
-        self.layer.time_codes_per_second
+        self.samples.layer.time_codes_per_second
     }
 
     /// The curves of a frame, with their velocities (file units a second) where the file has them.
@@ -66,9 +52,9 @@ impl CurveCache {
     /// # Errors
     /// [`Error::InvalidArgument`] when there is no such frame; else as [`Curves::read`].
     pub fn frame(&self, index: usize) -> Result<Curves> {
-        match self.codes.get(index) {
-            Some(code) => usd_curves::at(&self.layer, &self.name, *code),
-            None => Err(Error::invalid("index", index, format!("below {}, the number of frames", self.codes.len()))),
+        match self.samples.codes.get(index) {
+            Some(code) => usd_curves::at(&self.samples.layer, &self.samples.name, *code),
+            None => Err(Error::invalid("index", index, format!("below {}, the number of frames", self.samples.codes.len()))),
         }
     }
 
@@ -77,14 +63,8 @@ impl CurveCache {
     /// # Errors
     /// [`Error::InvalidArgument`] for a time that is not finite; else as [`Curves::read`].
     pub fn at(&self, time: f64) -> Result<Curves> {
-        check_finite(|| "time".to_owned(), time)?;
-        let found = self.times.partition_point(|frame| *frame <= time);
-        // A frame's own time gives the frame, whatever the division rounded it to.
-        let code = match found.checked_sub(1) {
-            Some(before) if self.times[before] == time => self.codes[before],
-            _ => time * self.layer.time_codes_per_second,
-        };
-        usd_curves::at(&self.layer, &self.name, code)
+        let code = self.samples.code_at(time)?;
+        usd_curves::at(&self.samples.layer, &self.samples.name, code)
     }
 }
 

@@ -4,20 +4,18 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 
-use crate::error::{Error, Result, check_finite};
+use crate::error::{Error, Result};
 use crate::files::curves::UpAxis;
 use crate::files::obj_mesh::{ObjMesh, Texture};
-use crate::files::usda_layer::{Layer, Wanted};
-use crate::files::{bytes, usd_mesh, usda};
+use crate::files::usda_layer::Wanted;
+use crate::files::usda_samples::SampledLayer;
+use crate::files::{bytes, usd_mesh};
 
 /// The meshes of a `.usda` file as one triangle mesh in the world, whose vertices may move while its faces stay. Vertices are made when they
 /// are asked for; the file's numbers stay in memory.
 #[derive(Debug)]
 pub struct MeshCache {
-    name: String,
-    layer: Layer,
-    codes: Vec<f64>,
-    times: Vec<f64>,
+    samples: SampledLayer,
     /// At the first time.
     mesh: ObjMesh,
     texture: Option<Texture>,
@@ -43,25 +41,14 @@ impl MeshCache {
     /// # Errors
     /// As [`MeshCache::read`].
     pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Self> {
-        if let Some(what) = usda::other_scene_format(bytes) {
-            return Err(Error::file(name, what));
-        }
-        let layer = Layer::read(name, bytes, Wanted::Meshes)?;
-        let mut codes = usd_mesh::times(&layer);
-        if codes.is_empty() {
-            codes.push(0.0);
-        }
-        let times: Vec<f64> = codes.iter().map(|code| code / layer.time_codes_per_second).collect();
-        if let Some((_, code)) = times.iter().zip(&codes).find(|(time, _)| !time.is_finite()) {
-            return Err(Error::file(name, format_args!("time code {code} is no time")));
-        }
-        let (mesh, texture) = usd_mesh::read(&layer, name, codes[0])?;
-        Ok(Self { name: name.to_owned(), layer, codes, times, mesh, texture })
+        let samples = SampledLayer::read(name, bytes, Wanted::Meshes, usd_mesh::times)?;
+        let (mesh, texture) = usd_mesh::read(&samples.layer, name, samples.codes[0])?;
+        Ok(Self { samples, mesh, texture })
     }
 
     /// The times at which the file has samples, s, ascending; at least one.
     pub fn times(&self) -> &[f64] {
-        &self.times
+        &self.samples.times
     }
 
     /// The mesh at the first of the times, in file units.
@@ -76,12 +63,12 @@ impl MeshCache {
 
     /// Metres a unit of the file; what the format means where the file does not say is 0.01.
     pub fn metres_per_unit(&self) -> f64 {
-        self.layer.metres_per_unit
+        self.samples.layer.metres_per_unit
     }
 
     /// The axis that points up; where the file does not say it is y.
     pub fn up(&self) -> UpAxis {
-        self.layer.up
+        self.samples.layer.up
     }
 
     /// The vertices at a time (s), in file units: straight from one sample to the next, held before the first and after the last.
@@ -90,18 +77,12 @@ impl MeshCache {
     /// [`Error::InvalidArgument`] for a time that is not finite; [`Error::File`] when there are not as many as at the first time, or one is
     /// not finite in the world.
     pub fn vertices(&self, time: f64) -> Result<Vec<Vector3<f64>>> {
-        check_finite(|| "time".to_owned(), time)?;
-        let found = self.times.partition_point(|sample| *sample <= time);
-        // A sample's own time gives the sample, whatever the division rounded it to.
-        let code = match found.checked_sub(1) {
-            Some(before) if self.times[before] == time => self.codes[before],
-            _ => time * self.layer.time_codes_per_second,
-        };
-        let vertices = usd_mesh::vertices(&self.layer, &self.name, code)?;
+        let SampledLayer { layer, name, times, .. } = &self.samples;
+        let vertices = usd_mesh::vertices(layer, name, self.samples.code_at(time)?)?;
         let (there, wanted) = (vertices.len(), self.mesh.vertices.len());
         if there != wanted {
-            let expected = format_args!("expected {wanted}, as at {} s", self.times[0]);
-            return Err(Error::file(&self.name, format_args!("has {there} points at {time} s; {expected}")));
+            let expected = format_args!("expected {wanted}, as at {} s", times[0]);
+            return Err(Error::file(name, format_args!("has {there} points at {time} s; {expected}")));
         }
         Ok(vertices)
     }

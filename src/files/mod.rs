@@ -32,5 +32,6 @@ mod usd_mesh;
 mod usd_placement;
 pub mod usda;
 mod usda_layer;
+mod usda_samples;
 mod usda_scan;
 mod usda_values;
