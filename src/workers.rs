@@ -120,9 +120,9 @@ impl Drop for Pool {
 }
 
 impl<S: Default + Send> Crew<S> {
-    /// The calling thread alone.
+    /// The calling thread alone, with scratch memory made for each loop.
     pub fn serial() -> Self {
-        Self { runner: Runner::Serial, workspaces: vec![Mutex::default()] }
+        Self { runner: Runner::Serial, workspaces: Vec::new() }
     }
 
     pub fn new(workers: &Workers) -> Result<Self> {
@@ -201,7 +201,8 @@ impl<S: Default + Send> Crew<S> {
     }
 
     fn with_scratch(&self, thread: usize, work: impl FnOnce(&mut S)) {
-        let free = || self.workspaces[thread % self.workspaces.len()].lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let Some(workspaces) = self.workspaces.get(thread) else { return work(&mut S::default()) };
+        let free = || workspaces.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let mut scratch = free().pop().unwrap_or_default();
         work(&mut scratch);
         free().push(scratch);

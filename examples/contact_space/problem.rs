@@ -1,9 +1,9 @@
 //! A contact problem like that of a head that is shaken: strands over a head, their true responses, touches with the head and each other.
 
 use nalgebra::Vector3;
+use superhelix::chain::delassus::Delassus;
 use superhelix::chain::elimination::Elimination;
 use superhelix::chain::load::{Load, Station};
-use superhelix::chain::response::{Delassus, ResponseScratch};
 use superhelix::chain::system::ChainSystem;
 use superhelix::contact::contact_space::{ContactSpace, End, SpaceTouch};
 use superhelix::contact::law::Law;
@@ -138,16 +138,16 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
             }
         }
         let (mut elimination, mut change) = (Elimination::default(), Vec::new());
-        let (mut scratch, mut operator) = (ResponseScratch::default(), Delassus::default());
+        let mut operator = Delassus::default();
         elimination.solve_loaded(&strand.kinematics, &system, &loads, &[0, 1, 2], &mut change);
-        elimination.delassus(&strand.kinematics, &loads, &[0, 1, 2], &mut scratch, &mut operator);
+        operator.update(&elimination, &strand.kinematics, &loads, &[0, 1, 2]);
         let m = loads.len();
         let matrix = space.add_strand(m);
         for (i, at_i) in order.iter().enumerate() {
             for (j, at_j) in order.iter().enumerate() {
                 for a in 0..3 {
                     for b in 0..3 {
-                        matrix[(3 * at_j + b) * 3 * m + 3 * at_i + a] = operator.blocks[i * m + j][a][b];
+                        matrix[(3 * at_j + b) * 3 * m + 3 * at_i + a] = operator.columns[(3 * j + b) * 3 * m + 3 * i + a];
                     }
                 }
             }

@@ -185,11 +185,11 @@ pub unsafe extern "C" fn shx_solver_set_wind(solver: *mut shx_solver, wind: *con
     unsafe { write("shx_solver_set_wind", solver, |core, _| core.set_wind(vector("wind", wind)?)) }
 }
 
-/// Steps where the kernels leave nothing behind on the host's thread.
+/// Steps where the kernels leave nothing behind on the host's thread, which does its share of a pool's work.
 fn step(core: &mut Solver, dt: f64, substeps: u32) -> Result<StepReport> {
     let options = core.options();
     let dense = options.step.linear_solver != LinearSolver::LinearTime;
-    if dense && matches!(options.workers, Workers::Serial) {
+    if dense && !matches!(options.workers, Workers::Host(_)) {
         on_own_thread(|| core.step(dt, substeps))
     } else {
         core.step(dt, substeps)

@@ -62,8 +62,8 @@ pub struct shx_solver_def {
     /// Set by shx_solver_def_init.
     pub struct_size: u32,
     /// Threads, at most 256. 0 or 1: the calling thread (default). More: the calling thread and a private pool of the
-    /// others, made with the solver and joined by shx_solver_destroy. With parallel_for: how many threads the host's tasks run on, for information. The result's bits do not
-    /// depend on it.
+    /// others, made with the solver and joined by shx_solver_destroy. With parallel_for: how many threads the host's tasks
+    /// run on, for information. The result's bits do not depend on it.
     pub worker_count: u32,
     /// Gravity, m/s^2. Default (0, 0, -9.81): z is up. Where y is up: (0, -9.81, 0).
     pub gravity: [f64; 3],

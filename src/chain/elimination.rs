@@ -58,27 +58,37 @@ impl<T: Lane> LinearSolve<T> for Elimination<T> {
         change: &mut Vec<[T; 3]>,
     ) -> Direction<T> {
         match *axes {
-            [a] => T::call(SolveFor { scratch: &mut self.one, kinematics, system, axes: [a], change }),
-            [a, b] => T::call(SolveFor { scratch: &mut self.two, kinematics, system, axes: [a, b], change }),
-            _ => T::call(SolveFor { scratch: &mut self.three, kinematics, system, axes: [0, 1, 2], change }),
+            [a] => T::call(SolveFor::<T, 1, false> { scratch: &mut self.one, kinematics, system, loads: &[], axes: [a], change }),
+            [a, b] => {
+                T::call(SolveFor::<T, 2, false> { scratch: &mut self.two, kinematics, system, loads: &[], axes: [a, b], change })
+            }
+            _ => T::call(SolveFor::<T, 3, false> {
+                scratch: &mut self.three,
+                kinematics,
+                system,
+                loads: &[],
+                axes: [0, 1, 2],
+                change,
+            }),
         }
     }
 }
 
 /// The solve for D free curvatures an element, as a function of its own.
-struct SolveFor<'a, T, const D: usize> {
+struct SolveFor<'a, T, const D: usize, const LOADED: bool> {
     scratch: &'a mut Vec<Eliminated<T, D>>,
     kinematics: &'a Kinematics<T>,
     system: &'a ChainSystem<T>,
+    loads: &'a [Load<T>],
     axes: [usize; D],
     change: &'a mut Vec<[T; 3]>,
 }
 
-impl<T: Lane, const D: usize> Kernel for SolveFor<'_, T, D> {
+impl<T: Lane, const D: usize, const LOADED: bool> Kernel for SolveFor<'_, T, D, LOADED> {
     type Output = Direction<T>;
     #[inline(always)]
     fn run(self) -> Direction<T> {
-        solve_for::<T, D, false>(self.scratch, self.kinematics, self.system, &[], self.axes, self.change)
+        solve_for::<T, D, LOADED>(self.scratch, self.kinematics, self.system, self.loads, self.axes, self.change)
     }
 }
 
@@ -94,9 +104,9 @@ impl<T: Lane> Elimination<T> {
         change: &mut Vec<[T; 3]>,
     ) -> Direction<T> {
         match *axes {
-            [a] => solve_for::<T, 1, true>(&mut self.one, kinematics, system, loads, [a], change),
-            [a, b] => solve_for::<T, 2, true>(&mut self.two, kinematics, system, loads, [a, b], change),
-            _ => solve_for::<T, 3, true>(&mut self.three, kinematics, system, loads, [0, 1, 2], change),
+            [a] => T::call(SolveFor::<T, 1, true> { scratch: &mut self.one, kinematics, system, loads, axes: [a], change }),
+            [a, b] => T::call(SolveFor::<T, 2, true> { scratch: &mut self.two, kinematics, system, loads, axes: [a, b], change }),
+            _ => T::call(SolveFor::<T, 3, true> { scratch: &mut self.three, kinematics, system, loads, axes: [0, 1, 2], change }),
         }
     }
 }

@@ -5,8 +5,9 @@
 use nalgebra::Vector3;
 
 use super::contact_space::ContactSpace;
-use super::gauss_seidel::sweep;
+use super::gauss_seidel::Sweep;
 use super::system::System;
+use crate::math::lane::Lane;
 
 /// The iteration's memory.
 #[derive(Debug, Clone, Default)]
@@ -37,7 +38,7 @@ impl Conjugate {
         self.forces.extend_from_slice(forces);
         self.displacements.clear();
         self.displacements.extend_from_slice(&system.displacements);
-        sweep(space, system, forces);
+        f64::call(Sweep { space, system, forces });
         let square: f64 = forces.iter().zip(&self.forces).map(|(new, old)| (new - old).norm_squared()).sum();
         let share = if self.square > 0.0 { square / self.square } else { 0.0 };
         self.square = square;

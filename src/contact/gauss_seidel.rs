@@ -10,6 +10,7 @@ use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
 use super::patch::Patches;
 use super::system::System;
+use crate::math::lane::{Kernel, Lane};
 
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -137,7 +138,7 @@ impl GaussSeidel {
                 self.conjugate.sweep(space, system, &mut self.forces);
             }
             // What the direction left outside the laws comes back.
-            sweep(space, system, &mut self.forces);
+            f64::call(Sweep { space, system, forces: &mut self.forces });
             report.sweeps += round + 1;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
@@ -149,16 +150,27 @@ impl GaussSeidel {
 }
 
 /// One sweep.
-pub fn sweep(space: &ContactSpace, system: &mut System, forces: &mut [Vector3<f64>]) {
-    for index in 0..system.rows.len() {
-        let old = forces[index];
-        let u = system.relative(&system.rows[index]);
-        let row = &mut system.rows[index];
-        let new = row.solve.solve(u - row.response * old);
-        let change = new - old;
-        if change != Vector3::zeros() {
-            forces[index] = new;
-            system.push(space, index, &change);
+pub(super) struct Sweep<'a> {
+    pub space: &'a ContactSpace,
+    pub system: &'a mut System,
+    pub forces: &'a mut [Vector3<f64>],
+}
+
+impl Kernel for Sweep<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { space, system, forces } = self;
+        for index in 0..system.rows.len() {
+            let old = forces[index];
+            let u = system.relative(&system.rows[index]);
+            let row = &mut system.rows[index];
+            let new = row.solve.solve(u - row.response * old);
+            let change = new - old;
+            if change != Vector3::zeros() {
+                forces[index] = new;
+                system.push(space, index, &change);
+            }
         }
     }
 }

@@ -16,7 +16,7 @@ pub use knots::Tie;
 pub(crate) use memory::PairMemory;
 
 use super::broad_phase::Grid;
-use super::pieces::{Pieces, Wisp};
+use super::pieces::{Pieces, PlacedPieces, Wisp};
 use super::segment_distance::closest_of_segments;
 use super::shape::Bounds;
 use super::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
@@ -87,9 +87,10 @@ pub struct HairPairs {
     found: Vec<u128>,
     merged: Vec<(u32, u32)>,
     groups: Vec<Group>,
-    sagittas: [Vec<f64>; 2],
-    start: Vec<Vector3<f64>>,
-    now: Vec<Vector3<f64>>,
+    start: PlacedPieces,
+    /// Sagittas are the larger of then and now.
+    now: PlacedPieces,
+    placing: Vec<PlacedPieces>,
     /// The start as the motion that all strands share has carried it along; that motion's turn.
     carried: Vec<Vector3<f64>>,
     turned: Matrix3<f64>,
@@ -157,27 +158,26 @@ impl HairPairs {
             return Err(Error::invalid("strands", strands.len(), format!("{}, the number of wisps", self.wisps.len())));
         }
         self.counts.updates += 1;
-        let now = |strand: usize| strands[strand].now;
-        self.valid = self.valid && !self.pieces.outgrown(&self.wisps, now);
         if self.valid {
             if self.begun {
-                self.place_start(strands);
+                self.place_start(strands, crew);
             }
-            self.place(strands);
-            if self.are_within() {
+            self.place(strands, crew);
+            self.valid = !self.now.outgrown;
+            if self.valid && self.are_within() {
                 return Ok(false);
             }
         }
         // Within a step the strands that have not left their room keep their candidates.
         if !(self.valid && self.found_this_step) {
-            self.pieces.cut(&self.wisps, now);
-            self.place_start(strands);
-            self.place(strands);
+            self.pieces.cut(&self.wisps, |strand| strands[strand].now);
+            self.place_start(strands, crew);
+            self.place(strands, crew);
             self.left.clear();
             self.left.resize(self.wisps.len(), true);
             self.candidates.clear();
             // All are taken over by the search.
-            self.found_at.resize(self.now.len(), Vector3::zeros());
+            self.found_at.resize(self.now.nodes.len(), Vector3::zeros());
             self.found_sagittas.resize(self.pieces.pieces.len(), 0.0);
         }
         self.search(crew);
@@ -186,27 +186,22 @@ impl HairPairs {
     }
 
     /// Where everything was when the step began.
-    fn place_start(&mut self, strands: &[StrandPath]) {
-        let start = |strand: usize| -> StrandCurve { strands[strand].start };
-        self.pieces.place(start, &mut self.start);
-        self.pieces.sagittas(start, &mut self.sagittas[0]);
+    fn place_start<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>) {
+        self.pieces.place(&self.wisps, |strand| strands[strand].start, crew, &mut self.placing, &mut self.start);
         roots_of(strands, &self.wisps, |strand| strand.start, &mut self.roots[0]);
         self.begun = false;
     }
 
     /// Where everything is.
-    fn place(&mut self, strands: &[StrandPath]) {
-        let now = |strand: usize| -> StrandCurve { strands[strand].now };
-        self.pieces.place(now, &mut self.now);
-        self.pieces.sagittas(now, &mut self.sagittas[1]);
-        let [then, sagittas] = &mut self.sagittas;
-        for (now, then) in sagittas.iter_mut().zip(then) {
+    fn place<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>) {
+        self.pieces.place(&self.wisps, |strand| strands[strand].now, crew, &mut self.placing, &mut self.now);
+        for (now, then) in self.now.sagittas.iter_mut().zip(&self.start.sagittas) {
             *now = now.max(*then);
         }
         roots_of(strands, &self.wisps, |strand| strand.now, &mut self.roots[1]);
         let shared = RigidMotion::shared(&self.roots[0], &self.roots[1]);
         self.carried.clear();
-        self.carried.extend(self.start.iter().map(|node| shared.of(node)));
+        self.carried.extend(self.start.nodes.iter().map(|node| shared.of(node)));
         self.turned = shared.turn;
     }
 
@@ -217,13 +212,13 @@ impl HairPairs {
         left.resize(self.wisps.len(), false);
         // The start is the one of the search, and its way was looked at then, or within the margin like everything else.
         let whens: &[_] =
-            &[(&self.now, &self.roots[1]), (&self.start, &self.roots[0])][..if self.found_this_step { 1 } else { 2 }];
+            &[(&self.now.nodes, &self.roots[1]), (&self.start.nodes, &self.roots[0])][..if self.found_this_step { 1 } else { 2 }];
         for (nodes, roots) in whens {
             let moved = RigidMotion::shared(&self.found_roots, roots);
             for (index, piece) in self.pieces.pieces.iter().enumerate() {
                 let node = piece.node as usize;
                 let off = |node: usize| (nodes[node] - moved.of(&found_at[node])).norm();
-                let within = off(node).max(off(node + 1)) + self.sagittas[1][index] <= *margin + found_sagittas[index];
+                let within = off(node).max(off(node + 1)) + self.now.sagittas[index] <= *margin + found_sagittas[index];
                 left[piece.strand as usize] |= !within;
             }
         }
@@ -238,8 +233,8 @@ impl HairPairs {
         let pieces = &pieces.pieces;
         for (index, piece) in pieces.iter().enumerate().filter(|(_, piece)| left[piece.strand as usize]) {
             let node = piece.node as usize;
-            found_at[node..node + 2].copy_from_slice(&self.now[node..node + 2]);
-            found_sagittas[index] = self.sagittas[1][index];
+            found_at[node..node + 2].copy_from_slice(&self.now.nodes[node..node + 2]);
+            found_sagittas[index] = self.now.sagittas[index];
         }
         let (now, sagittas) = (&*found_at, &*found_sagittas);
         boxes.clear();
@@ -355,8 +350,8 @@ impl HairPairs {
             MovingPiece {
                 piece,
                 start: [self.carried[node], self.carried[node + 1]],
-                now: [self.now[node], self.now[node + 1]],
-                sagitta: self.sagittas[1][index as usize],
+                now: [self.now.nodes[node], self.now.nodes[node + 1]],
+                sagitta: self.now.sagittas[index as usize],
             }
         };
         let two = TwoStrands {

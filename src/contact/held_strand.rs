@@ -184,7 +184,7 @@ impl HeldStrand {
     /// Before an iteration: whether this strand need not take part in it.
     fn choose_rest(&mut self, island: &Island) {
         let joint = |end: &Attachment| &island.joints[end.joint as usize];
-        self.resting = if !island.may_rest() {
+        self.resting = if !island.may_rest {
             false
         } else if self.resting {
             let wakes = self.attachments.iter().any(|end| joint(end).standing.wakes[usize::from(end.second)]);
@@ -201,15 +201,17 @@ impl HeldStrand {
     /// How far an attached point of a resting strand goes from where it is when the joints that `has_part` is true of have the forces
     /// `of_joint` (on the joints' first ends), by the linear model of its last iteration.
     pub fn given_way(&self, point: u32, has_part: &[bool], of_joint: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
-        let row = &self.held.delassus.blocks[point as usize * self.attachments.len()..][..self.attachments.len()];
+        // Symmetric: three columns are three rows.
+        let size = 3 * self.attachments.len();
+        let rows = &self.held.delassus.columns[3 * point as usize * size..][..3 * size];
         let mut sum = Vector3::zeros();
-        for ((end, block), taken) in self.attachments.iter().zip(row).zip(&self.forces) {
+        for (k, (end, taken)) in self.attachments.iter().zip(&self.forces).enumerate() {
             let joint = end.joint as usize;
             if has_part[joint] {
                 let force = of_joint(joint);
                 let change = if end.second { -force } else { force } - Vector3::from(*taken);
-                for (k, row) in block.iter().enumerate() {
-                    sum[k] += row[0] * change.x + row[1] * change.y + row[2] * change.z;
+                for (axis, row) in rows.chunks_exact(size).enumerate() {
+                    sum[axis] += row[3 * k] * change.x + row[3 * k + 1] * change.y + row[3 * k + 2] * change.z;
                 }
             }
         }

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::touch::StrandCurve;
 use crate::math::entire::Stumpff;
+use crate::math::lane::{Kernel, Lane};
 use crate::math::vector::Vec3;
 use crate::rod::segment;
 
@@ -31,6 +32,7 @@ pub struct HelixPoint {
 
 impl Arc<'_> {
     /// The point at arclength `s` of the element.
+    #[inline(always)]
     pub fn at(&self, s: f64) -> HelixPoint {
         let element = &self.curve.elements[self.element];
         let (theta, z) = (element.kappa.scale(s), element.kappa_squared * (s * s));
@@ -71,6 +73,7 @@ impl PointPair {
     }
 }
 
+#[inline(always)]
 fn pair(a: &Arc, b: &Arc, s: [f64; 2]) -> PointPair {
     let points = [a.at(s[0]), b.at(s[1])];
     let apart = points[0].position - points[1].position;
@@ -85,6 +88,26 @@ const MOST_ITERATIONS: usize = 40;
 /// Newton's iteration on half the squared distance, with the arcs' ends as bounds; where the Hessian is not positive its bend is left out,
 /// and what is singular then (arcs along each other) is damped. Each step is halved until the distance falls.
 pub fn closest(a: &Arc, b: &Arc, start: [f64; 2], held: [bool; 2]) -> PointPair {
+    f64::call(Closest { a, b, start, held })
+}
+
+struct Closest<'a> {
+    a: &'a Arc<'a>,
+    b: &'a Arc<'a>,
+    start: [f64; 2],
+    held: [bool; 2],
+}
+
+impl Kernel for Closest<'_> {
+    type Output = PointPair;
+    #[inline(always)]
+    fn run(self) -> PointPair {
+        closest_from(self.a, self.b, self.start, self.held)
+    }
+}
+
+#[inline(always)]
+fn closest_from(a: &Arc, b: &Arc, start: [f64; 2], held: [bool; 2]) -> PointPair {
     let bounds = [a.s, b.s];
     let clamp = |k: usize, s: f64| s.max(bounds[k][0]).min(bounds[k][1]);
     let mut now = pair(a, b, [clamp(0, start[0]), clamp(1, start[1])]);
@@ -129,6 +152,7 @@ pub fn closest(a: &Arc, b: &Arc, start: [f64; 2], held: [bool; 2]) -> PointPair 
 }
 
 /// The least of slope·x + ½ x·Hx with x within `room`, H of the given diagonal and off-diagonal, positive definite; fixed x stay 0.
+#[inline(always)]
 fn bounded_step(slope: [f64; 2], diagonal: [f64; 2], cross: f64, fixed: [bool; 2], room: [[f64; 2]; 2]) -> [f64; 2] {
     let within = |k: usize, x: f64| x.max(room[k][0]).min(room[k][1]);
     // The best of one where the other is given.

@@ -114,6 +114,8 @@ pub struct Island {
     pub lost: bool,
     /// Whether bonds that do not give way hold strands to the world in this iteration.
     pub bonded_to_world: bool,
+    /// Whether strands may rest: constraints are to hold to the last digit, and few strands come to their end sooner together.
+    pub may_rest: bool,
     /// How far from the end a strand may be to rest, rad, and its joints' residual.
     pub rest: f64,
     /// See `rest`.
@@ -216,11 +218,6 @@ impl Island {
         self.rough = self.strands.len() > FEW && self.has_touches();
     }
 
-    /// Whether strands may rest: constraints are to hold to the last digit, and few strands come to their end sooner together.
-    pub fn may_rest(&self) -> bool {
-        self.strands.len() > FEW && !self.is_constrained()
-    }
-
     /// Whether the joints at these ends hold.
     pub fn holds(&self, ends: &[Attachment]) -> bool {
         !self.relaxed && ends.iter().all(|end| self.joints[end.joint as usize].standing.holds)
@@ -246,6 +243,7 @@ impl Island {
     /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
     pub fn refresh(&mut self, strands: &[HeldStrand], bodies: &[BodyAt]) {
         self.bonded_to_world = false;
+        self.may_rest = self.strands.len() > FEW && !self.is_constrained();
         for joint in &mut self.joints {
             let strand = &strands[joint.first.held as usize];
             self.bonded_to_world |= !self.relaxed && matches!(joint.kind, JointKind::Pin { compliance: 0.0, .. });
@@ -323,16 +321,7 @@ impl Island {
                 continue;
             }
             let operator = &strands[*held as usize].held.delassus;
-            let size = 3 * operator.stations;
-            let matrix = space.add_strand(operator.stations);
-            for (j, column) in operator.blocks.chunks_exact(operator.stations.max(1)).enumerate() {
-                // Symmetric: a row of blocks is the transpose of a column of blocks.
-                for (i, block) in column.iter().enumerate() {
-                    for b in 0..3 {
-                        matrix[(3 * j + b) * size + 3 * i..][..3].copy_from_slice(&block[b]);
-                    }
-                }
-            }
+            space.add_strand(operator.stations).copy_from_slice(&operator.columns);
         }
         forces.clear();
         for index in 0..self.parts.len() {

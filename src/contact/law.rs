@@ -76,7 +76,7 @@ impl LawSolve {
     }
 
     /// The force λ for which u = W λ + `free` and λ obey the law; exact to rounding.
-    #[inline]
+    #[inline(always)]
     pub fn solve(&mut self, free: Vector3<f64>) -> Vector3<f64> {
         match self {
             LawSolve::Contact(contact) => contact.solve(free),

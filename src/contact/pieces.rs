@@ -1,9 +1,15 @@
 //! Strands cut into pieces that bend little, each known by its chord: what the search for pairs works on.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use super::touch::StrandCurve;
 use crate::error::{Result, check_not_negative};
+use crate::workers::Crew;
+
+/// In so many parts pieces are placed, whoever does it.
+const PARTS: usize = 32;
 
 /// What a strand is to other strands.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,35 +132,80 @@ impl Pieces {
         }
     }
 
-    /// Whether some element is bent so much more than when it was cut that it needs more than twice its pieces.
-    pub fn outgrown<'a>(&self, wisps: &[Wisp], curve: impl Fn(usize) -> StrandCurve<'a>) -> bool {
-        let mut of_element = self.pieces.chunk_by(|a, b| (a.strand, a.element) == (b.strand, b.element));
-        of_element.any(|pieces| {
-            let (strand, element) = (pieces[0].strand as usize, pieces[0].element as usize);
-            let length = pieces[pieces.len() - 1].s[1] - pieces[0].s[0];
-            pieces_of(bend(&curve(strand), element), length, wisps[strand].radius) > 2 * pieces.len()
-        })
+    /// Goes on from where all pieces up to `index` are passed to where the next element begins.
+    fn next_element(&self, index: usize) -> usize {
+        let same = |a: &Piece, b: &Piece| (a.strand, a.element) == (b.strand, b.element);
+        let mut next = index.min(self.pieces.len());
+        while next > 0 && next < self.pieces.len() && same(&self.pieces[next - 1], &self.pieces[next]) {
+            next += 1;
+        }
+        next
     }
 
-    /// Where the nodes are, m.
-    pub fn place<'a>(&self, curve: impl Fn(usize) -> StrandCurve<'a>, nodes: &mut Vec<Vector3<f64>>) {
-        nodes.clear();
-        for piece in &self.pieces {
-            let (element, curve) = (piece.element as usize, curve(piece.strand as usize));
-            nodes.push(curve.position(element, piece.s[0]));
-            if !piece.continued[1] {
-                nodes.push(curve.position(element, piece.s[1]));
+    /// Where the nodes are and how far each piece is off its chord, of all strands, by `curve`.
+    pub(crate) fn place<'a, S: Default + Send>(
+        &self,
+        wisps: &[Wisp],
+        curve: impl Fn(usize) -> StrandCurve<'a> + Sync,
+        crew: &Crew<S>,
+        parts: &mut Vec<PlacedPieces>,
+        placed: &mut PlacedPieces,
+    ) {
+        parts.resize_with(PARTS, PlacedPieces::default);
+        for (k, part) in parts.iter_mut().enumerate() {
+            let at = |k: usize| self.next_element(self.pieces.len() * k / PARTS);
+            part.pieces = at(k)..at(k + 1);
+        }
+        crew.for_each_task(parts, 1, 1, |parts, _| {
+            for part in parts {
+                part.place(self, wisps, &curve);
             }
+        });
+        placed.clear();
+        for part in parts {
+            placed.nodes.extend_from_slice(&part.nodes);
+            placed.sagittas.extend_from_slice(&part.sagittas);
+            placed.outgrown |= part.outgrown;
         }
     }
+}
 
+/// Where pieces are.
+#[derive(Debug, Default)]
+pub struct PlacedPieces {
+    pieces: Range<usize>,
+    /// Where the nodes are, m.
+    pub nodes: Vec<Vector3<f64>>,
     /// How far each piece is off its chord, at most, m: Ωs²/8, and never more than across its circle.
-    pub fn sagittas<'a>(&self, curve: impl Fn(usize) -> StrandCurve<'a>, sagittas: &mut Vec<f64>) {
-        sagittas.clear();
-        sagittas.extend(self.pieces.iter().map(|piece| {
-            let bend = bend(&curve(piece.strand as usize), piece.element as usize);
-            let length = piece.s[1] - piece.s[0];
-            (0.125 * bend * length * length).min(2.0 / bend)
-        }));
+    pub sagittas: Vec<f64>,
+    /// Whether some element is bent so much more than when it was cut that it needs more than twice its pieces.
+    pub outgrown: bool,
+}
+
+impl PlacedPieces {
+    fn clear(&mut self) {
+        self.nodes.clear();
+        self.sagittas.clear();
+        self.outgrown = false;
+    }
+
+    fn place<'a>(&mut self, all: &Pieces, wisps: &[Wisp], curve: &impl Fn(usize) -> StrandCurve<'a>) {
+        self.clear();
+        let mut elements = all.pieces[self.pieces.clone()].chunk_by(|a, b| (a.strand, a.element) == (b.strand, b.element));
+        for pieces in &mut elements {
+            let (strand, element) = (pieces[0].strand as usize, pieces[0].element as usize);
+            let curve = curve(strand);
+            let bend = bend(&curve, element);
+            let length = pieces[pieces.len() - 1].s[1] - pieces[0].s[0];
+            self.outgrown |= pieces_of(bend, length, wisps[strand].radius) > 2 * pieces.len();
+            for piece in pieces {
+                self.nodes.push(curve.position(element, piece.s[0]));
+                if !piece.continued[1] {
+                    self.nodes.push(curve.position(element, piece.s[1]));
+                }
+                let length = piece.s[1] - piece.s[0];
+                self.sagittas.push((0.125 * bend * length * length).min(2.0 / bend));
+            }
+        }
     }
 }

@@ -209,10 +209,9 @@ macro_rules! scalar {
             fn set_lane(&mut self, _index: usize, value: f64) {
                 *self = value as $float;
             }
-            // A function of its own here too: inlined wherever it is called, a kernel is compiled many times over.
-            #[inline(never)]
+            #[inline(always)]
             fn call<K: Kernel>(kernel: K) -> K::Output {
-                kernel.run()
+                super::lanes::call_scalar(kernel)
             }
         }
     };

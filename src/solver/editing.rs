@@ -101,8 +101,15 @@ impl Solver {
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
         self.crew.for_each_on_own(&mut settled, |(index, curvatures, found), workspace| {
             let Strand { model, state, .. } = &strands[*index];
-            (*curvatures, *found) =
-                equilibrium::search(model, state.curvatures.clone(), &state.root, gravity, options, rules, &mut workspace.step.one);
+            (*curvatures, *found) = equilibrium::search(
+                model,
+                state.curvatures.clone(),
+                &state.root,
+                gravity,
+                options,
+                rules,
+                &mut workspace.step.one,
+            );
         });
         let mut found = Vec::with_capacity(settled.len());
         for (index, curvatures, equilibrium) in settled {

@@ -16,8 +16,9 @@ use super::scratch::Bench;
 use super::stages::{self, StageTimes};
 use super::state::RuleScratch;
 use super::{Setting, StrandOutcome, keep, newton, whole};
+use crate::chain::delassus::Delassus;
 use crate::chain::load::{Load, Station};
-use crate::chain::response::{Delassus, ResponseScratch};
+use crate::chain::response::ResponseScratch;
 use crate::chain::system::LinearSolve;
 use crate::math::lane::MAX_LANES;
 use crate::math::vector::{Mat3, Vec3};
@@ -193,7 +194,7 @@ impl Held {
                 self.damping.grow();
             }
         }
-        elimination.delassus(&iterate.kinematics, loads, axes, &mut self.scratch, &mut self.delassus);
+        self.delassus.update(elimination, &iterate.kinematics, loads, axes);
         self.forces.clear();
         self.forces.resize(stations.len(), Vec3::zero());
         elimination.direction(

@@ -89,7 +89,7 @@ impl BondSolve {
     }
 
     /// See [`super::LawSolve::solve`].
-    #[inline]
+    #[inline(always)]
     pub(super) fn solve(&self, free: Vector3<f64>) -> Vector3<f64> {
         -(self.stiffness * free)
     }

@@ -154,7 +154,7 @@ impl ContactSolve {
     }
 
     /// See [`super::LawSolve::solve`].
-    #[inline]
+    #[inline(always)]
     pub(super) fn solve(&mut self, free: Vector3<f64>) -> Vector3<f64> {
         if self.least == f64::MIN_POSITIVE {
             // Nothing moves here, whatever the force.
@@ -185,6 +185,7 @@ impl ContactSolve {
         Forces { normal, tangent: [-(b[1] + a[0] * normal) * v[0], -(b[2] + a[1] * normal) * v[1]], slope }
     }
 
+    #[inline(always)]
     fn coulomb(&mut self, b: &[f64; 3], mean: f64, lean: [f64; 2]) -> Vector3<f64> {
         let mobility = |alpha: f64| [1.0 / (self.tangent[0] + alpha), 1.0 / (self.tangent[1] + alpha)];
         let stick = self.forces(b, mobility(self.least));
@@ -234,6 +235,7 @@ impl ContactSolve {
         Vector3::new(normal, held * x, held * y)
     }
 
+    #[inline(always)]
     fn viscous(&mut self, b: &[f64; 3], mean: f64, lean: [f64; 2]) -> Vector3<f64> {
         let mobility = |c: f64| [c / (1.0 + c * self.tangent[0]), c / (1.0 + c * self.tangent[1])];
         let largest = mean + (lean[0] * lean[0] + lean[1] * lean[1]).sqrt();

@@ -80,7 +80,7 @@ impl RingSolve {
     }
 
     /// See [`super::LawSolve::solve`].
-    #[inline]
+    #[inline(always)]
     pub(super) fn solve(&self, free: Vector3<f64>) -> Vector3<f64> {
         let b = self.sides.map(|side| side.dot(&free));
         let p = [-self.stiffness[0] * b[0], -self.stiffness[1] * b[1]];

@@ -2,6 +2,8 @@
 
 /// Most evaluations of a search; bisection in the exponent alone halves any bracket of f64 to neighbours in fewer.
 const MOST: u32 = 200;
+/// A step of Newton's that changes x by less than this part of it is the last.
+const LAST: f64 = 1e-10;
 
 /// The root x of `f` above `least`. `f` gives value and slope; it must be positive at `least` (not evaluated there) and negative for all
 /// x from some x on. Starts at `guess`. Ends where neighbours in f64 are, where the value is below a few roundings, or, if no x is negative
@@ -21,7 +23,12 @@ pub(super) fn root(least: f64, guess: f64, mut f: impl FnMut(f64) -> (f64, f64))
             high = x;
         }
         let mut next = x - value / slope;
-        if !(next > low && next < high) {
+        if next > low && next < high {
+            // What Newton's step leaves of such a change is its square.
+            if (next - x).abs() <= LAST * x {
+                return next;
+            }
+        } else {
             next = match () {
                 () if high == f64::INFINITY => 8.0 * x,
                 () if low == least && high > 64.0 * least => (0.125 * high).max(2.0 * least),

@@ -18,6 +18,24 @@ pub(crate) use neon::{F32x4, F64x2};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
 
+use super::lane::Kernel;
+
+/// Runs a kernel for one strand, or for what several touch, as a function of its own: inlined wherever it is called, it would be compiled many times
+/// over. Compiled twice, since AVX2 encodes the same operations in fewer instructions, and two or three numbers that are treated alike go side by
+/// side. (AVX2 or not is no choice here: the bits are the same.)
+#[inline(always)]
+pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
+    #[cfg(target_arch = "x86_64")]
+    if x86::has_avx2() {
+        return x86::call_scalar(kernel);
+    }
+    #[inline(never)]
+    fn with<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run()
+    }
+    with(kernel)
+}
+
 /// The vector instructions that kernels are made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]

@@ -16,6 +16,17 @@ pub(super) fn has_avx512() -> bool {
         && std::arch::is_x86_feature_detected!("avx512vl")
 }
 
+/// See [`super::call_scalar`]; for machines that have AVX2.
+#[inline(always)]
+pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
+    #[target_feature(enable = "avx2")]
+    #[inline(never)]
+    fn with<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run()
+    }
+    unsafe { with(kernel) }
+}
+
 /// A packed type: its name, register, scalar, lanes, precision, features, instructions, and what is particular to its masks.
 macro_rules! packed {
     (

@@ -1,0 +1,224 @@
+//! The Delassus operator of a strand, J H⁻¹ Jᵀ: how far its stations move under forces at them. Columns go side by side in a vector register, each
+//! by one pass from its station to the root and one back (linear time a column).
+//!
+//! Symbols as in `elimination` and `response`: a unit force at a station leaves y on the free curvatures of the elements between it and the root;
+//! ψ, ρ and δ are what these do then.
+
+use super::elimination::{Eliminated, Elimination};
+use super::load::Load;
+use crate::math::lane::{Kernel, Lane};
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+use crate::math::lanes::F64x2;
+#[cfg(target_arch = "x86_64")]
+use crate::math::lanes::{F64x4, InstructionSet};
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::kinematics::Kinematics;
+
+/// The Delassus operator of one strand over its stations, world axes, in Newton's linear model of the step.
+#[derive(Debug, Clone, Default)]
+pub struct Delassus {
+    /// How many stations.
+    pub stations: usize,
+    /// Column after column, three rows and three columns a station: at `(3 j + b) * 3 * stations + 3 i + a` how far station i moves along axis a for a
+    /// unit force along axis b at station j, m/N. Symmetric to the bit.
+    pub columns: Vec<f64>,
+    scratch: Scratch,
+}
+
+/// y, element by element, by the type of lanes.
+#[derive(Debug, Clone, Default)]
+struct Scratch {
+    #[cfg(target_arch = "x86_64")]
+    four: Vec<[F64x4; 3]>,
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    two: Vec<[F64x2; 3]>,
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    one: Vec<[f64; 3]>,
+}
+
+impl Delassus {
+    /// Makes it the operator over `loads` (from root to tip), after [`Elimination::solve_loaded`] over the curvatures `axes` of the same kinematics.
+    pub fn update(&mut self, elimination: &Elimination<f64>, kinematics: &Kinematics<f64>, loads: &[Load<f64>], axes: &[usize]) {
+        self.stations = loads.len();
+        self.columns.resize(9 * loads.len() * loads.len(), 0.0);
+        // The same bits by registers of any width: no column sees another.
+        #[cfg(target_arch = "x86_64")]
+        if InstructionSet::detected() >= InstructionSet::Avx2 {
+            return update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.four);
+        }
+        #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+        update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.two);
+        #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+        update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.one);
+    }
+}
+
+fn update<T: Lane>(
+    columns: &mut [f64],
+    elimination: &Elimination<f64>,
+    kinematics: &Kinematics<f64>,
+    loads: &[Load<f64>],
+    axes: &[usize],
+    scratch: &mut Vec<[T; 3]>,
+) {
+    match *axes {
+        [a] => T::call(Columns { done: &elimination.one, kinematics, loads, axes: [a], scratch, columns }),
+        [a, b] => T::call(Columns { done: &elimination.two, kinematics, loads, axes: [a, b], scratch, columns }),
+        _ => T::call(Columns { done: &elimination.three, kinematics, loads, axes: [0, 1, 2], scratch, columns }),
+    }
+    make_symmetric(columns, 3 * loads.len());
+}
+
+/// An entry and its mirror image differ by rounding: of two stations' that for a force at the outer one is kept, of one station's own the mean.
+fn make_symmetric(columns: &mut [f64], size: usize) {
+    for column in 0..size {
+        let own = column - column % 3;
+        for row in own..column {
+            let mean = 0.5 * (columns[column * size + row] + columns[row * size + column]);
+            (columns[column * size + row], columns[row * size + column]) = (mean, mean);
+        }
+        for row in 0..own {
+            columns[column * size + row] = columns[row * size + column];
+        }
+    }
+}
+
+/// All columns, for D free curvatures an element.
+struct Columns<'a, T, const D: usize> {
+    done: &'a [Eliminated<f64, D>],
+    kinematics: &'a Kinematics<f64>,
+    loads: &'a [Load<f64>],
+    axes: [usize; D],
+    scratch: &'a mut Vec<[T; 3]>,
+    columns: &'a mut [f64],
+}
+
+#[inline(always)]
+fn vector<T: Lane>(v: Vec3<f64>) -> Vec3<T> {
+    Vec3([T::splat(v.0[0]), T::splat(v.0[1]), T::splat(v.0[2])])
+}
+
+#[inline(always)]
+fn matrix<T: Lane>(m: &Mat3<f64>) -> Mat3<T> {
+    let mut out = Mat3::zero();
+    for i in 0..3 {
+        for j in 0..3 {
+            out.0[i][j] = T::splat(m.0[i][j]);
+        }
+    }
+    out
+}
+
+#[inline(always)]
+fn select<T: Lane>(mask: T::Mask, yes: Vec3<T>, no: Vec3<T>) -> Vec3<T> {
+    let mut out = no;
+    for i in 0..3 {
+        out.0[i] = T::select(mask, yes.0[i], no.0[i]);
+    }
+    out
+}
+
+impl<T: Lane, const D: usize> Kernel for Columns<'_, T, D> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { done, kinematics, loads, axes, scratch, columns } = self;
+        let (count, size) = (kinematics.elements.len(), 3 * loads.len());
+        scratch.resize(count, [T::zero(); 3]);
+        let mut first = 0;
+        while first < size {
+            // A lane a column; those that there are no more columns for repeat the last.
+            let at = |lane: usize| (first + lane).min(size - 1);
+            let load = |lane: usize| &loads[at(lane) / 3];
+            let last = load(T::LANES - 1).element;
+            // What a unit force is to its own element.
+            let mut unit = Vec3::<T>::zero();
+            let mut local = Vec3::<T>::zero();
+            let mut own = [Vec3::<T>::zero(); D];
+            for r in 0..3 {
+                unit.0[r] = T::from_lanes(|lane| kinematics.elements[load(lane).element].frame_left.0[at(lane) % 3][r]);
+                local.0[r] = T::from_lanes(|lane| load(lane).local.0[r]);
+                for i in 0..D {
+                    own[i].0[r] = T::from_lanes(|lane| load(lane).jacobian.0[r][axes[i]]);
+                }
+            }
+            // To the root: moment about, and force at, the left end of each element.
+            let (mut moment, mut force) = (Vec3::<T>::zero(), Vec3::<T>::zero());
+            for index in (0..=last).rev() {
+                let element = &kinematics.elements[index];
+                let done = &done[count - 1 - index];
+                let mut y = [T::zero(); 3];
+                for i in 0..D {
+                    y[i] = vector::<T>(done.psi[i]).dot(moment) + vector::<T>(done.jacobian[i]).dot(force);
+                }
+                moment += vector::<T>(element.end).cross(force);
+                let mut begins = 0;
+                for lane in 0..T::LANES {
+                    begins |= u32::from(load(lane).element == index) << lane;
+                }
+                if begins != 0 {
+                    let begins = T::mask(begins);
+                    for i in 0..D {
+                        y[i] = T::select(begins, own[i].dot(unit), y[i]);
+                    }
+                    moment = select(begins, local.cross(unit), moment);
+                    force = select(begins, unit, force);
+                }
+                for i in 0..D {
+                    for k in 0..i {
+                        y[i] -= y[k] * T::splat(done.factor[i][k]);
+                    }
+                    y[i] = y[i] * T::splat(done.factor[i][i]);
+                    let w = done.coupling[i].map(T::splat);
+                    moment -= Vec3([w[0], w[1], w[2]]).scale(y[i]);
+                    force -= Vec3([w[3], w[4], w[5]]).scale(y[i]);
+                }
+                scratch[index] = y;
+                if index > 0 {
+                    let turn = matrix::<T>(&kinematics.elements[index - 1].turn);
+                    (moment, force) = (turn.apply(moment), turn.apply(force));
+                }
+            }
+            // Back from the root, to the stations up to the columns' own: what those farther out do is known from their columns.
+            let (mut psi, mut rho) = (Vec3::<T>::zero(), Vec3::<T>::zero());
+            let mut station = 0;
+            for index in 0..=last {
+                let element = &kinematics.elements[index];
+                let done = &done[count - 1 - index];
+                let mut delta = scratch[index];
+                for k in (0..D).rev() {
+                    let w = done.coupling[k].map(T::splat);
+                    let mut value = delta[k] - Vec3([w[0], w[1], w[2]]).dot(psi) - Vec3([w[3], w[4], w[5]]).dot(rho);
+                    for later in k + 1..D {
+                        value -= delta[later] * T::splat(done.factor[later][k]);
+                    }
+                    delta[k] = value * T::splat(done.factor[k][k]);
+                }
+                while 3 * station < first + T::LANES && loads.get(station).is_some_and(|load| load.element == index) {
+                    let load = &loads[station];
+                    let mut moved = rho - vector::<T>(load.local).cross(psi);
+                    for k in 0..D {
+                        moved += vector::<T>(load.jacobian.column(axes[k])).scale(delta[k]);
+                    }
+                    let moved = matrix::<T>(&element.frame_left).apply(moved);
+                    for (a, moved) in moved.0.iter().enumerate() {
+                        let column = &mut columns[(3 * station + a) * size..][..size];
+                        for (lane, entry) in column[first..].iter_mut().take(T::LANES).enumerate() {
+                            *entry = moved.lane(lane);
+                        }
+                    }
+                    station += 1;
+                }
+                let (mut next_psi, mut next_rho) = (psi, rho - vector::<T>(element.end).cross(psi));
+                for k in 0..D {
+                    next_psi += vector::<T>(done.psi[k]).scale(delta[k]);
+                    next_rho += vector::<T>(done.jacobian[k]).scale(delta[k]);
+                }
+                let turn = matrix::<T>(&element.turn);
+                psi = turn.apply_transposed(next_psi);
+                rho = turn.apply_transposed(next_rho);
+            }
+            first += T::LANES;
+        }
+    }
+}
