@@ -508,9 +508,9 @@ typedef void (*shx_log_fn)(void *user, uint32_t level, const char *message);
 typedef struct shx_solver_def {
   // Set by shx_solver_def_init.
   uint32_t struct_size;
-  // Threads, at most 256. 0 or 1: the calling thread (default). More: a private pool, made with the solver and joined by
-  // shx_solver_destroy. With parallel_for: how many threads the host's tasks run on, for information. The result's bits do not
-  // depend on it.
+  // Threads, at most 256. 0 or 1: the calling thread (default). More: the calling thread and a private pool of the
+  // others, made with the solver and joined by shx_solver_destroy. With parallel_for: how many threads the host's tasks
+  // run on, for information. The result's bits do not depend on it.
   uint32_t worker_count;
   // Gravity, m/s^2. Default (0, 0, -9.81): z is up. Where y is up: (0, -9.81, 0).
   double gravity[3];
