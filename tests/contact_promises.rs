@@ -151,3 +151,43 @@ fn islands_that_end_early_are_told_and_how_deep_they_are() {
         assert!(told > 5 && deep > 1e-4, "{told} {deep:e}");
     }
 }
+
+/// A strand between two walls that close on it cannot be outside both. It gives way, and is told; those that it hangs together with hold as ever,
+/// and go on rubbing: when the whole island gave way for it, they sank into each other.
+#[test]
+fn what_cannot_be_held_takes_nobody_along() {
+    for model in [ContactModel::Hard, ContactModel::Coulomb] {
+        let (mut solver, ids, defs) = falling(model, 8, ContactOptions::default());
+        // The walls meet the first strand alone.
+        let contact = StrandContact { radius: 1e-4, wisp_radius: RADIUS, groups: 3, exempt_length: 0.01, ..Default::default() };
+        solver.set_contact(&ids[..1], Some(&contact)).unwrap();
+        let wall = |side: f64| {
+            let shape = Arc::new(Shape::new_half_space(Vector3::y() * side).unwrap());
+            BodyDef { mask: 2, ..BodyDef::new(shape) }
+        };
+        let walls = solver.add_bodies(vec![wall(1.0), wall(-1.0)]).unwrap();
+        let (mut told, mut worst, mut sunk) = (0, (0.0_f64, 0.0_f64), 0.0_f64);
+        for step in 0..60 {
+            // From a millimetre on either side until the strand, of 0.2 mm, is 0.1 mm too thick; then they stay.
+            let open = (1e-3 - 5e-5 * f64::from(step)).max(5e-5);
+            let pose = |side: f64| Frame { origin: defs[0].root.origin - Vector3::y() * side * open, ..Frame::default() };
+            solver.set_body_frames(&walls, &[pose(1.0), pose(-1.0)], 1.0 / 60.0).unwrap();
+            let report = solver.step(1.0 / 60.0, 1).unwrap();
+            assert_eq!(report.quarantined, 0, "{model:?} step {step}: {report:?}");
+            let all = lines(&solver, &ids);
+            let others = deepest(&all[1..], Vector3::zeros(), 1e-4);
+            if step < 2 {
+                continue;
+            }
+            told += u32::from(report.contact.unconverged > 0);
+            worst = (worst.0.max(others.0), worst.1.max(others.1));
+            let strand = solver.contacts().iter().filter(|touch| touch.strand == ids[0]).map(|touch| -touch.gap);
+            sunk = strand.fold(sunk, f64::max);
+        }
+        println!("{model:?}: {told} steps told, the pinched strand {sunk:e} m deep, the others {worst:?}");
+        // Where nothing else pulls at it, it is half of what is too much in either wall.
+        assert!(told > 20 && sunk > 4e-5 && sunk < 1e-4, "{told} {sunk:e}");
+        let tolerance = ContactOptions::default().tolerance;
+        assert!(worst.0 < tolerance + 1e-6 && worst.1 < tolerance + 1e-6, "{worst:?}");
+    }
+}

@@ -34,7 +34,8 @@ const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
 /// The models, how many iterations they may take, and their names in tables.
-const MODELS: [(ContactModel, u32, &str); 6] = [
+const MODELS: [(ContactModel, u32, &str); 7] = [
+    (ContactModel::Penalty, 1, "penalty, 1 iteration"),
     (ContactModel::Penalty, 2, "penalty, 2 iterations"),
     (ContactModel::Penalty, 4, "penalty, 4 iterations"),
     (ContactModel::Penalty, 50, "penalty"),

@@ -1,29 +1,134 @@
-//! How islands' iterations end, and are left so while others, made anew by what a later search finds, go on.
+//! How islands' iterations end; what is tried where one does not come to its end; and how those that have ended are left so while others,
+//! made anew by what a later search finds, go on.
 
-use super::island::Island;
+use nalgebra::Vector3;
+
+use super::held_strand::HeldStrand;
+use super::island::{ENOUGH_TURN, Island, LOOKS};
+use super::joint::{Joint, Standing};
+use super::options::ContactOptions;
+
+/// Where forces grew beyond measure, strands with forces beyond this many times what takes a strand its own length in a step are astray.
+const LARGE: f64 = 1e2;
+
+/// How an island is tried to come to an end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Attempt {
+    /// All joints are to hold.
+    #[default]
+    Whole,
+    /// Some touches give way, from where the first attempt came to, see [`Joint::yields`](super::joint::Joint::yields).
+    Yielding,
+    /// The same from the step's start.
+    YieldingAnew,
+    /// All joints give way, from the step's start.
+    Relaxed,
+}
+
+/// What follows where an island has ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Next {
+    /// Nothing: it stays as it ended.
+    Stays,
+    /// It goes on from where it is.
+    GoesOn,
+    /// Its strands begin the step again.
+    BeginsAgain,
+}
 
 /// How an island's iteration ended: all that is told of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ending {
     /// See [`Island::converged`].
     pub converged: bool,
-    relaxed: bool,
+    came_to_end: bool,
+    attempt: Attempt,
     good_enough: bool,
     lost: bool,
     residual: f64,
 }
 
 impl Island {
-    /// How it ended, if it has, and no second attempt is to follow.
+    /// How it ended, if it has, and no other attempt is to follow.
     pub fn ending(&self) -> Option<Ending> {
-        let Self { converged, relaxed, good_enough, lost, residual, .. } = *self;
-        (self.done && !self.is_to_relax()).then_some(Ending { converged, relaxed, good_enough, lost, residual })
+        let Self { converged, came_to_end, attempt, good_enough, lost, residual, .. } = *self;
+        let ending = Ending { converged, came_to_end, attempt, good_enough, lost, residual };
+        (self.done && !self.is_to_be_tried_again()).then_some(ending)
     }
 
     /// Leaves it as it ended: made anew, it is the same, and would end there again.
     pub fn keep(&mut self, ending: Ending) {
-        let Ending { converged, relaxed, good_enough, lost, residual } = ending;
-        (self.done, self.converged, self.relaxed) = (true, converged, relaxed);
+        let Ending { converged, came_to_end, attempt, good_enough, lost, residual } = ending;
+        (self.done, self.converged, self.came_to_end, self.attempt) = (true, converged, came_to_end, attempt);
         (self.good_enough, self.lost, self.residual) = (good_enough, lost, residual);
+    }
+
+    /// Whether all its joints give way, since they could not be held.
+    pub fn is_relaxed(&self) -> bool {
+        self.attempt == Attempt::Relaxed
+    }
+
+    /// Whether its iteration ended elsewhere than it should.
+    pub fn failed(&self) -> bool {
+        self.done && !self.converged
+    }
+
+    /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way.
+    pub fn is_given_up(&self) -> bool {
+        self.failed() && (self.is_relaxed() || !self.good_enough)
+    }
+
+    /// Whether there is to be another attempt, see [`Island::try_again`].
+    pub fn is_to_be_tried_again(&self) -> bool {
+        self.failed() && !self.is_relaxed() && !self.good_enough && !self.joints.is_empty()
+    }
+
+    /// Another attempt, if its joints were not to be held. First, if they are touches without springs of their own, those of strands alone give
+    /// way that did not come to their end; mostly these are one to five of hundreds. It goes on from where it is, or, where forces grew beyond measure,
+    /// begins again. Then all joints give way, from the start, and touches do not rub: what contradicts itself, or is out of a strand's reach,
+    /// is drawn as near as it goes.
+    pub fn try_again(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> Next {
+        if !self.is_to_be_tried_again() {
+            return Next::Stays;
+        }
+        let (goes_on, anew) = match self.attempt {
+            _ if options.model.is_soft() || self.is_constrained() => (false, false),
+            Attempt::Whole => (!self.beyond, true),
+            Attempt::Yielding => (false, true),
+            Attempt::YieldingAnew | Attempt::Relaxed => (false, false),
+        };
+        let forgives = (goes_on || anew) && self.let_some_yield(strands, step);
+        if goes_on && forgives {
+            (self.iterations, self.done, self.attempt) = (LOOKS, false, Attempt::Yielding);
+            self.begin_to_count(LOOKS);
+            return Next::GoesOn;
+        }
+        self.attempt = if forgives { Attempt::YieldingAnew } else { Attempt::Relaxed };
+        (self.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
+        self.begin_to_count(0);
+        self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
+        Next::BeginsAgain
+    }
+
+    /// Lets the touches of strands yield that are astray: where forces grew beyond measure, those with such forces; else those too far from
+    /// their end, or with touches that are. False if none yields that did not.
+    fn let_some_yield(&mut self, strands: &[HeldStrand], step: f64) -> bool {
+        let far = |held: &&u32| !self.beyond && strands[**held as usize].residual > ENOUGH_TURN;
+        let mut astray: Vec<u32> = self.strands.iter().filter(far).copied().collect();
+        let large = LARGE * self.usual_force(strands, step);
+        let off = |joint: &&Joint| if self.beyond { joint.force.norm() > large } else { !joint.standing.nearly };
+        for joint in self.joints.iter().filter(off) {
+            astray.push(joint.first.held);
+            astray.extend(joint.second.map(|end| end.held));
+        }
+        astray.sort_unstable();
+        let mut some = false;
+        for joint in &mut self.joints {
+            let of = |held: u32| astray.binary_search(&held).is_ok();
+            if !joint.yields && (of(joint.first.held) || joint.second.is_some_and(|end| of(end.held))) {
+                (joint.yields, joint.standing, some) = (true, Standing::UNKNOWN, true);
+            }
+        }
+        some
     }
 }

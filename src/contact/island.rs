@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use super::body::BodyAt;
 use super::contact_space::{ContactSpace, End, SpaceTouch};
+use super::ending::Attempt;
 use super::gauss_seidel::{GaussSeidel, Report, Settings};
 use super::held_strand::{Attachment, HeldStrand};
 use super::joint::{Joint, JointKind, Standing};
@@ -36,12 +37,12 @@ const SOFT_TOLERANCE: f64 = 2e-3;
 /// A strand that ends further from the end than this, rad, has come to nowhere.
 const LOST: f64 = 0.1;
 
-/// Iterations in which what is left to do, or the number of strands and joints that have it to do, must halve, where it is good enough as it is
-/// and where not; an island that does not get on will not.
-const PATIENCE: [u32; 2] = [5, 25];
+/// Iterations in which what is left to do, or the number of strands and joints that have it to do, must halve: where it is good enough as it is;
+/// in a large island whose touches may yet yield; and elsewhere. An island that does not get on will not.
+const PATIENCE: [u32; 3] = [5, 15, 25];
 /// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
 /// of touches; a bond, m.
-const ENOUGH_TURN: f64 = 1e-2;
+pub(super) const ENOUGH_TURN: f64 = 1e-2;
 const ENOUGH_DEPTH: f64 = 10.0;
 const ENOUGH_BOND: f64 = 1e-9;
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
@@ -63,17 +64,19 @@ const FEW: usize = 20;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
+/// The same of a single touch that yields.
+const YIELDS: f64 = 0.003;
 /// In how many of an island's first iterations a touch that presses begins to rub (viscous friction): one that its friction lifts off would
 /// come and go for ever.
 const ASKED: u32 = 3;
 
 /// How far from a body's surface a touch is looked at again, m.
 const LOOK: f64 = 0.01;
-/// A surface is the same while its normal turns by no more than this cosine.
-const SAME_SURFACE: f64 = 0.7;
+/// A surface is on the side that was found while its normal has turned by no more than this cosine since.
+const SAME_SIDE: f64 = 0.7;
 /// In how many of an island's first iterations that is done: in a crease or a mesh's notch a touch would be on one face and on another in
 /// turn for ever. What is missed so is found by the search at the step's end.
-const LOOKS: u32 = 6;
+pub(super) const LOOKS: u32 = 6;
 /// By how much more than before a normal may point along the strand.
 const ALONG: f64 = 0.1;
 
@@ -106,10 +109,14 @@ pub struct Island {
     pub done: bool,
     /// Whether they have ended where they should.
     pub converged: bool,
-    /// Its joints could not be held exactly, and give way: see [`Island::relax`].
-    pub relaxed: bool,
+    /// How it is tried to come to an end.
+    pub attempt: Attempt,
+    /// Whether that came to its end, whatever gave way for it.
+    pub came_to_end: bool,
     /// It has not come to its end, but is near enough to stay as it is.
     pub good_enough: bool,
+    /// Its forces grew beyond measure.
+    pub beyond: bool,
     /// Not even so: its strands stay as the step found them.
     pub lost: bool,
     /// Whether bonds that do not give way hold strands to the world in this iteration.
@@ -140,22 +147,23 @@ impl Island {
         self.strands.clear();
         self.joints.clear();
         (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
-        (self.done, self.converged, self.relaxed, self.lost, self.good_enough) = (false, false, false, false, false);
+        (self.done, self.converged, self.came_to_end, self.lost) = (false, false, false, false);
+        (self.attempt, self.good_enough, self.beyond) = (Attempt::Whole, false, false);
         (self.rest, self.rough) = (-1.0, false);
         self.begin_to_count(0);
     }
 
     /// Progress is counted from this iteration on.
-    fn begin_to_count(&mut self, iteration: u32) {
+    pub(super) fn begin_to_count(&mut self, iteration: u32) {
         (self.best, self.fewest, self.idle) = ((f64::INFINITY, iteration), (usize::MAX, iteration), 0);
     }
 
     /// Goes on from where it was solved roughly. True if there is more to do.
     pub fn refine(&mut self) -> bool {
-        let goes_on = self.rough && self.converged;
+        let goes_on = self.rough && self.came_to_end;
         if goes_on {
             // What rested did so by what was asked then.
-            (self.done, self.converged, self.rest) = (false, false, -1.0);
+            (self.done, self.converged, self.came_to_end, self.rest) = (false, false, false, -1.0);
             self.begin_to_count(self.iterations);
         }
         self.rough = false;
@@ -203,50 +211,28 @@ impl Island {
         }
     }
 
-    /// Whether its iteration ended elsewhere than it should.
-    pub fn failed(&self) -> bool {
-        self.done && !self.converged
-    }
-
-    /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way.
-    pub fn is_given_up(&self) -> bool {
-        self.failed() && (self.relaxed || !self.good_enough)
-    }
-
     /// Lets it be solved roughly at first, if it has touches and is large.
     pub fn begin_roughly(&mut self) {
         self.rough = self.strands.len() > FEW && self.has_touches();
     }
 
-    /// Whether the joints at these ends hold.
+    /// Whether the joints at these ends hold, and none of them gives way.
     pub fn holds(&self, ends: &[Attachment]) -> bool {
-        !self.relaxed && ends.iter().all(|end| self.joints[end.joint as usize].standing.holds)
-    }
-
-    /// Whether there is to be a second attempt, see [`Island::relax`].
-    pub fn is_to_relax(&self) -> bool {
-        self.failed() && !self.relaxed && !self.good_enough && !self.joints.is_empty()
-    }
-
-    /// If its joints were not to be held, a second attempt from the start in which they give way, and touches do not rub: what contradicts
-    /// itself, or is out of a strand's reach, is drawn as near as it goes. True if there is to be one.
-    pub fn relax(&mut self) -> bool {
-        let again = self.is_to_relax();
-        if again {
-            (self.iterations, self.done, self.relaxed, self.rough) = (0, false, true, false);
-            self.begin_to_count(0);
-            self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
-        }
-        again
+        let holds = |end: &Attachment| {
+            let joint = &self.joints[end.joint as usize];
+            joint.standing.holds && !joint.yields
+        };
+        !self.is_relaxed() && ends.iter().all(holds)
     }
 
     /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
     pub fn refresh(&mut self, strands: &[HeldStrand], bodies: &[BodyAt]) {
+        let relaxed = self.is_relaxed();
         self.bonded_to_world = false;
         self.may_rest = self.strands.len() > FEW && !self.is_constrained();
         for joint in &mut self.joints {
             let strand = &strands[joint.first.held as usize];
-            self.bonded_to_world |= !self.relaxed && matches!(joint.kind, JointKind::Pin { compliance: 0.0, .. });
+            self.bonded_to_world |= !relaxed && matches!(joint.kind, JointKind::Pin { compliance: 0.0, .. });
             if strand.resting {
                 continue;
             }
@@ -256,13 +242,13 @@ impl Island {
                     let (element, s) = nearest(&strand.path().now, element, s, *target);
                     joint.first.station = Station::on(element, s);
                 }
-                JointKind::Body { body, feature, normal, point, carried, .. } if self.iterations < LOOKS => {
+                JointKind::Body { body, feature, normal, side, point, carried, .. } if self.iterations < LOOKS => {
                     let (body, at) = (&bodies[*body as usize], strand.end_state(&joint.first.station));
                     if let Some(surface) = body.closest_at_end(at.now, LOOK) {
                         let new = body.to_world(&surface.normal);
                         // Another side of an edge or a sheet is another surface, and so is a face beside the edge that the strand lies across.
                         let along = |normal: &Vector3<f64>| normal.dot(&at.tangent).abs();
-                        if new.dot(normal) > SAME_SURFACE && along(&new) < along(normal) + ALONG {
+                        if new.dot(side) > SAME_SIDE && along(&new) < along(normal) + ALONG {
                             (*normal, *point) = (new, body.surface_at_end(&surface));
                             (*feature, *carried) = (surface.feature, body.carried(&surface));
                         }
@@ -274,6 +260,7 @@ impl Island {
     }
 
     fn evaluate(&mut self, joint: usize, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> (Law, Vector3<f64>) {
+        let relaxed = self.is_relaxed();
         let ends = &self.ends[joint];
         let joint = &mut self.joints[joint];
         let first = &strands[joint.first.held as usize];
@@ -281,8 +268,9 @@ impl Island {
         let a = first.place(ends[0].point);
         let b = joint.second.map_or(a, |_| second.place(ends[1].point));
         let (mut law, u) = joint.evaluate([a, b], [&first.contact, &second.contact], options, step);
-        if self.relaxed || joint.deep {
-            let compliance = RELAXED * step * step / first.mass.min(second.mass);
+        if relaxed || joint.deep || joint.yields {
+            let part = if relaxed || joint.deep { RELAXED } else { YIELDS };
+            let compliance = part * step * step / first.mass.min(second.mass);
             match &mut law {
                 Law::Bond(bond) => bond.compliance = bond.compliance.max(compliance),
                 Law::Ring(ring) => ring.friction = Coefficient::uniform(0.0),
@@ -291,7 +279,7 @@ impl Island {
                     if contact.response == Response::Hard {
                         contact.response = Response::Penalty { stiffness: 1.0 / compliance, damping: 0.0, depth_at_start: 0.0 };
                     }
-                    if self.relaxed {
+                    if relaxed || joint.yields {
                         contact.friction = Friction::None;
                     }
                 }
@@ -408,7 +396,8 @@ impl Island {
         wakes
     }
 
-    fn is_constrained(&self) -> bool {
+    /// Whether constraints have a part in it.
+    pub(super) fn is_constrained(&self) -> bool {
         !self.joints.iter().all(Joint::is_touch)
     }
 
@@ -418,7 +407,7 @@ impl Island {
     }
 
     /// What takes the heaviest strand its own length in a step, N.
-    fn usual_force(&self, strands: &[HeldStrand], step: f64) -> f64 {
+    pub(super) fn usual_force(&self, strands: &[HeldStrand], step: f64) -> f64 {
         let of = |held: &u32| strands[*held as usize].mass * strands[*held as usize].length() / (step * step);
         self.strands.iter().map(of).fold(0.0, f64::max)
     }
@@ -426,7 +415,7 @@ impl Island {
     /// After the second half: whether the iteration has ended, by the strands' residuals and by how far the laws are from holding where
     /// the strands are now.
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
-        let soft = options.model.is_soft() || self.relaxed;
+        let soft = options.model.is_soft() || self.is_relaxed();
         let exact = options.model == ContactModel::Coulomb && !self.rough || !self.has_touches();
         let enough_for_touches = match () {
             () if options.model.is_soft() => SOFT_TOLERANCE,
@@ -462,7 +451,7 @@ impl Island {
                 }
                 Law::Ring(_) => (joint.gap <= BOND_TOLERANCE, joint.gap <= ENOUGH_BOND),
                 Law::Contact(contact) => {
-                    let gap = if soft || joint.deep { 0.0 } else { u.dot(&contact.normal) };
+                    let gap = if soft || joint.deep || joint.yields { 0.0 } else { u.dot(&contact.normal) };
                     let exact = soft || options.model != ContactModel::Coulomb && !self.rough || miss <= asked;
                     let outside = self.rough || gap >= -0.5 * options.tolerance;
                     (outside && exact, gap >= -ENOUGH_DEPTH * options.tolerance)
@@ -489,7 +478,7 @@ impl Island {
             of.fold(0.0, f64::max)
         };
         let usual = self.usual_force(strands, step);
-        let beyond = largest(true) > NO_SOLUTION * usual
+        self.beyond = largest(true) > NO_SOLUTION * usual
             || self.is_constrained() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
         let idle = !options.model.is_soft() && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS);
         self.idle = if idle { self.idle + 1 } else { 0 };
@@ -497,17 +486,20 @@ impl Island {
         // twice at most.
         let waits_only = good && wakes_some;
         let got_on = self.best.1.max(self.fewest.1);
-        let slow = !waits_only && !self.is_constrained() && self.iterations >= got_on + PATIENCE[usize::from(!enough)];
-        let stuck = slow || beyond || self.is_constrained() && self.idle > IDLE;
+        let large = self.strands.len() > FEW && !soft;
+        let patience = PATIENCE[if enough { 0 } else { 2 - usize::from(large) }];
+        let slow = !waits_only && !self.is_constrained() && self.iterations >= got_on + patience;
+        let stuck = slow || self.beyond || self.is_constrained() && self.idle > IDLE;
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
         // One touch that stays a little beyond what is asked roughly says nothing of the end.
         let good = good && !wakes_some || self.rough && slow && enough;
         // What has given way holds not, whatever it came to.
-        self.converged = good && !self.relaxed;
+        self.came_to_end = good;
+        self.converged = good && !self.is_relaxed() && !self.joints.iter().any(|joint| joint.yields);
         self.done = good || lost || stuck || self.iterations >= options.max_iterations;
         // With penalties few iterations are a choice: what springs push out no further in this step they do in the next.
         let chosen = options.model.is_soft() && self.iterations >= options.max_iterations;
         self.good_enough = self.done && (enough || chosen);
-        self.lost = self.done && self.relaxed && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
+        self.lost = self.done && self.is_relaxed() && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
     }
 }

@@ -47,6 +47,8 @@ pub enum JointKind {
         feature: u32,
         /// Unit normal at the step's end, towards the strand.
         normal: Vector3<f64>,
+        /// The normal that the search found: which side of the body the strand is to stay on.
+        side: Vector3<f64>,
         /// The body's point at the step's end.
         point: Vector3<f64>,
         /// How far that point goes in the step.
@@ -133,6 +135,8 @@ pub struct Joint {
     pub gap: f64,
     /// The surfaces were in each other when the step began: they part, but give way to each other meanwhile (the hard models).
     pub deep: bool,
+    /// It could not be held, or held a strand that did not come to its end: it gives way and does not rub (`ending.rs`).
+    pub yields: bool,
     /// How it stood at the last check.
     pub standing: Standing,
 }

@@ -402,25 +402,34 @@ impl Search<'_, '_> {
         if gap >= self.within {
             return;
         }
+        // It is still on the side that it came from where the nearest surface is much like the one that it ran into; outside, even where a
+        // corner lies between: hair that is drawn round a chin goes through it on the straight way of a step. How deep it is the nearest
+        // surface tells then, not the plane of where it was hit.
+        let nearest = ground.ask(|| path.start.at(s).0, now, None).filter(|nearest| {
+            let same = nearest.normal.dot(&hit.normal);
+            same >= ALIKE || same > 0.0 && nearest.distance >= self.thickness
+        });
+        let least = if nearest.is_some() { 0.0 } else { ALIKE };
         let normal = self.body.axes_end * hit.normal;
         let mut kept = from;
         for touch in from..self.out.len() {
             let other = self.out[touch];
-            if (other.place.s - s).abs() > piece || other.normal.dot(&normal) >= ALIKE {
+            if (other.place.s - s).abs() > piece || other.normal.dot(&normal) >= least {
                 self.out[kept] = other;
                 kept += 1;
             }
         }
         self.out.truncate(kept);
-        // Where the nearest surface is that which was hit, the touches beside it say more.
-        let at_place = ground.ask(|| path.start.at(s).0, now, None);
-        let beside = self.out[from..].iter().any(|touch| (touch.place.s - s).abs() <= piece);
-        let found_anyway = beside
-            && at_place.is_some_and(|surface| {
-                surface.distance < self.thickness + self.within && surface.normal.dot(&hit.normal) >= ALIKE
-            });
-        if !found_anyway {
-            self.push(index, s, hit, gap);
+        match nearest {
+            Some(nearest) => {
+                let gap = nearest.distance - self.thickness;
+                let beside = self.out[from..].iter().any(|touch| (touch.place.s - s).abs() <= piece);
+                // Outside there is none but those that are near.
+                if gap < 0.0 && !beside {
+                    self.push(index, s, &nearest, gap);
+                }
+            }
+            None => self.push(index, s, hit, gap),
         }
     }
 }

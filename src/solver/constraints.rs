@@ -192,6 +192,7 @@ impl Constraint {
                 slip: Vector3::zeros(),
                 gap: 0.0,
                 deep: false,
+                yields: false,
                 standing: Standing::UNKNOWN,
             });
             part += 1;

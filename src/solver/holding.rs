@@ -15,6 +15,7 @@ use super::touching::{TouchMemory, Touching};
 use super::workers::Crew;
 use crate::chain::load::Station;
 use crate::contact::body::BodyAt;
+use crate::contact::ending::Next;
 use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
 use crate::contact::joint::{Joint, JointKind};
@@ -24,7 +25,7 @@ use crate::step::Setting;
 use crate::step::options::Integrator;
 
 /// How often strands are searched for touches that the last search did not know of.
-const MOST_SEARCHES: u32 = 8;
+const MOST_SEARCHES: u32 = 16;
 /// The first so many of these searches wait for so many Newton iterations only: most of what a step brings together is seen by then, and need
 /// not wait for the rest to be exact. (Sooner, touches would be kept that only a first guess has: a soak's energy rose.)
 const EARLY: u32 = 2;
@@ -156,6 +157,15 @@ impl Holding {
         self.foresee_pressing(scene, h);
         for search in 0..=searches {
             self.iterate(scene, h, contact, if search < searches.min(EARLY) { EARLY_ITERATIONS } else { u32::MAX });
+            if search == searches && searches > 0 {
+                // No more is looked for, and what there is told.
+                while std::mem::take(&mut rough) && self.refine() {
+                    self.iterate(scene, h, contact, u32::MAX);
+                }
+                let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
+                self.touching.find(scene, strands, false);
+                self.touching.tell_missed(scene, strands, islands, h);
+            }
             if search < searches {
                 self.touching.find(scene, &mut self.strands[..self.count], false);
                 let islands = &mut self.islands[..self.island_count];
@@ -164,7 +174,7 @@ impl Holding {
                     self.tie(rough);
                     continue;
                 }
-                if !islands.iter().all(|island| island.done && !island.is_to_relax()) {
+                if !islands.iter().all(|island| island.done && !island.is_to_be_tried_again()) {
                     continue;
                 }
             }
@@ -172,9 +182,6 @@ impl Holding {
                 break;
             }
             rough = false;
-            if search == searches {
-                self.iterate(scene, h, contact, u32::MAX);
-            }
         }
         self.look_at_failures(scene, contact);
         self.end(scene, h, tally, contact, wrenches);
@@ -328,7 +335,7 @@ impl Holding {
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         for _ in 0..most {
             for island in islands.iter_mut().filter(|island| island.done) {
-                if island.relax() {
+                if island.try_again(strands, options, h) == Next::BeginsAgain {
                     for held in &island.strands {
                         strands[*held as usize].begins_again = true;
                     }
@@ -357,7 +364,7 @@ impl Holding {
                     island.find_ends(strands);
                     // A number that is not finite: the strand that it comes from is told apart at the end.
                     if island.solve(strands, options, h, &mut scratch.problem).is_err() {
-                        (island.done, island.lost) = (true, island.relaxed);
+                        (island.done, island.lost) = (true, island.is_relaxed());
                     }
                 }
             });
@@ -393,7 +400,8 @@ impl Holding {
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
             let island = &islands[held.island as usize];
             // In an island that has not come to its end most strands may have.
-            held.held.outcome.converged = island.converged || (held.resting && island.holds(&held.attachments));
+            let at_end = held.resting || island.came_to_end;
+            held.held.outcome.converged = island.converged || (at_end && island.holds(&held.attachments));
             held.held.outcome.quarantined |= island.lost;
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;

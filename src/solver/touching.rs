@@ -203,6 +203,7 @@ impl Touching {
                     body,
                     feature,
                     normal,
+                    side: normal,
                     point,
                     carried,
                     margin,
@@ -237,6 +238,7 @@ impl Touching {
             slip: Vector3::zeros(),
             gap: touch.gap,
             deep,
+            yields: false,
             standing: Standing::UNKNOWN,
         }
     }
@@ -278,17 +280,8 @@ impl Touching {
         best.1
     }
 
-    /// Of the touches found last, adds those to the islands' joints that do not hold where the strands are now: true if there are any. All
-    /// joints are then in `joints`, for islands to be made anew.
-    pub fn add_missed(
-        &mut self,
-        scene: &Scene,
-        strands: &mut [HeldStrand],
-        islands: &mut [Island],
-        joints: &mut Vec<Joint>,
-        h: f64,
-    ) -> bool {
-        joints.clear();
+    /// Of the touches found last, those that overlap where the strands are now and that no joint tells of.
+    fn missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &[Island], h: f64) -> Vec<Joint> {
         let (mut missed, mut left_deep) = (Vec::new(), Vec::new());
         let bodies = strands.iter().enumerate().flat_map(|(k, held)| held.found.iter().map(move |touch| (k as u32, touch)));
         for (held, touch) in bodies.chain(self.hair.iter().map(|touch| (touch.place.strand, touch))) {
@@ -307,13 +300,38 @@ impl Touching {
             let (b, contact) =
                 other.map_or((a, &first.contact), |(strand, station)| (strand.end_state(&station), &strand.contact));
             let (law, u) = joint.evaluate([a, b], [&first.contact, contact], scene.options, h);
-            if matches!(law, Law::Contact(law) if law.normal.dot(&u) < -scene.options.tolerance) {
+            let overlaps = matches!(law, Law::Contact(law) if law.normal.dot(&u) < -scene.options.tolerance);
+            if overlaps && !is_told(&joint, strands, islands, scene.options.tolerance) {
                 missed.push(joint);
             }
         }
         for end in left_deep {
             strands[end.held as usize].left_deep = true;
         }
+        missed
+    }
+
+    /// Tells the islands that have touches which no joint holds, when there is to be no other search.
+    pub fn tell_missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island], h: f64) {
+        for joint in self.missed(scene, strands, islands, h) {
+            for end in [Some(joint.first), joint.second].into_iter().flatten() {
+                islands[strands[end.held as usize].island as usize].converged = false;
+            }
+        }
+    }
+
+    /// Adds what the last search found and no joint tells of to the islands' joints: true if there is any. All joints are then in `joints`,
+    /// for islands to be made anew.
+    pub fn add_missed(
+        &mut self,
+        scene: &Scene,
+        strands: &mut [HeldStrand],
+        islands: &mut [Island],
+        joints: &mut Vec<Joint>,
+        h: f64,
+    ) -> bool {
+        joints.clear();
+        let missed = self.missed(scene, strands, islands, h);
         if missed.is_empty() {
             return false;
         }
@@ -328,12 +346,17 @@ impl Touching {
             joints.append(&mut island.joints);
         }
         for joint in missed {
+            // What yields does so all along.
+            let of_pair = |known: &&Joint| known.first.held == joint.first.held && known.is_with(&joint);
+            let yields = joints.iter().filter(of_pair).any(|known| known.yields);
             // One that is known moves to where it is deepest; any other is new, beside one that only gives way too.
             let known = joints.iter_mut().filter(|known| known.is_with(&joint) && !known.deep);
             let known = known.filter_map(|known| Some((apart(known, &joint, strands)?, known)));
             match known.min_by(|a, b| a.0.total_cmp(&b.0)) {
-                Some((apart, known)) if apart <= SAME_PLACE * joint.margin() => *known = Joint { force: known.force, ..joint },
-                _ => joints.push(joint),
+                Some((apart, known)) if apart <= SAME_PLACE * joint.margin() => {
+                    *known = Joint { force: known.force, yields, ..joint };
+                }
+                _ => joints.push(Joint { yields, ..joint }),
             }
         }
         true
@@ -360,6 +383,16 @@ impl Touching {
         }
         self.remembered.sort_by(|a, b| (a.strand, a.with).cmp(&(b.strand, b.with)).then(a.along.total_cmp(&b.along)));
     }
+}
+
+/// Whether a joint that there is already tells that this touch overlaps: its island is solved roughly so far, or has not come to its end, or it
+/// yields, and is as deep elsewhere.
+fn is_told(joint: &Joint, strands: &[HeldStrand], islands: &[Island], tolerance: f64) -> bool {
+    let strand = &strands[joint.first.held as usize];
+    let known = strand.attachments.iter().map(|end| &islands[strand.island as usize].joints[end.joint as usize]);
+    let beside = |known: &Joint| apart(known, joint, strands).is_some_and(|apart| apart <= SAME_PLACE * joint.margin());
+    let mut as_deep = known.filter(|known| known.is_with(joint) && !known.deep && known.gap <= joint.gap + tolerance);
+    as_deep.any(|known| known.yields || beside(known))
 }
 
 /// How far two touches with the same partner are apart along the strand, or its partner, at most, m; none where they are of different strands.
