@@ -31,6 +31,8 @@ const EXEMPT: f64 = 0.015;
 const CELL: f64 = 3e-3;
 const BAND: f64 = 0.02;
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);
+/// A step that leaves something deeper in something else than this is a deep one, m.
+const DEEP: f64 = 1e-4;
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
 /// The models, how many iterations they may take, and their names in tables.
@@ -100,6 +102,7 @@ struct Shaken {
     most_iterations: u32,
     sweeps: f64,
     penetration: f64,
+    deep_steps: u32,
     residual: f64,
     unconverged: u64,
     rolled_back: u64,
@@ -127,6 +130,7 @@ fn shake(
         most_iterations: 0,
         sweeps: 0.0,
         penetration: 0.0,
+        deep_steps: 0,
         residual: 0.0,
         unconverged: 0,
         rolled_back: 0,
@@ -151,6 +155,7 @@ fn shake(
         out.most_iterations = out.most_iterations.max(report.contact.iterations);
         out.sweeps += report.contact.sweeps as f64 / steps as f64;
         out.penetration = out.penetration.max(report.contact.penetration);
+        out.deep_steps += u32::from(report.contact.penetration > DEEP);
         out.residual = out.residual.max(report.contact.residual);
         out.unconverged += u64::from(report.unconverged);
         out.rolled_back += u64::from(report.quarantined);
@@ -180,7 +185,7 @@ fn main() -> Outcome<()> {
     }
     let defs = guides(&head, count)?;
     let mut csv = String::from(
-        "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,residual,unconverged,rolled_back\n",
+        "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,deep_steps,residual,unconverged,rolled_back\n",
     );
     println!(
         "{} guides x {ELEMENTS} elements on {} triangles, {threads} threads, {steps} steps of 1/60 s",
@@ -191,7 +196,7 @@ fn main() -> Outcome<()> {
         let out = shake(&defs, &head, model, steps, threads)?;
         let at = |share: f64| out.milliseconds[((out.milliseconds.len() - 1) as f64 * share) as usize];
         let row = format!(
-            "\"{}\",{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.1e},{},{}",
+            "\"{}\",{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{},{:.1e},{},{}",
             out.model,
             at(0.5),
             at(0.9),
@@ -201,6 +206,7 @@ fn main() -> Outcome<()> {
             out.most_iterations,
             out.sweeps,
             out.penetration,
+            out.deep_steps,
             out.residual,
             out.unconverged,
             out.rolled_back

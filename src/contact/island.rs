@@ -40,6 +40,8 @@ const LOST: f64 = 0.1;
 /// Iterations in which what is left to do, or the number of strands and joints that have it to do, must halve: where it is good enough as it is;
 /// in a large island whose touches may yet yield; and elsewhere. An island that does not get on will not.
 const PATIENCE: [u32; 3] = [5, 15, 25];
+/// So few iterations are a choice with penalties: what springs push out no further in this step they do in the next.
+const CHOSEN: u32 = 10;
 /// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
 /// of touches; a bond, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
@@ -276,8 +278,14 @@ impl Island {
                 Law::Ring(ring) => ring.friction = Coefficient::uniform(0.0),
                 Law::Contact(contact) => {
                     // A groom may be drawn with a strand between two surfaces that both push it into the other: no force parts these.
-                    if contact.response == Response::Hard {
-                        contact.response = Response::Penalty { stiffness: 1.0 / compliance, damping: 0.0, depth_at_start: 0.0 };
+                    let most = 1.0 / compliance;
+                    match &mut contact.response {
+                        Response::Hard => {
+                            contact.response = Response::Penalty { stiffness: most, damping: 0.0, depth_at_start: 0.0 };
+                        }
+                        Response::Penalty { stiffness, .. } | Response::Regularised { stiffness, .. } => {
+                            *stiffness = stiffness.min(most);
+                        }
                     }
                     if relaxed || joint.yields {
                         contact.friction = Friction::None;
@@ -497,8 +505,7 @@ impl Island {
         self.came_to_end = good;
         self.converged = good && !self.is_relaxed() && !self.joints.iter().any(|joint| joint.yields);
         self.done = good || lost || stuck || self.iterations >= options.max_iterations;
-        // With penalties few iterations are a choice: what springs push out no further in this step they do in the next.
-        let chosen = options.model.is_soft() && self.iterations >= options.max_iterations;
+        let chosen = options.model.is_soft() && options.max_iterations <= CHOSEN && self.iterations >= options.max_iterations;
         self.good_enough = self.done && (enough || chosen);
         self.lost = self.done && self.is_relaxed() && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
     }
