@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::held_strand::HeldStrand;
-use super::island::{ENOUGH_TURN, Island, LOOKS};
+use super::island::{ENOUGH_TURN, FEW, Island, LOOKS};
 use super::joint::{Joint, Standing};
 use super::options::ContactOptions;
 
@@ -73,9 +73,10 @@ impl Island {
         self.done && !self.converged
     }
 
-    /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way.
+    /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way, and would be dear to solve again.
     pub fn is_given_up(&self) -> bool {
-        self.failed() && (self.is_relaxed() || !self.good_enough)
+        let dear = self.is_constrained() || self.strands.len() > FEW;
+        self.failed() && (self.is_relaxed() && dear || !self.good_enough)
     }
 
     /// Whether there is to be another attempt, see [`Island::try_again`].
@@ -106,7 +107,11 @@ impl Island {
         self.attempt = if forgives { Attempt::YieldingAnew } else { Attempt::Relaxed };
         (self.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
         self.begin_to_count(0);
-        self.joints.iter_mut().for_each(|joint| joint.force = Vector3::zeros());
+        // Made anew for what a later search finds, touches go on giving way.
+        let all_yield = !forgives && !self.is_constrained();
+        for joint in &mut self.joints {
+            (joint.force, joint.yields) = (Vector3::zeros(), joint.yields || all_yield);
+        }
         Next::BeginsAgain
     }
 

@@ -62,7 +62,7 @@ const HOPELESS: f64 = 0.1;
 /// move it by more than that (an element's length times the angle).
 const REST: f64 = 0.3;
 /// In an island of no more strands none rests, and it is not solved roughly first.
-const FEW: usize = 20;
+pub(super) const FEW: usize = 20;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
