@@ -899,9 +899,10 @@ typedef struct shx_contact_options {
   uint32_t model;
   // 1: strands that have a wisp_radius touch each other. 0 (default): only bodies, and costs nothing.
   uint32_t hair;
-  // Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models two to
-  // four are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and strands that
-  // were not at the end are told as unconverged. With the others a limit: what has not ended by then is taken again, giving way.
+  // Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models up to
+  // ten are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and strands that
+  // were not at the end are told as unconverged. More, and with the others any, are a limit: what has not ended by then is taken
+  // again, giving way.
   uint32_t max_iterations;
   // Sweeps of the contact problem's solver in each of them, 1 to 1000000. Default 500.
   uint32_t max_sweeps;

@@ -32,9 +32,10 @@ pub struct shx_contact_options {
     pub model: u32,
     /// 1: strands that have a wisp_radius touch each other. 0 (default): only bodies, and costs nothing.
     pub hair: u32,
-    /// Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models two to
-    /// four are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and strands that
-    /// were not at the end are told as unconverged. With the others a limit: what has not ended by then is taken again, giving way.
+    /// Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models up to
+    /// ten are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and strands that
+    /// were not at the end are told as unconverged. More, and with the others any, are a limit: what has not ended by then is taken
+    /// again, giving way.
     pub max_iterations: u32,
     /// Sweeps of the contact problem's solver in each of them, 1 to 1000000. Default 500.
     pub max_sweeps: u32,

@@ -62,6 +62,8 @@ pub struct HeldStrand {
     pub resting: bool,
     /// Whether some of it was found, after the step's first search, in something that it was in when the step began.
     pub left_deep: bool,
+    /// Whether the last search that there was to be found some of it in something, and no joint tells of that.
+    pub overlooked: bool,
     /// How often it was woken since its island was tied.
     pub woken: u32,
     /// How far an element may be from where the iteration ends, rad.

@@ -53,9 +53,10 @@ pub struct ContactOptions {
     /// Hard and Coulomb: how fast surfaces that are in each other when a step begins (a groom that was given so) are parted, m/s; above
     /// zero.
     pub separation_speed: f64,
-    /// Newton iterations that strands may take together in a step; 1 to 10000. With the penalty models two to four are a choice, of what to pay
-    /// for a step (`docs/contact.md` has prices): what springs have not pushed out by then they do in the next steps, and strands that were not
-    /// at the end of the iteration are told as unconverged. With the others they are a limit: what has not ended by then is taken again, giving way.
+    /// Newton iterations that strands may take together in a step; 1 to 10000. With the penalty models up to ten are a choice, of what to pay for
+    /// a step (`docs/contact.md` has prices of one, two and four): what springs have not pushed out by then they do in the next steps, and
+    /// strands that were not at the end of the iteration are told as unconverged. More, and with the other models any, are a limit: what has not
+    /// ended by then is taken again, giving way.
     pub max_iterations: u32,
     /// Sweeps of the contact problem's solver in each of them; 1 to 1000000.
     pub max_sweeps: u32,

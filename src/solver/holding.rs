@@ -159,7 +159,7 @@ impl Holding {
             self.iterate(scene, h, contact, if search < searches.min(EARLY) { EARLY_ITERATIONS } else { u32::MAX });
             if search == searches && searches > 0 {
                 // No more is looked for, and what there is told.
-                while std::mem::take(&mut rough) && self.refine() {
+                if std::mem::take(&mut rough) && self.refine() {
                     self.iterate(scene, h, contact, u32::MAX);
                 }
                 let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
@@ -232,7 +232,7 @@ impl Holding {
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.begins_again, held.ended, held.resting) = (strand.touched, false, None, false);
-            held.left_deep = false;
+            (held.left_deep, held.overlooked) = (false, false);
             (held.root_gap, held.looked_ahead) = (f64::INFINITY, false);
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
@@ -401,7 +401,7 @@ impl Holding {
             let island = &islands[held.island as usize];
             // In an island that has not come to its end most strands may have.
             let at_end = held.resting || island.came_to_end;
-            held.held.outcome.converged = island.converged || (at_end && island.holds(&held.attachments));
+            held.held.outcome.converged = !held.overlooked && (island.converged || (at_end && island.holds(&held.attachments)));
             held.held.outcome.quarantined |= island.lost;
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;

@@ -311,11 +311,13 @@ impl Touching {
         missed
     }
 
-    /// Tells the islands that have touches which no joint holds, when there is to be no other search.
+    /// Tells the strands, and their islands, that have touches which no joint holds, when there is to be no other search.
     pub fn tell_missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island], h: f64) {
         for joint in self.missed(scene, strands, islands, h) {
             for end in [Some(joint.first), joint.second].into_iter().flatten() {
-                islands[strands[end.held as usize].island as usize].converged = false;
+                let strand = &mut strands[end.held as usize];
+                strand.overlooked = true;
+                islands[strand.island as usize].converged = false;
             }
         }
     }
