@@ -57,20 +57,7 @@ impl<T: Lane> LinearSolve<T> for Elimination<T> {
         axes: &[usize],
         change: &mut Vec<[T; 3]>,
     ) -> Direction<T> {
-        match *axes {
-            [a] => T::call(SolveFor::<T, 1, false> { scratch: &mut self.one, kinematics, system, loads: &[], axes: [a], change }),
-            [a, b] => {
-                T::call(SolveFor::<T, 2, false> { scratch: &mut self.two, kinematics, system, loads: &[], axes: [a, b], change })
-            }
-            _ => T::call(SolveFor::<T, 3, false> {
-                scratch: &mut self.three,
-                kinematics,
-                system,
-                loads: &[],
-                axes: [0, 1, 2],
-                change,
-            }),
-        }
+        self.call::<false>(kinematics, system, &[], axes, change)
     }
 }
 
@@ -103,10 +90,26 @@ impl<T: Lane> Elimination<T> {
         axes: &[usize],
         change: &mut Vec<[T; 3]>,
     ) -> Direction<T> {
+        self.call::<true>(kinematics, system, loads, axes, change)
+    }
+
+    #[inline(always)]
+    fn call<const LOADED: bool>(
+        &mut self,
+        kinematics: &Kinematics<T>,
+        system: &ChainSystem<T>,
+        loads: &[Load<T>],
+        axes: &[usize],
+        change: &mut Vec<[T; 3]>,
+    ) -> Direction<T> {
         match *axes {
-            [a] => T::call(SolveFor::<T, 1, true> { scratch: &mut self.one, kinematics, system, loads, axes: [a], change }),
-            [a, b] => T::call(SolveFor::<T, 2, true> { scratch: &mut self.two, kinematics, system, loads, axes: [a, b], change }),
-            _ => T::call(SolveFor::<T, 3, true> { scratch: &mut self.three, kinematics, system, loads, axes: [0, 1, 2], change }),
+            [a] => T::call(SolveFor::<_, 1, LOADED> { scratch: &mut self.one, kinematics, system, loads, axes: [a], change }),
+            [a, b] => {
+                T::call(SolveFor::<_, 2, LOADED> { scratch: &mut self.two, kinematics, system, loads, axes: [a, b], change })
+            }
+            _ => {
+                T::call(SolveFor::<_, 3, LOADED> { scratch: &mut self.three, kinematics, system, loads, axes: [0, 1, 2], change })
+            }
         }
     }
 }

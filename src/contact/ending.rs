@@ -92,14 +92,10 @@ impl Island {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
         }
-        let (goes_on, anew) = match self.attempt {
-            _ if options.model.is_soft() || self.is_constrained() => (false, false),
-            Attempt::Whole => (!self.beyond, true),
-            Attempt::Yielding => (false, true),
-            Attempt::YieldingAnew | Attempt::Relaxed => (false, false),
-        };
-        let forgives = (goes_on || anew) && self.let_some_yield(strands, step);
-        if goes_on && forgives {
+        let may_yield = matches!(self.attempt, Attempt::Whole | Attempt::Yielding);
+        let forgives = may_yield && !options.model.is_soft() && !self.is_constrained() && self.let_some_yield(strands, step);
+        if forgives && self.attempt == Attempt::Whole && !self.beyond {
+            // Bodies' surfaces stay as they are.
             (self.iterations, self.done, self.attempt) = (LOOKS, false, Attempt::Yielding);
             self.begin_to_count(LOOKS);
             return Next::GoesOn;

@@ -163,15 +163,16 @@ impl Joint {
         }
     }
 
-    /// Whether it is a touch with the same partner as another of the same strand.
+    /// Whether both are touches of the same strand with the same partner.
     pub fn is_with(&self, other: &Joint) -> bool {
-        match (self.kind, other.kind) {
-            (JointKind::Body { body: a, .. }, JointKind::Body { body: b, .. }) => a == b,
-            (JointKind::Hair { .. }, JointKind::Hair { .. }) => {
-                self.second.map(|end| end.held) == other.second.map(|end| end.held)
+        self.first.held == other.first.held
+            && match (self.kind, other.kind) {
+                (JointKind::Body { body: a, .. }, JointKind::Body { body: b, .. }) => a == b,
+                (JointKind::Hair { .. }, JointKind::Hair { .. }) => {
+                    self.second.map(|end| end.held) == other.second.map(|end| end.held)
+                }
+                _ => false,
             }
-            _ => false,
-        }
     }
 
     /// The constraint that it is of.

@@ -151,40 +151,41 @@ impl Holding {
         self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
         self.hold_constraints(scene, h);
         let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { MOST_SEARCHES };
-        // Until no search finds anything it is solved roughly: a touch that is seen later would undo what is exact.
-        let mut rough = searches > 0;
-        self.tie(rough);
+        self.tie(searches > 0);
         self.foresee_pressing(scene, h);
-        for search in 0..=searches {
-            self.iterate(scene, h, contact, if search < searches.min(EARLY) { EARLY_ITERATIONS } else { u32::MAX });
-            if search == searches && searches > 0 {
-                // No more is looked for, and what there is told.
-                if std::mem::take(&mut rough) && self.refine() {
-                    self.iterate(scene, h, contact, u32::MAX);
-                }
-                let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-                self.touching.find(scene, strands, false);
-                self.touching.tell_missed(scene, strands, islands, h);
-            }
-            if search < searches {
-                self.touching.find(scene, &mut self.strands[..self.count], false);
-                let islands = &mut self.islands[..self.island_count];
-                if self.touching.add_missed(scene, &mut self.strands[..self.count], islands, &mut self.joints, h) {
-                    contact.searches += 1;
-                    self.tie(rough);
-                    continue;
-                }
-                if !islands.iter().all(|island| island.done && !island.is_to_be_tried_again()) {
-                    continue;
-                }
-            }
-            if !(rough && self.refine()) {
-                break;
-            }
-            rough = false;
-        }
+        self.solve(scene, h, contact, searches);
         self.look_at_failures(scene, contact);
         self.end(scene, h, tally, contact, wrenches);
+    }
+
+    /// Newton's iterations of all islands, and `searches` for touches that the last search did not know of, at most.
+    fn solve(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, searches: u32) {
+        // Until no search finds anything it is solved roughly: a touch that is seen later would undo what is exact.
+        let mut rough = searches > 0;
+        for search in 0..searches {
+            self.iterate(scene, h, contact, if search < EARLY { EARLY_ITERATIONS } else { u32::MAX });
+            let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
+            self.touching.find(scene, strands, false);
+            if self.touching.add_missed(scene, strands, islands, &mut self.joints, h) {
+                contact.searches += 1;
+                self.tie(rough);
+            } else if islands.iter().all(|island| island.done && !island.is_to_be_tried_again()) {
+                if !(rough && self.refine()) {
+                    return;
+                }
+                rough = false;
+            }
+        }
+        self.iterate(scene, h, contact, u32::MAX);
+        if rough && self.refine() {
+            self.iterate(scene, h, contact, u32::MAX);
+        }
+        if searches > 0 {
+            // No more is looked for, and what there is told.
+            let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
+            self.touching.find(scene, strands, false);
+            self.touching.tell_missed(scene, strands, islands, h);
+        }
     }
 
     /// How deep islands are left that have not come to their end, and what no joint holds: it was no longer added to them, and would not be told.

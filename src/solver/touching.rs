@@ -348,17 +348,20 @@ impl Touching {
             joints.append(&mut island.joints);
         }
         for joint in missed {
-            // What yields does so all along.
-            let of_pair = |known: &&Joint| known.first.held == joint.first.held && known.is_with(&joint);
-            let yields = joints.iter().filter(of_pair).any(|known| known.yields);
-            // One that is known moves to where it is deepest; any other is new, beside one that only gives way too.
-            let known = joints.iter_mut().filter(|known| known.is_with(&joint) && !known.deep);
-            let known = known.filter_map(|known| Some((apart(known, &joint, strands)?, known)));
-            match known.min_by(|a, b| a.0.total_cmp(&b.0)) {
-                Some((apart, known)) if apart <= SAME_PLACE * joint.margin() => {
-                    *known = Joint { force: known.force, yields, ..joint };
+            let (mut yields, mut nearest) = (false, None);
+            for (index, known) in joints.iter().enumerate().filter(|(_, known)| known.is_with(&joint)) {
+                // What yields does so all along.
+                yields |= known.yields;
+                let apart = apart(known, &joint, strands);
+                if !known.deep && apart <= SAME_PLACE * joint.margin() && nearest.is_none_or(|(_, least)| apart < least) {
+                    nearest = Some((index, apart));
                 }
-                _ => joints.push(Joint { yields, ..joint }),
+            }
+            // One that is known moves to where it is deepest; any other is new, beside one that only gives way too.
+            let joint = Joint { yields, ..joint };
+            match nearest {
+                Some((known, _)) => joints[known] = Joint { force: joints[known].force, ..joint },
+                None => joints.push(joint),
             }
         }
         true
@@ -392,19 +395,19 @@ impl Touching {
 fn is_told(joint: &Joint, strands: &[HeldStrand], islands: &[Island], tolerance: f64) -> bool {
     let strand = &strands[joint.first.held as usize];
     let known = strand.attachments.iter().map(|end| &islands[strand.island as usize].joints[end.joint as usize]);
-    let beside = |known: &Joint| apart(known, joint, strands).is_some_and(|apart| apart <= SAME_PLACE * joint.margin());
+    let beside = |known: &Joint| apart(known, joint, strands) <= SAME_PLACE * joint.margin();
     let mut as_deep = known.filter(|known| known.is_with(joint) && !known.deep && known.gap <= joint.gap + tolerance);
     as_deep.any(|known| known.yields || beside(known))
 }
 
-/// How far two touches with the same partner are apart along the strand, or its partner, at most, m; none where they are of different strands.
-fn apart(one: &Joint, other: &Joint, strands: &[HeldStrand]) -> Option<f64> {
+/// How far two touches of a strand with the same partner are apart along the strand, or its partner, at most, m.
+fn apart(one: &Joint, other: &Joint, strands: &[HeldStrand]) -> f64 {
     let along = |end: &JointEnd| strands[end.held as usize].along(&end.station);
-    let off = |a: &JointEnd, b: &JointEnd| (a.held == b.held).then(|| (along(a) - along(b)).abs());
-    let first = off(&one.first, &other.first)?;
+    let off = |a: &JointEnd, b: &JointEnd| (along(a) - along(b)).abs();
+    let first = off(&one.first, &other.first);
     match (&one.second, &other.second) {
-        (Some(a), Some(b)) => Some(first.max(off(a, b)?)),
-        _ => Some(first),
+        (Some(a), Some(b)) => first.max(off(a, b)),
+        _ => first,
     }
 }
 
