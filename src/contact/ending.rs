@@ -37,51 +37,52 @@ pub enum Next {
 }
 
 /// How an island's iteration ended: all that is told of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ending {
-    /// See [`Island::converged`].
+    /// Where it should.
     pub converged: bool,
-    came_to_end: bool,
-    attempt: Attempt,
-    good_enough: bool,
-    lost: bool,
-    residual: f64,
+    /// How it was tried to come to an end.
+    pub attempt: Attempt,
+    /// Whether that came to its end, whatever gave way for it.
+    pub came_to_end: bool,
+    /// It has not come to its end, but is near enough to stay as it is.
+    pub good_enough: bool,
+    /// Not even so: its strands stay as the step found them.
+    pub lost: bool,
+    /// Largest residual of the laws at the last check, see [`Report::residual`](super::gauss_seidel::Report::residual).
+    pub residual: f64,
 }
 
 impl Island {
     /// How it ended, if it has, and no other attempt is to follow.
-    pub fn ending(&self) -> Option<Ending> {
-        let Self { converged, came_to_end, attempt, good_enough, lost, residual, .. } = *self;
-        let ending = Ending { converged, came_to_end, attempt, good_enough, lost, residual };
-        (self.done && !self.is_to_be_tried_again()).then_some(ending)
+    pub fn ended(&self) -> Option<Ending> {
+        (self.done && !self.is_to_be_tried_again()).then_some(self.ending)
     }
 
     /// Leaves it as it ended: made anew, it is the same, and would end there again.
     pub fn keep(&mut self, ending: Ending) {
-        let Ending { converged, came_to_end, attempt, good_enough, lost, residual } = ending;
-        (self.done, self.converged, self.came_to_end, self.attempt) = (true, converged, came_to_end, attempt);
-        (self.good_enough, self.lost, self.residual) = (good_enough, lost, residual);
+        (self.done, self.ending) = (true, ending);
     }
 
     /// Whether all its joints give way, since they could not be held.
     pub fn is_relaxed(&self) -> bool {
-        self.attempt == Attempt::Relaxed
+        self.ending.attempt == Attempt::Relaxed
     }
 
     /// Whether its iteration ended elsewhere than it should.
     pub fn failed(&self) -> bool {
-        self.done && !self.converged
+        self.done && !self.ending.converged
     }
 
     /// Whether no more is done for it: it is not where it should be, or only nearly so by giving way, and would be dear to solve again.
     pub fn is_given_up(&self) -> bool {
         let dear = self.is_constrained() || self.strands.len() > FEW;
-        self.failed() && (self.is_relaxed() && dear || !self.good_enough)
+        self.failed() && (self.is_relaxed() && dear || !self.ending.good_enough)
     }
 
     /// Whether there is to be another attempt, see [`Island::try_again`].
     pub fn is_to_be_tried_again(&self) -> bool {
-        self.failed() && !self.is_relaxed() && !self.good_enough && !self.joints.is_empty()
+        self.failed() && !self.is_relaxed() && !self.ending.good_enough && !self.joints.is_empty()
     }
 
     /// Another attempt, if its joints were not to be held. First, if they are touches without springs of their own, those of strands alone give
@@ -92,15 +93,15 @@ impl Island {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
         }
-        let may_yield = matches!(self.attempt, Attempt::Whole | Attempt::Yielding);
+        let may_yield = matches!(self.ending.attempt, Attempt::Whole | Attempt::Yielding);
         let forgives = may_yield && !options.model.is_soft() && !self.is_constrained() && self.let_some_yield(strands, step);
-        if forgives && self.attempt == Attempt::Whole && !self.beyond {
+        if forgives && self.ending.attempt == Attempt::Whole && !self.beyond {
             // Bodies' surfaces stay as they are.
-            (self.iterations, self.done, self.attempt) = (LOOKS, false, Attempt::Yielding);
+            (self.iterations, self.done, self.ending.attempt) = (LOOKS, false, Attempt::Yielding);
             self.begin_to_count(LOOKS);
             return Next::GoesOn;
         }
-        self.attempt = if forgives { Attempt::YieldingAnew } else { Attempt::Relaxed };
+        self.ending.attempt = if forgives { Attempt::YieldingAnew } else { Attempt::Relaxed };
         (self.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
         self.begin_to_count(0);
         // Made anew for what a later search finds, touches go on giving way.

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::body::BodyAt;
 use super::contact_space::{ContactSpace, End, SpaceTouch};
-use super::ending::Attempt;
+use super::ending::Ending;
 use super::gauss_seidel::{GaussSeidel, Report, Settings};
 use super::held_strand::{Attachment, HeldStrand};
 use super::joint::{Joint, JointKind, Standing};
@@ -99,8 +99,6 @@ pub struct Island {
     pub joints: Vec<Joint>,
     /// The last contact problem's report.
     pub report: Report,
-    /// Largest residual of the laws at the last check, see [`Report::residual`].
-    pub residual: f64,
     /// Sweeps so far.
     pub sweeps: u32,
     /// Newton iterations so far.
@@ -109,18 +107,10 @@ pub struct Island {
     pub rough: bool,
     /// Whether its strands' iterations have ended.
     pub done: bool,
-    /// Whether they have ended where they should.
-    pub converged: bool,
-    /// How it is tried to come to an end.
-    pub attempt: Attempt,
-    /// Whether that came to its end, whatever gave way for it.
-    pub came_to_end: bool,
-    /// It has not come to its end, but is near enough to stay as it is.
-    pub good_enough: bool,
+    /// How they have ended, or stand so far.
+    pub ending: Ending,
     /// Its forces grew beyond measure.
     pub beyond: bool,
-    /// Not even so: its strands stay as the step found them.
-    pub lost: bool,
     /// Whether bonds that do not give way hold strands to the world in this iteration.
     pub bonded_to_world: bool,
     /// Whether strands may rest: constraints are to hold to the last digit, and few strands come to their end sooner together.
@@ -148,10 +138,8 @@ impl Island {
     pub fn clear(&mut self) {
         self.strands.clear();
         self.joints.clear();
-        (self.sweeps, self.iterations, self.residual) = (0, 0, 0.0);
-        (self.done, self.converged, self.came_to_end, self.lost) = (false, false, false, false);
-        (self.attempt, self.good_enough, self.beyond) = (Attempt::Whole, false, false);
-        (self.rest, self.rough) = (-1.0, false);
+        (self.sweeps, self.iterations, self.ending) = (0, 0, Ending::default());
+        (self.done, self.beyond, self.rest, self.rough) = (false, false, -1.0, false);
         self.begin_to_count(0);
     }
 
@@ -162,10 +150,10 @@ impl Island {
 
     /// Goes on from where it was solved roughly. True if there is more to do.
     pub fn refine(&mut self) -> bool {
-        let goes_on = self.rough && self.came_to_end;
+        let goes_on = self.rough && self.ending.came_to_end;
         if goes_on {
             // What rested did so by what was asked then.
-            (self.done, self.converged, self.came_to_end, self.rest) = (false, false, false, -1.0);
+            (self.done, self.ending.converged, self.ending.came_to_end, self.rest) = (false, false, false, -1.0);
             self.begin_to_count(self.iterations);
         }
         self.rough = false;
@@ -346,7 +334,7 @@ impl Island {
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
-        let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.residual) };
+        let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.ending.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, least: self.scales_of_the_rest() };
         self.report = solver.solve(space, &settings, forces);
@@ -439,7 +427,7 @@ impl Island {
         let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
         let asked = self.asked(options);
         (self.rest, self.rest_miss) = (REST * tolerance, asked);
-        self.residual = 0.0;
+        self.ending.residual = 0.0;
         for index in 0..self.joints.len() {
             if !self.has_part[index] {
                 let Standing { miss, holds, nearly, .. } = self.joints[index].standing;
@@ -450,7 +438,7 @@ impl Island {
             let (law, u) = self.evaluate(index, strands, options, step);
             let joint = &self.joints[index];
             let miss = law.residual(u, joint.force, step, length, force);
-            self.residual = self.residual.max(miss);
+            self.ending.residual = self.ending.residual.max(miss);
             let (holds, nearly) = match law {
                 Law::Bond(bond) => {
                     let off = bond.directions().map(|d| (d.dot(&u) + bond.compliance * d.dot(&joint.force)).abs());
@@ -470,7 +458,7 @@ impl Island {
             self.joints[index].standing = Standing { miss, holds, nearly, free, wakes };
             (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || wakes != [false; 2]);
         }
-        let left = (residual / tolerance).max(self.residual / ROUGH);
+        let left = (residual / tolerance).max(self.ending.residual / ROUGH);
         if left < 0.5 * self.best.0 {
             self.best = (left, self.iterations);
         }
@@ -480,7 +468,7 @@ impl Island {
             self.fewest = (open, self.iterations);
         }
         // What rests is told as well, but nobody waits for it.
-        self.residual = self.residual.max(rested);
+        self.ending.residual = self.ending.residual.max(rested);
         let largest = |touches: bool| {
             let of = self.joints.iter().filter(|joint| joint.is_touch() == touches).map(|joint| joint.force.norm());
             of.fold(0.0, f64::max)
@@ -502,11 +490,12 @@ impl Island {
         // One touch that stays a little beyond what is asked roughly says nothing of the end.
         let good = good && !wakes_some || self.rough && slow && enough;
         // What has given way holds not, whatever it came to.
-        self.came_to_end = good;
-        self.converged = good && !self.is_relaxed() && !self.joints.iter().any(|joint| joint.yields);
+        self.ending.came_to_end = good;
+        self.ending.converged = good && !self.is_relaxed() && !self.joints.iter().any(|joint| joint.yields);
         self.done = good || lost || stuck || self.iterations >= options.max_iterations;
         let chosen = options.model.is_soft() && options.max_iterations <= CHOSEN && self.iterations >= options.max_iterations;
-        self.good_enough = self.done && (enough || chosen);
-        self.lost = self.done && self.is_relaxed() && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
+        self.ending.good_enough = self.done && (enough || chosen);
+        self.ending.lost =
+            self.done && self.is_relaxed() && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
     }
 }

@@ -365,7 +365,7 @@ impl Holding {
                     island.find_ends(strands);
                     // A number that is not finite: the strand that it comes from is told apart at the end.
                     if island.solve(strands, options, h, &mut scratch.problem).is_err() {
-                        (island.done, island.lost) = (true, island.is_relaxed());
+                        (island.done, island.ending.lost) = (true, island.is_relaxed());
                     }
                 }
             });
@@ -401,9 +401,10 @@ impl Holding {
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
             let island = &islands[held.island as usize];
             // In an island that has not come to its end most strands may have.
-            let at_end = held.resting || island.came_to_end;
-            held.held.outcome.converged = !held.overlooked && (island.converged || (at_end && island.holds(&held.attachments)));
-            held.held.outcome.quarantined |= island.lost;
+            let at_end = held.resting || island.ending.came_to_end;
+            held.held.outcome.converged =
+                !held.overlooked && (island.ending.converged || (at_end && island.holds(&held.attachments)));
+            held.held.outcome.quarantined |= island.ending.lost;
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;
             let most_elastic = strand.energies.elastic + held.mass * speed * speed;
@@ -427,8 +428,8 @@ impl Holding {
             (scene.strands[strand.index as usize].id, strand.along(station))
         };
         for island in islands {
-            contact.unconverged += u32::from(!island.converged);
-            contact.residual = contact.residual.max(island.residual);
+            contact.unconverged += u32::from(!island.ending.converged);
+            contact.residual = contact.residual.max(island.ending.residual);
             for joint in &island.joints {
                 match joint.constraint() {
                     Some(index) => {

@@ -317,7 +317,7 @@ impl Touching {
             for end in [Some(joint.first), joint.second].into_iter().flatten() {
                 let strand = &mut strands[end.held as usize];
                 strand.overlooked = true;
-                islands[strand.island as usize].converged = false;
+                islands[strand.island as usize].ending.converged = false;
             }
         }
     }
@@ -338,7 +338,7 @@ impl Touching {
             return false;
         }
         for held in strands.iter_mut() {
-            held.ended = islands[held.island as usize].ending();
+            held.ended = islands[held.island as usize].ended();
             held.resting |= held.ended.is_some_and(|ending| ending.converged);
         }
         for end in missed.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
