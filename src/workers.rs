@@ -200,6 +200,11 @@ impl<S: Default + Send> Crew<S> {
         }
     }
 
+    /// Calls `work` once, here, with scratch memory.
+    pub fn with_own_scratch(&self, work: impl FnOnce(&mut S)) {
+        self.with_scratch(0, work);
+    }
+
     fn with_scratch(&self, thread: usize, work: impl FnOnce(&mut S)) {
         let Some(workspaces) = self.workspaces.get(thread) else { return work(&mut S::default()) };
         let free = || workspaces.lock().unwrap_or_else(std::sync::PoisonError::into_inner);

@@ -5,9 +5,9 @@
 use nalgebra::Vector3;
 
 use super::contact_space::ContactSpace;
-use super::gauss_seidel::Sweep;
+use super::gauss_seidel::sweep;
 use super::system::System;
-use crate::math::lane::Lane;
+use crate::workers::Crew;
 
 /// The iteration's memory.
 #[derive(Debug, Clone, Default)]
@@ -33,12 +33,18 @@ impl Conjugate {
     }
 
     /// A sweep, and part of the last direction.
-    pub(super) fn sweep(&mut self, space: &ContactSpace, system: &mut System, forces: &mut [Vector3<f64>]) {
+    pub(super) fn sweep<S: Default + Send>(
+        &mut self,
+        space: &ContactSpace,
+        system: &mut System,
+        forces: &mut [Vector3<f64>],
+        crew: &Crew<S>,
+    ) {
         self.forces.clear();
         self.forces.extend_from_slice(forces);
         self.displacements.clear();
         self.displacements.extend_from_slice(&system.displacements);
-        f64::call(Sweep { space, system, forces });
+        sweep(space, system, forces, crew);
         let square: f64 = forces.iter().zip(&self.forces).map(|(new, old)| (new - old).norm_squared()).sum();
         let share = if self.square > 0.0 { square / self.square } else { 0.0 };
         self.square = square;

@@ -39,6 +39,16 @@ pub struct ContactSpace {
     response: Vec<f64>,
     coordinates: usize,
     touches: Vec<SpaceTouch>,
+    parts: Vec<Part>,
+}
+
+/// A part of a problem that touches nothing but itself and what is in no part: everything from where the part before ends, or the beginning, up to here.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Part {
+    /// How many touches lie before its end.
+    pub touches: usize,
+    /// How many coordinates.
+    pub(super) coordinates: usize,
 }
 
 /// Where a strand's numbers are.
@@ -60,6 +70,7 @@ impl ContactSpace {
         self.strands.clear();
         self.response.clear();
         self.touches.clear();
+        self.parts.clear();
         self.coordinates = 0;
         Ok(())
     }
@@ -93,6 +104,18 @@ impl ContactSpace {
         touch.law.check(format_args!("touches[{index}].law"))?;
         self.touches.push(touch);
         Ok(())
+    }
+
+    /// Says which touches may be swept side by side, once all is added: `ends` has the end of each part's strands and of its touches, ascending.
+    /// A touch of a part has its ends on the part's strands; touches after the last part's come after all of them, one by one. There must be no bonds.
+    pub(super) fn part(&mut self, ends: &[[usize; 2]]) {
+        let coordinates = |strands: usize| self.strands.get(strands).map_or(self.coordinates, |block| block.base);
+        self.parts.extend(ends.iter().map(|[strands, touches]| Part { touches: *touches, coordinates: coordinates(*strands) }));
+    }
+
+    /// See [`ContactSpace::part`].
+    pub(super) fn parts(&self) -> &[Part] {
+        &self.parts
     }
 
     fn check_end(&self, argument: impl Display, end: End) -> Result<()> {

@@ -107,7 +107,7 @@ impl Island {
         // Made anew for what a later search finds, touches go on giving way.
         let all_yield = !forgives && !self.is_constrained();
         for joint in &mut self.joints {
-            (joint.force, joint.yields) = (Vector3::zeros(), joint.yields || all_yield);
+            (joint.force, joint.yields, joint.dormant) = (Vector3::zeros(), joint.yields || all_yield, false);
         }
         Next::BeginsAgain
     }
@@ -128,7 +128,7 @@ impl Island {
         for joint in &mut self.joints {
             let of = |held: u32| astray.binary_search(&held).is_ok();
             if !joint.yields && (of(joint.first.held) || joint.second.is_some_and(|end| of(end.held))) {
-                (joint.yields, joint.standing, some) = (true, Standing::UNKNOWN, true);
+                (joint.yields, joint.dormant, joint.standing, some) = (true, false, Standing::UNKNOWN, true);
             }
         }
         some

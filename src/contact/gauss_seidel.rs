@@ -5,12 +5,13 @@
 use nalgebra::Vector3;
 
 use super::block_newton::BlockNewton;
-use super::bonds::DependentBond;
+use super::bonds::{Bonds, DependentBond};
 use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
 use super::patch::Patches;
-use super::system::System;
+use super::system::{Row, System};
 use crate::math::lane::{Kernel, Lane};
+use crate::workers::Crew;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,6 +82,17 @@ pub struct GaussSeidel {
 impl GaussSeidel {
     /// Solves. `forces`: one a touch, where to start from, replaced by the solution.
     pub fn solve(&mut self, space: &ContactSpace, settings: &Settings, forces: &mut [Vector3<f64>]) -> Report {
+        self.solve_by(space, settings, forces, &Crew::<()>::serial())
+    }
+
+    /// The same by a crew, who sweep the problem's parts side by side: the same bits.
+    pub(crate) fn solve_by<S: Default + Send>(
+        &mut self,
+        space: &ContactSpace,
+        settings: &Settings,
+        forces: &mut [Vector3<f64>],
+        crew: &Crew<S>,
+    ) -> Report {
         self.system.prepare(space);
         let system = &mut self.system;
         self.forces.clear();
@@ -135,10 +147,10 @@ impl GaussSeidel {
             }
             let round = if whole || report.sweeps == 0 { FIRST_ROUND } else { ROUND };
             for _ in 0..round {
-                self.conjugate.sweep(space, system, &mut self.forces);
+                self.conjugate.sweep(space, system, &mut self.forces, crew);
             }
             // What the direction left outside the laws comes back.
-            f64::call(Sweep { space, system, forces: &mut self.forces });
+            sweep(space, system, &mut self.forces, crew);
             report.sweeps += round + 1;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
@@ -149,27 +161,55 @@ impl GaussSeidel {
     }
 }
 
-/// One sweep.
-pub(super) struct Sweep<'a> {
-    pub space: &'a ContactSpace,
-    pub system: &'a mut System,
-    pub forces: &'a mut [Vector3<f64>],
+/// One sweep: parts side by side, then what is in none.
+pub(super) fn sweep<S: Default + Send>(space: &ContactSpace, system: &mut System, forces: &mut [Vector3<f64>], crew: &Crew<S>) {
+    let System { rows, displacements, bonds, .. } = system;
+    let bonds = &*bonds;
+    if !space.parts().is_empty() {
+        let mut sweeps = Vec::with_capacity(space.parts().len());
+        let (mut rows, mut forces, mut displacements) = (&mut rows[..], &mut forces[..], &mut displacements[..]);
+        let (mut done, mut from) = (0, 0);
+        for part in space.parts() {
+            let (own_rows, other_rows) = rows.split_at_mut(part.touches - done);
+            let (own_forces, other_forces) = forces.split_at_mut(part.touches - done);
+            let (own_displacements, other_displacements) = displacements.split_at_mut(part.coordinates - from);
+            sweeps.push(Sweep { space, bonds, rows: own_rows, forces: own_forces, displacements: own_displacements, from });
+            (rows, forces, displacements) = (other_rows, other_forces, other_displacements);
+            (done, from) = (part.touches, part.coordinates);
+        }
+        crew.for_each_task(&mut sweeps, 1, 1, |sweeps, _| {
+            for Sweep { rows, forces, displacements, from, .. } in sweeps {
+                f64::call(Sweep { space, bonds, rows, forces, displacements, from: *from });
+            }
+        });
+    }
+    let first = space.parts().last().map_or(0, |part| part.touches);
+    f64::call(Sweep { space, bonds, rows: &mut rows[first..], forces: &mut forces[first..], displacements, from: 0 });
+}
+
+/// A sweep over some rows, of coordinates from `from` on.
+struct Sweep<'a> {
+    space: &'a ContactSpace,
+    bonds: &'a Bonds,
+    rows: &'a mut [Row],
+    forces: &'a mut [Vector3<f64>],
+    displacements: &'a mut [f64],
+    from: usize,
 }
 
 impl Kernel for Sweep<'_> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Self { space, system, forces } = self;
-        for index in 0..system.rows.len() {
-            let old = forces[index];
-            let u = system.relative(&system.rows[index]);
-            let row = &mut system.rows[index];
+        let Self { space, bonds, rows, forces, displacements, from } = self;
+        for (row, force) in rows.iter_mut().zip(forces) {
+            let old = *force;
+            let u = row.relative(displacements, from);
             let new = row.solve.solve(u - row.response * old);
             let change = new - old;
             if change != Vector3::zeros() {
-                forces[index] = new;
-                system.push(space, index, &change);
+                *force = new;
+                row.push(space, bonds, &change, displacements, from);
             }
         }
     }
@@ -196,4 +236,85 @@ pub fn residual(space: &ContactSpace, system: &System, forces: &[Vector3<f64>], 
         worst = worst.max(law.residual(system.relative(row), *force, space.step(), report.length, report.force));
     }
     worst
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::contact_space::{End, SpaceTouch};
+    use crate::contact::law::Law;
+    use crate::contact::law::coefficient::Coefficient;
+    use crate::contact::law::contact::{Contact, Friction};
+    use crate::contact::law::response::Response;
+    use crate::workers::Workers;
+
+    const POINTS: u32 = 5;
+
+    /// Cantilevers side by side that are pressed on the ground and against each other, in two parts; too many to be taken whole.
+    fn two_parts() -> (ContactSpace, Vec<Vector3<f64>>) {
+        let mut space = ContactSpace::default();
+        space.reset(1.0 / 60.0).unwrap();
+        for _ in 0..20 {
+            let size = 3 * POINTS as usize;
+            let matrix = space.add_strand(POINTS as usize);
+            for k in 0..size * size {
+                let (i, j) = (k % size, k / size);
+                let (s, t) = ((i / 3).min(j / 3) as f64 + 1.0, (i / 3).max(j / 3) as f64 + 1.0);
+                matrix[k] = if i % 3 == j % 3 { s * s * (3.0 * t - s) / 6.0 } else { 0.0 };
+            }
+        }
+        let mut add = |first: u32, second: Option<u32>, point: u32| {
+            let normal = if second.is_some() { -Vector3::y() } else { Vector3::z() };
+            let friction = Friction::Coulomb(Coefficient::uniform(0.3));
+            let free =
+                Vector3::new(0.01 * f64::from(point), 0.0, 0.0) - normal * (1.0 + 0.1 * f64::from((first * 7 + point) % 5));
+            let law = Law::Contact(Contact { normal, response: Response::Hard, friction });
+            let end = |strand| End { strand, point };
+            space.add_touch(SpaceTouch { first: end(first), second: second.map(end), law, free }).unwrap();
+        };
+        let mut ends = Vec::new();
+        let mut touches = 0;
+        for part in [0..10, 10..20] {
+            for strand in part.clone() {
+                for point in 0..POINTS {
+                    add(strand, None, point);
+                    touches += 1;
+                    if strand + 1 < part.end {
+                        add(strand, Some(strand + 1), point);
+                        touches += 1;
+                    }
+                }
+            }
+            ends.push([part.end as usize, touches]);
+        }
+        for point in 0..POINTS {
+            add(9, Some(10), point);
+        }
+        space.part(&ends);
+        let forces = vec![Vector3::zeros(); space.touches().len()];
+        (space, forces)
+    }
+
+    #[test]
+    fn parts_swept_side_by_side_hold_the_laws_and_are_the_same_bits_for_any_number_of_threads() {
+        let (space, zeros) = two_parts();
+        let settings = Settings { tolerance: 1e-9, ..Settings::default() };
+        let mut alone = zeros.clone();
+        let report = GaussSeidel::default().solve(&space, &settings, &mut alone);
+        let mut displacements = Vec::new();
+        space.displacements(&alone, &mut displacements);
+        for (k, (touch, force)) in space.touches().iter().zip(&alone).enumerate() {
+            let u = space.relative(k, &displacements);
+            let miss = touch.law.residual(u, *force, space.step(), report.length, report.force);
+            assert!(miss < 2e-9, "touch {k}: {miss:e}");
+        }
+        // Touches between the parts press too.
+        assert!(alone[alone.len() - POINTS as usize..].iter().any(|force| force.norm() > 1e-3 * report.force));
+        for threads in [2, 3, 8] {
+            let crew = Crew::<()>::new(&Workers::Pool(threads)).unwrap();
+            let mut forces = zeros.clone();
+            assert_eq!(GaussSeidel::default().solve_by(&space, &settings, &mut forces, &crew), report);
+            assert_eq!(forces, alone, "{threads} threads");
+        }
+    }
 }

@@ -30,6 +30,8 @@ pub struct Attachment {
     pub second: bool,
     /// Where.
     pub station: Station,
+    /// Whether the strand's linear model has it; those that it has not come last.
+    pub modelled: bool,
 }
 
 /// A held strand.
@@ -47,8 +49,10 @@ pub struct HeldStrand {
     pub bending: f64,
     /// Its island.
     pub island: u32,
-    /// From root to tip; their places in this list are the points of the island's contact space.
+    /// From root to tip, those first that its linear model has; their places in this list are the points of the island's contact space.
     pub attachments: Vec<Attachment>,
+    /// How many its linear model has.
+    modelled: usize,
     /// Whether its step is implicit Euler's, whatever the setting says, and whether it is to begin once more for that: then it stays where it is
     /// until it does.
     pub first_order: bool,
@@ -170,33 +174,41 @@ impl HeldStrand {
         }
     }
 
-    /// Takes the stations that the joints have now, and brings the attachments into order: from root to tip, those of a place by joint.
+    /// Takes the stations that the joints have now, and brings the attachments into order: those of the linear model, which is a new one unless the strand rests, and the
+    /// others, both from root to tip, those of a place by joint.
     fn sort(&mut self, island: &Island) {
         for attachment in &mut self.attachments {
             let joint = &island.joints[attachment.joint as usize];
             let end = if attachment.second { joint.second.unwrap_or(joint.first) } else { joint.first };
             attachment.station = end.station;
+            attachment.modelled = if self.resting { attachment.modelled } else { !joint.dormant };
         }
         self.attachments.sort_by(|a, b| {
-            let key = |x: &Attachment| (x.station.element, x.station.s);
+            let key = |x: &Attachment| (!x.modelled, x.station.element, x.station.s);
             key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal).then((a.joint, a.second).cmp(&(b.joint, b.second)))
         });
+        self.modelled = self.attachments.partition_point(|attachment| attachment.modelled);
     }
 
     /// Before an iteration: whether this strand need not take part in it.
     fn choose_rest(&mut self, island: &Island) {
         let joint = |end: &Attachment| &island.joints[end.joint as usize];
+        // A touch that has a part again must be in its model.
+        let lacks = |end: &Attachment| !end.modelled && !joint(end).dormant;
         self.resting = if !island.may_rest {
             false
         } else if self.resting {
-            let wakes = self.attachments.iter().any(|end| joint(end).standing.wakes[usize::from(end.second)]);
+            let wakes = self.attachments.iter().any(|end| lacks(end) || joint(end).standing.wakes[usize::from(end.second)]);
             self.woken += u32::from(wakes);
             !wakes
         } else {
             self.woken < MOST_WAKES
                 && island.iterations > 0
                 && self.residual <= island.rest
-                && self.attachments.iter().all(|end| joint(end).standing.holds && joint(end).standing.miss <= island.rest_miss)
+                && self.attachments.iter().all(|end| {
+                    let standing = &joint(end).standing;
+                    !lacks(end) && standing.holds && standing.miss <= island.rest_miss
+                })
         };
     }
 
@@ -204,7 +216,7 @@ impl HeldStrand {
     /// `of_joint` (on the joints' first ends), by the linear model of its last iteration.
     pub fn given_way(&self, point: u32, has_part: &[bool], of_joint: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
         // Symmetric: three columns are three rows.
-        let size = 3 * self.attachments.len();
+        let size = 3 * self.modelled;
         let rows = &self.held.delassus.columns[3 * point as usize * size..][..3 * size];
         let mut sum = Vector3::zeros();
         for (k, (end, taken)) in self.attachments.iter().zip(&self.forces).enumerate() {
@@ -222,7 +234,7 @@ impl HeldStrand {
 
     fn pull(&mut self, island: &Island) {
         self.forces.clear();
-        self.forces.extend(self.attachments.iter().map(|attachment| {
+        self.forces.extend(self.attachments[..self.modelled].iter().map(|attachment| {
             let force = island.joints[attachment.joint as usize].force;
             Vec3::from(if attachment.second { -force } else { force })
         }));
@@ -246,11 +258,11 @@ impl HeldStrand {
             return;
         }
         self.stations.clear();
-        self.stations.extend(self.attachments.iter().map(|attachment| attachment.station));
+        self.stations.extend(self.attachments[..self.modelled].iter().map(|attachment| attachment.station));
         self.pull(island);
         self.bonds.clear();
         if island.bonded_to_world {
-            self.bonds.extend(self.attachments.iter().map(|end| {
+            self.bonds.extend(self.attachments[..self.modelled].iter().map(|end| {
                 let joint = &island.joints[end.joint as usize];
                 joint.world_bond(&Held::place(self.held.now(), &end.station))
             }));

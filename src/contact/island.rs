@@ -7,15 +7,17 @@ use super::contact_space::{ContactSpace, End, SpaceTouch};
 use super::ending::Ending;
 use super::gauss_seidel::{GaussSeidel, Report, Settings};
 use super::held_strand::{Attachment, HeldStrand};
-use super::joint::{Joint, JointKind, Standing};
+use super::joint::{Joint, JointKind, SAME_SIDE, Standing};
 use super::law::Law;
 use super::law::coefficient::Coefficient;
 use super::law::contact::Friction;
 use super::law::response::Response;
 use super::nearest::nearest;
 use super::options::{ContactModel, ContactOptions};
+use super::partition::Partition;
 use crate::chain::load::Station;
 use crate::error::Result;
+use crate::workers::Crew;
 
 /// How nearly a bond must hold at the end of a step, m.
 const BOND_TOLERANCE: f64 = 1e-10;
@@ -45,7 +47,7 @@ const CHOSEN: u32 = 10;
 /// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
 /// of touches; a bond, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
-const ENOUGH_DEPTH: f64 = 10.0;
+pub(super) const ENOUGH_DEPTH: f64 = 10.0;
 const ENOUGH_BOND: f64 = 1e-9;
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
 const NO_SOLUTION: f64 = 1e4;
@@ -74,8 +76,6 @@ const ASKED: u32 = 3;
 
 /// How far from a body's surface a touch is looked at again, m.
 const LOOK: f64 = 0.01;
-/// A surface is on the side that was found while its normal has turned by no more than this cosine since.
-const SAME_SIDE: f64 = 0.7;
 /// In how many of an island's first iterations that is done: in a crease or a mesh's notch a touch would be on one face and on another in
 /// turn for ever. What is missed so is found by the search at the step's end.
 pub(super) const LOOKS: u32 = 6;
@@ -88,6 +88,7 @@ pub struct ProblemScratch {
     space: ContactSpace,
     solver: GaussSeidel,
     forces: Vec<Vector3<f64>>,
+    partition: Partition,
 }
 
 /// Strands that hang together.
@@ -223,7 +224,7 @@ impl Island {
         for joint in &mut self.joints {
             let strand = &strands[joint.first.held as usize];
             self.bonded_to_world |= !relaxed && matches!(joint.kind, JointKind::Pin { compliance: 0.0, .. });
-            if strand.resting {
+            if strand.resting || joint.dormant || joint.in_crease {
                 continue;
             }
             match &mut joint.kind {
@@ -249,7 +250,13 @@ impl Island {
         }
     }
 
-    fn evaluate(&mut self, joint: usize, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> (Law, Vector3<f64>) {
+    pub(super) fn evaluate(
+        &mut self,
+        joint: usize,
+        strands: &[HeldStrand],
+        options: &ContactOptions,
+        step: f64,
+    ) -> (Law, Vector3<f64>) {
         let relaxed = self.is_relaxed();
         let ends = &self.ends[joint];
         let joint = &mut self.joints[joint];
@@ -288,23 +295,25 @@ impl Island {
     ///
     /// # Errors
     /// Where a number has turned non-finite.
-    pub fn solve(
+    pub(crate) fn solve<S: Default + Send>(
         &mut self,
         strands: &[HeldStrand],
         options: &ContactOptions,
         step: f64,
         scratch: &mut ProblemScratch,
+        crew: &Crew<S>,
     ) -> Result<()> {
-        let ProblemScratch { space, solver, forces } = scratch;
+        let ProblemScratch { space, solver, forces, partition } = scratch;
         self.iterations += 1;
         space.reset(step)?;
         self.choose_parts(strands);
-        for (held, has_part) in self.strands.iter().zip(&self.strand_has_part) {
-            if !has_part {
+        self.put_in_parts(strands, partition);
+        for local in &partition.strands {
+            if !self.strand_has_part[*local as usize] {
                 space.add_strand(0);
                 continue;
             }
-            let operator = &strands[*held as usize].held.delassus;
+            let operator = &strands[self.strands[*local as usize] as usize].held.delassus;
             space.add_strand(operator.stations).copy_from_slice(&operator.columns);
         }
         forces.clear();
@@ -328,16 +337,18 @@ impl Island {
                 free -= at(end);
             }
             self.joints[joint].standing.free = free.norm();
-            space.add_touch(SpaceTouch { first, second, law, free })?;
+            let placed = |end: End| End { strand: partition.place[end.strand as usize], ..end };
+            space.add_touch(SpaceTouch { first: placed(first), second: second.map(placed), law, free })?;
             forces.push(self.joints[joint].force);
         }
+        space.part(&partition.ends);
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
         let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.ending.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, least: self.scales_of_the_rest() };
-        self.report = solver.solve(space, &settings, forces);
+        self.report = solver.solve_by(space, &settings, forces, crew);
         self.sweeps += self.report.sweeps;
         for (joint, force) in self.parts.iter().zip(&*forces) {
             let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
@@ -358,7 +369,7 @@ impl Island {
         self.strand_has_part.resize(self.strands.len(), false);
         for (index, (joint, ends)) in self.joints.iter().zip(&self.ends).enumerate() {
             let moves = |held: u32| !strands[held as usize].resting;
-            let has_part = moves(joint.first.held) || joint.second.is_some_and(|end| moves(end.held));
+            let has_part = !joint.dormant && (moves(joint.first.held) || joint.second.is_some_and(|end| moves(end.held)));
             self.has_part.push(has_part);
             if has_part {
                 self.parts.push(index as u32);
@@ -368,6 +379,20 @@ impl Island {
                 }
             }
         }
+    }
+
+    /// Brings the joints that have a part into the order of the parts of a large problem that threads sweep side by side. (Bonds join strands to blocks:
+    /// problems with constraints are left whole.)
+    fn put_in_parts(&mut self, strands: &[HeldStrand], partition: &mut Partition) {
+        let may = !self.is_constrained();
+        let Self { parts, ends, joints, .. } = self;
+        let roots = self.strands.iter().map(|held| strands[*held as usize].held.now().0);
+        let touches = parts.iter().map(|index| {
+            let [first, second] = ends[*index as usize];
+            [Some(first.strand), joints[*index as usize].second.map(|_| second.strand)]
+        });
+        partition.update(roots, touches, may);
+        partition.put_in_order(parts);
     }
 
     /// The largest force and free displacement of the joints that have no part.
@@ -430,13 +455,18 @@ impl Island {
         self.ending.residual = 0.0;
         for index in 0..self.joints.len() {
             if !self.has_part[index] {
+                if self.joints[index].dormant {
+                    self.rouse(index, strands, options, step);
+                }
                 let Standing { miss, holds, nearly, .. } = self.joints[index].standing;
                 (good, enough) = (good && holds, enough && nearly);
                 rested = rested.max(miss);
                 continue;
             }
+            let gap_before = self.joints[index].gap;
             let (law, u) = self.evaluate(index, strands, options, step);
             let joint = &self.joints[index];
+            let came_nearer = gap_before - joint.gap;
             let miss = law.residual(u, joint.force, step, length, force);
             self.ending.residual = self.ending.residual.max(miss);
             let (holds, nearly) = match law {
@@ -456,6 +486,7 @@ impl Island {
             let wakes = self.wakes(index, strands, if holds { REST * tolerance } else { 0.0 });
             let free = self.joints[index].standing.free;
             self.joints[index].standing = Standing { miss, holds, nearly, free, wakes };
+            self.joints[index].may_sleep(&law, &u, came_nearer);
             (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || wakes != [false; 2]);
         }
         let left = (residual / tolerance).max(self.ending.residual / ROUGH);

@@ -16,6 +16,11 @@ use crate::chain::load::Station;
 use crate::math::vector::Mat3;
 use crate::step::held::WorldBond;
 
+/// A body's surface is on the side that was found while its normal has turned by no more than this cosine since.
+pub(super) const SAME_SIDE: f64 = 0.7;
+/// Where one less the cosine between two normals is less, they are of one face.
+const ONE_FACE: f64 = 0.01;
+
 /// One end of a joint: which of the held strands, and where on it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointEnd {
@@ -114,6 +119,11 @@ pub struct Standing {
 impl Standing {
     /// Before the first look.
     pub const UNKNOWN: Self = Self { miss: f64::INFINITY, holds: false, nearly: false, free: 0.0, wakes: [true; 2] };
+
+    /// Where surfaces are apart and nothing presses them.
+    pub fn apart(self) -> Self {
+        Self { miss: 0.0, holds: true, nearly: true, free: self.free, wakes: [false; 2] }
+    }
 }
 
 /// A joint of the present step.
@@ -137,11 +147,39 @@ pub struct Joint {
     pub deep: bool,
     /// It could not be held, or held a strand that did not come to its end: it gives way and does not rub (`ending.rs`).
     pub yields: bool,
+    /// It is one of a body's faces in a crease, and stays on that.
+    pub in_crease: bool,
+    /// A touch that has no part in contact problems for now: nothing presses it, and its surfaces are further apart than strands still go.
+    pub dormant: bool,
+    /// It was dormant, and came to touch after all: it is not again.
+    pub roused: bool,
+    /// Whether it is in the linear model that the strand at either end has from its last iteration.
+    pub modelled: [bool; 2],
     /// How it stood at the last check.
     pub standing: Standing,
 }
 
 impl Joint {
+    /// One that nobody has looked at yet.
+    pub fn new(first: JointEnd, second: Option<JointEnd>, kind: JointKind, force: Vector3<f64>) -> Self {
+        Self {
+            first,
+            second,
+            kind,
+            force,
+            rubs: false,
+            slip: Vector3::zeros(),
+            gap: 0.0,
+            deep: false,
+            yields: false,
+            in_crease: false,
+            dormant: false,
+            roused: false,
+            modelled: [true; 2],
+            standing: Standing::UNKNOWN,
+        }
+    }
+
     /// Whether the surfaces press each other under the present force.
     pub fn presses(&self) -> bool {
         match self.kind {
@@ -173,6 +211,24 @@ impl Joint {
                 }
                 _ => false,
             }
+    }
+
+    /// How unlike the surfaces of two touches that are [`Joint::is_with`] each other are: one less the cosine between their normals; zero of hair.
+    pub fn turned(&self, other: &Joint) -> f64 {
+        match (self.kind, other.kind) {
+            (JointKind::Body { normal: a, .. }, JointKind::Body { normal: b, .. }) => 1.0 - a.dot(&b),
+            _ => 0.0,
+        }
+    }
+
+    /// Whether `found` is a face of a crease that this touch began on and left for the other face when it was looked at again: both hold the point.
+    pub fn has_left(&self, found: &Joint) -> bool {
+        match (self.kind, found.kind) {
+            (JointKind::Body { side, .. }, JointKind::Body { normal, .. }) => {
+                1.0 - side.dot(&normal) < ONE_FACE && self.turned(found) > ONE_FACE
+            }
+            _ => false,
+        }
     }
 
     /// The constraint that it is of.

@@ -165,27 +165,41 @@ impl System {
     /// The relative displacement of a row now.
     #[inline(always)]
     pub fn relative(&self, row: &Row) -> Vector3<f64> {
-        let mut u = row.free + read(&self.displacements, row.first.at);
-        if let Some(second) = &row.second {
-            u -= read(&self.displacements, second.at);
-        }
-        u
+        row.relative(&self.displacements, 0)
     }
 
     /// Changes a row's force by `change`: displaces all points of its blocks.
     #[inline(always)]
     pub fn push(&mut self, space: &ContactSpace, index: usize, change: &Vector3<f64>) {
-        let row = &self.rows[index];
-        push_end(space, &self.bonds, &row.first, change, &mut self.displacements);
-        if let Some(second) = &row.second {
-            push_end(space, &self.bonds, second, &-change, &mut self.displacements);
+        self.rows[index].push(space, &self.bonds, change, &mut self.displacements, 0);
+    }
+}
+
+impl Row {
+    /// Its relative displacement where its blocks' coordinates, from `from` on, are displaced by `displacements`.
+    #[inline(always)]
+    pub fn relative(&self, displacements: &[f64], from: usize) -> Vector3<f64> {
+        let mut u = self.free + read(displacements, self.first.at - from);
+        if let Some(second) = &self.second {
+            u -= read(displacements, second.at - from);
+        }
+        u
+    }
+
+    /// Adds what a change of its force displaces to its blocks' coordinates, from `from` on.
+    #[inline(always)]
+    pub fn push(&self, space: &ContactSpace, bonds: &Bonds, change: &Vector3<f64>, displacements: &mut [f64], from: usize) {
+        push_end(space, bonds, &self.first, change, displacements, from);
+        if let Some(second) = &self.second {
+            push_end(space, bonds, second, &-change, displacements, from);
         }
     }
 }
 
 #[inline(always)]
-fn push_end(space: &ContactSpace, bonds: &Bonds, slot: &Slot, change: &Vector3<f64>, displacements: &mut [f64]) {
+fn push_end(space: &ContactSpace, bonds: &Bonds, slot: &Slot, change: &Vector3<f64>, displacements: &mut [f64], from: usize) {
     let matrix = if slot.reduced { bonds.reduced() } else { space.responses() };
     let columns = slot.matrix + (slot.at - slot.base) * slot.size;
-    add_columns(&matrix[columns..], change, &mut displacements[slot.base..slot.base + slot.size]);
+    let base = slot.base - from;
+    add_columns(&matrix[columns..], change, &mut displacements[base..base + slot.size]);
 }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use super::Solver;
 use super::id::{self, ConstraintId, StrandId};
 use crate::chain::load::Station;
-use crate::contact::joint::{Joint, JointEnd, JointKind, Standing};
+use crate::contact::joint::{Joint, JointEnd, JointKind};
 use crate::contact::law::bond::BondAxes;
 use crate::contact::nearest::nearest;
 use crate::contact::options::Friction;
@@ -183,18 +183,7 @@ impl Constraint {
         let station = station_at(first.1, self.state.arclength);
         let mut part = 0;
         let mut joint = |station: Station, second: Option<JointEnd>, kind: JointKind| {
-            emit(Joint {
-                first: JointEnd { held: first.0, station },
-                second,
-                kind,
-                force: self.forces[part],
-                rubs: false,
-                slip: Vector3::zeros(),
-                gap: 0.0,
-                deep: false,
-                yields: false,
-                standing: Standing::UNKNOWN,
-            });
+            emit(Joint::new(JointEnd { held: first.0, station }, second, kind, self.forces[part]));
             part += 1;
         };
         let pin = |target: Vector3<f64>, axes: BondAxes| JointKind::Pin {

@@ -12,7 +12,7 @@ use super::id::{BodyId, SlotMap, StrandId};
 use super::report::Wrench;
 use super::strand::{self, Strand, Tally};
 use super::touching::{TouchMemory, Touching};
-use super::workers::Crew;
+use super::workers::{Crew, Scratch};
 use crate::chain::load::Station;
 use crate::contact::body::BodyAt;
 use crate::contact::ending::Next;
@@ -30,6 +30,9 @@ const MOST_SEARCHES: u32 = 16;
 /// not wait for the rest to be exact. (Sooner, touches would be kept that only a first guess has: a soak's energy rose.)
 const EARLY: u32 = 2;
 const EARLY_ITERATIONS: u32 = 2;
+
+/// Islands of so many joints are solved by all threads together.
+const LARGE: usize = 1000;
 
 /// What the solver keeps for held strands between substeps.
 #[derive(Debug, Default)]
@@ -320,7 +323,8 @@ impl Holding {
             island.joints.push(joint);
             let ends = [Some(joint.first), joint.second];
             for (second, end) in ends.into_iter().enumerate().filter_map(|(k, end)| end.map(|end| (k == 1, end))) {
-                let attachment = Attachment { joint: number, second, station: end.station };
+                let attachment =
+                    Attachment { joint: number, second, station: end.station, modelled: joint.modelled[usize::from(second)] };
                 self.strands[end.held as usize].attachments.push(attachment);
             }
         }
@@ -357,16 +361,25 @@ impl Holding {
                     held.linearise(island);
                 }
             });
-            // One by one, the largest first: a few take longer than all the others.
+            // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
             let mut to_solve: Vec<&mut Island> = islands.iter_mut().filter(|island| !island.done).collect();
             to_solve.sort_by_key(|island| std::cmp::Reverse(island.joints.len()));
-            scene.crew.for_each_task(&mut to_solve, 1, 1, |islands, scratch| {
+            let large = to_solve.partition_point(|island| island.joints.len() >= LARGE);
+            let (large, small) = to_solve.split_at_mut(large);
+            let solve = |island: &mut Island, scratch: &mut Scratch, crew: &Crew| {
+                island.find_ends(strands);
+                // A number that is not finite: the strand that it comes from is told apart at the end.
+                if island.solve(strands, options, h, &mut scratch.problem, crew).is_err() {
+                    (island.done, island.ending.lost) = (true, island.is_relaxed());
+                }
+            };
+            for island in large {
+                scene.crew.with_own_scratch(|scratch| solve(island, scratch, scene.crew));
+            }
+            let alone = Crew::serial();
+            scene.crew.for_each_task(small, 1, 1, |islands, scratch| {
                 for island in islands {
-                    island.find_ends(strands);
-                    // A number that is not finite: the strand that it comes from is told apart at the end.
-                    if island.solve(strands, options, h, &mut scratch.problem).is_err() {
-                        (island.done, island.ending.lost) = (true, island.is_relaxed());
-                    }
+                    solve(island, scratch, &alone);
                 }
             });
             if setting.options.integrator == Integrator::SecondOrder {

@@ -14,7 +14,7 @@ use crate::chain::load::Station;
 use crate::contact::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
-use crate::contact::joint::{Joint, JointEnd, JointKind, Standing};
+use crate::contact::joint::{Joint, JointEnd, JointKind};
 use crate::contact::law::Law;
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
@@ -34,6 +34,8 @@ const UNSEEN: f64 = 0.1;
 /// A touch that was missed is one that is known, seen from where the strands are now, if along the strand it is no further from it than this share
 /// of what holds the surfaces' centres apart: side by side they would be one force in two places, which no solve can tell apart.
 const SAME_PLACE: f64 = 0.5;
+/// But not where a body's surface is turned by more (one less the cosine): that is another face.
+const MOST_TURNED: f64 = 0.3;
 /// A touch is one that was known in the last step if along the strand it is no further from it than this share of the strand's length.
 const SAME: f64 = 0.02;
 
@@ -229,18 +231,7 @@ impl Touching {
         let force = self.recall(strand.index, with, strand.along(&first.station), strand.length());
         // A force that draws is none of a touch.
         let force = if force.dot(&touch.normal) > 0.0 { force } else { Vector3::zeros() };
-        Joint {
-            first,
-            second,
-            kind,
-            force,
-            rubs: false,
-            slip: Vector3::zeros(),
-            gap: touch.gap,
-            deep,
-            yields: false,
-            standing: Standing::UNKNOWN,
-        }
+        Joint { gap: touch.gap, deep, ..Joint::new(first, second, kind, force) }
     }
 
     /// Whether the surfaces of a touch were in each other when the substep began.
@@ -344,6 +335,12 @@ impl Touching {
         for end in missed.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
             strands[end.held as usize].ended = None;
         }
+        for held in &*strands {
+            let joints = &mut islands[held.island as usize].joints;
+            for end in &held.attachments {
+                joints[end.joint as usize].modelled[usize::from(end.second)] = end.modelled;
+            }
+        }
         for island in islands.iter_mut() {
             joints.append(&mut island.joints);
         }
@@ -353,14 +350,22 @@ impl Touching {
                 // What yields does so all along.
                 yields |= known.yields;
                 let apart = apart(known, &joint, strands);
-                if !known.deep && apart <= SAME_PLACE * joint.margin() && nearest.is_none_or(|(_, least)| apart < least) {
-                    nearest = Some((index, apart));
+                let turned = known.turned(&joint);
+                let same = !known.deep && turned < MOST_TURNED && apart <= SAME_PLACE * joint.margin();
+                // In a crease there are two of one place.
+                let unlike = apart + turned * joint.margin();
+                if same && nearest.is_none_or(|(_, least)| unlike < least) {
+                    nearest = Some((index, unlike));
                 }
             }
             // One that is known moves to where it is deepest; any other is new, beside one that only gives way too.
             let joint = Joint { yields, ..joint };
             match nearest {
-                Some((known, _)) => joints[known] = Joint { force: joints[known].force, ..joint },
+                Some((known, _)) if joints[known].has_left(&joint) => joints.push(Joint { in_crease: true, ..joint }),
+                Some((known, _)) => {
+                    let Joint { force, in_crease, .. } = joints[known];
+                    joints[known] = Joint { force, in_crease, ..joint };
+                }
                 None => joints.push(joint),
             }
         }

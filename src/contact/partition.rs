@@ -1,0 +1,185 @@
+//! A large problem in parts that threads sweep side by side: strands are halved by where their roots are, again and again, each time across the
+//! axis that cuts fewest touches. A touch of two parts' strands waits for both. Who sweeps a part changes no result, and how many parts there
+//! are depends on the problem alone.
+
+use nalgebra::Vector3;
+
+/// Problems of fewer touches are left whole: what parts would save, handing them out costs.
+const LEAST: usize = 1000;
+/// How often strands are halved.
+const HALVINGS: u32 = 2;
+
+/// The strands that a touch is between; none where its partner is a body.
+type Ends = [Option<u32>; 2];
+
+/// Strands and touches in parts. Its memory is kept.
+#[derive(Debug, Default)]
+pub struct Partition {
+    /// The strands, part after part.
+    pub strands: Vec<u32>,
+    /// Every strand's place among them.
+    pub place: Vec<u32>,
+    /// Of every part the end of its strands and of its touches.
+    pub ends: Vec<[usize; 2]>,
+    /// The touches, part after part, and those between parts at the end.
+    touches: Vec<u32>,
+    /// Every strand's part.
+    part: Vec<u32>,
+    roots: Vec<Vector3<f64>>,
+    between: Vec<Ends>,
+    weights: Vec<u64>,
+    order: Vec<u32>,
+    halved: Vec<u32>,
+    best: Vec<u32>,
+}
+
+impl Partition {
+    /// Parts strands with these roots, and touches between them, where it `may` and there are enough.
+    pub fn update(&mut self, roots: impl Iterator<Item = Vector3<f64>>, touches: impl Iterator<Item = Ends>, may: bool) {
+        self.roots.clear();
+        self.roots.extend(roots);
+        self.between.clear();
+        self.between.extend(touches);
+        self.part.clear();
+        self.part.resize(self.roots.len(), 0);
+        let parts = if may && self.between.len() >= LEAST { 1 << HALVINGS } else { 0 };
+        if parts > 0 {
+            self.weigh();
+            for level in 0..HALVINGS {
+                self.halve(1 << level);
+            }
+        }
+        let Self { strands, place, part, .. } = self;
+        strands.clear();
+        strands.extend(0..part.len() as u32);
+        strands.sort_by_key(|strand| part[*strand as usize]);
+        place.clear();
+        place.resize(part.len(), 0);
+        for (at, strand) in strands.iter().enumerate() {
+            place[*strand as usize] = at as u32;
+        }
+        self.order_touches(parts);
+    }
+
+    /// Puts a list with an entry a touch into the touches' order.
+    pub fn put_in_order(&mut self, list: &mut [u32]) {
+        self.order.clear();
+        self.order.extend(self.touches.iter().map(|touch| list[*touch as usize]));
+        list.copy_from_slice(&self.order);
+    }
+
+    fn weigh(&mut self) {
+        self.weights.clear();
+        self.weights.resize(self.part.len(), 0);
+        for strand in self.between.iter().flatten().flatten() {
+            self.weights[*strand as usize] += 1;
+        }
+    }
+
+    /// Halves each of `parts` parts: part k becomes 2 k and 2 k + 1.
+    fn halve(&mut self, parts: u32) {
+        let Self { part, roots, between, weights, order, halved, best, .. } = self;
+        let mut least = usize::MAX;
+        for axis in 0..3 {
+            halved.clear();
+            halved.resize(part.len(), 0);
+            for k in 0..parts {
+                order.clear();
+                order.extend((0..part.len() as u32).filter(|strand| part[*strand as usize] == k));
+                let along = |strand: &u32| roots[*strand as usize][axis];
+                order.sort_by(|a, b| along(a).total_cmp(&along(b)).then(a.cmp(b)));
+                let weight = |strand: &u32| weights[*strand as usize];
+                let (all, mut before) = (order.iter().map(weight).sum(), 0);
+                for strand in order.iter() {
+                    halved[*strand as usize] = 2 * k + u32::from(2 * before + weight(strand) > all);
+                    before += weight(strand);
+                }
+            }
+            let cut = between.iter().filter(|ends| part_of(halved, ends).is_none()).count();
+            if cut < least {
+                least = cut;
+                std::mem::swap(halved, best);
+            }
+        }
+        std::mem::swap(part, best);
+    }
+
+    fn order_touches(&mut self, parts: u32) {
+        let Self { strands, touches, ends, part, between, order, .. } = self;
+        order.clear();
+        // What is left whole is as if it were between parts.
+        order.extend(between.iter().map(|ends| part_of(part, ends).filter(|_| parts > 0).unwrap_or(parts)));
+        touches.clear();
+        touches.extend(0..between.len() as u32);
+        touches.sort_by_key(|touch| order[*touch as usize]);
+        ends.clear();
+        ends.extend((0..parts).map(|k| {
+            let strands = strands.partition_point(|strand| part[*strand as usize] <= k);
+            [strands, touches.partition_point(|touch| order[*touch as usize] <= k)]
+        }));
+    }
+}
+
+/// The part that all of a touch's strands are in.
+fn part_of(part: &[u32], ends: &Ends) -> Option<u32> {
+    let mut parts = ends.iter().flatten().map(|strand| part[*strand as usize]);
+    let first = parts.next()?;
+    parts.all(|other| other == first).then_some(first)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Strands on a grid, each touching its neighbours and the ground.
+    fn update(side: u32, may: bool) -> (Partition, Vec<Ends>) {
+        let at = |k: u32| Vector3::new(f64::from(k % side), 0.1 * f64::from(k / side), 0.0);
+        let mut touches = Vec::new();
+        for k in 0..side * side {
+            touches.push([Some(k), None]);
+            touches.extend((k % side + 1 < side).then_some([Some(k), Some(k + 1)]));
+            touches.extend((k + side < side * side).then_some([Some(k), Some(k + side)]));
+        }
+        let mut partition = Partition::default();
+        partition.update((0..side * side).map(at), touches.iter().copied(), may);
+        (partition, touches)
+    }
+
+    #[test]
+    fn every_touch_of_a_part_is_between_its_strands() {
+        let (mut partition, touches) = update(24, true);
+        assert_eq!(partition.ends.len(), 4);
+        let mut order: Vec<u32> = (0..touches.len() as u32).collect();
+        partition.put_in_order(&mut order);
+        let mut seen = order.clone();
+        seen.sort_unstable();
+        assert!(seen.iter().enumerate().all(|(k, touch)| k as u32 == *touch));
+        let (mut from, mut first) = (0, 0);
+        for [strands, end] in &partition.ends {
+            let own = &partition.strands[from..*strands];
+            for touch in &order[first..*end] {
+                assert!(touches[*touch as usize].iter().flatten().all(|strand| own.contains(strand)), "touch {touch}");
+            }
+            // Balanced, by touches, to a row of the grid.
+            let share = (end - first) as f64 / touches.len() as f64;
+            assert!((0.2..0.27).contains(&share), "{share}");
+            (from, first) = (*strands, *end);
+        }
+        assert_eq!(from, partition.strands.len());
+        let between = (touches.len() - first) as f64 / touches.len() as f64;
+        assert!(between > 0.0 && between < 0.05, "{between}");
+        for (strand, place) in partition.place.iter().enumerate() {
+            assert_eq!(partition.strands[*place as usize], strand as u32);
+        }
+    }
+
+    #[test]
+    fn what_is_small_or_may_not_be_parted_stays_in_order() {
+        for (side, may) in [(8, true), (24, false)] {
+            let (mut partition, touches) = update(side, may);
+            let mut order: Vec<u32> = (0..touches.len() as u32).collect();
+            partition.put_in_order(&mut order);
+            assert!(partition.ends.is_empty() && order.is_sorted() && partition.strands.is_sorted());
+        }
+    }
+}
