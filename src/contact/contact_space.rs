@@ -42,11 +42,12 @@ pub struct ContactSpace {
     parts: Vec<Part>,
 }
 
-/// A part of a problem that touches nothing but itself and what is in no part: everything from where the part before ends, or the beginning, up to here.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Part {
+/// A part of a problem that touches nothing but itself and what is in no part: everything from where the part before ends, or the beginning,
+/// up to here.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
     /// How many touches lie before its end.
-    pub touches: usize,
+    pub(super) touches: usize,
     /// How many coordinates.
     pub(super) coordinates: usize,
 }
@@ -106,8 +107,9 @@ impl ContactSpace {
         Ok(())
     }
 
-    /// Says which touches may be swept side by side, once all is added: `ends` has the end of each part's strands and of its touches, ascending.
-    /// A touch of a part has its ends on the part's strands; touches after the last part's come after all of them, one by one. There must be no bonds.
+    /// Says which touches may be swept side by side, once all is added: `ends` has the end of each part's strands and of its touches,
+    /// ascending. A touch of a part has its ends on the part's strands; touches after the last part's come after all of them, one by one. There
+    /// must be no bonds.
     pub(super) fn part(&mut self, ends: &[[usize; 2]]) {
         let coordinates = |strands: usize| self.strands.get(strands).map_or(self.coordinates, |block| block.base);
         self.parts.extend(ends.iter().map(|[strands, touches]| Part { touches: *touches, coordinates: coordinates(*strands) }));

@@ -46,8 +46,8 @@ impl Kernel for Solve<'_> {
     }
 }
 
-/// Eliminates the columns `from..to` from the rows below each one's pivot, in these columns and in `b`; what of each pivot's row was subtracted stays in
-/// its column. False where there is no pivot.
+/// Eliminates the columns `from..to` from the rows below each one's pivot, in these columns and in `b`; what of each pivot's row was
+/// subtracted stays in its column. False where there is no pivot.
 #[inline(always)]
 fn eliminate(a: &mut [f64], b: &mut [f64], from: usize, to: usize) -> bool {
     let n = b.len();

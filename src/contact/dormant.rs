@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::held_strand::HeldStrand;
-use super::island::{ENOUGH_DEPTH, Island};
+use super::island::{Island, is_nearly_outside, is_outside};
 use super::joint::{Joint, Standing};
 use super::law::Law;
 use super::options::ContactOptions;
@@ -14,11 +14,17 @@ use super::options::ContactOptions;
 const ASIDE: f64 = 1.0;
 
 impl Joint {
-    /// After an iteration that took its surfaces to `u` and `nearer` to each other (m): lets it sleep if nothing presses it and it is out of reach.
-    pub(super) fn may_sleep(&mut self, law: &Law, u: &Vector3<f64>, nearer: f64) {
+    /// Whether a strand at its ends takes part in the iteration.
+    pub(super) fn moves(&self, strands: &[HeldStrand]) -> bool {
+        self.ends().any(|end| !strands[end.held as usize].resting)
+    }
+
+    /// After an iteration that took its surfaces to `u` and by `moved` (m) nearer or apart: lets it sleep if nothing presses it and it is out of
+    /// reach.
+    pub(super) fn may_sleep(&mut self, law: &Law, u: &Vector3<f64>, moved: f64) {
         let Law::Contact(contact) = law else { return };
         let free = self.force == Vector3::zeros() && !(self.deep || self.yields || self.roused);
-        if free && u.dot(&contact.normal) > ASIDE * nearer.abs() {
+        if free && u.dot(&contact.normal) > ASIDE * moved {
             (self.dormant, self.standing) = (true, self.standing.apart());
         }
     }
@@ -27,9 +33,7 @@ impl Joint {
 impl Island {
     /// Wakes a touch that sleeps where its surfaces have met, for the rest of the step.
     pub(super) fn rouse(&mut self, index: usize, strands: &[HeldStrand], options: &ContactOptions, step: f64) {
-        let joint = &self.joints[index];
-        let moves = |held: u32| !strands[held as usize].resting;
-        if !(moves(joint.first.held) || joint.second.is_some_and(|end| moves(end.held))) {
+        if !self.joints[index].moves(strands) {
             return;
         }
         let (law, u) = self.evaluate(index, strands, options, step);
@@ -40,9 +44,9 @@ impl Island {
         }
         let joint = &mut self.joints[index];
         (joint.dormant, joint.roused) = (false, true);
+        // What springs hold they hold in no way yet.
         let soft = options.model.is_soft();
-        let holds = !soft && gap >= -0.5 * options.tolerance;
-        let nearly = soft || gap >= -ENOUGH_DEPTH * options.tolerance;
-        joint.standing = Standing { holds, nearly, ..joint.standing };
+        let holds = !soft && is_outside(gap, options);
+        joint.standing = Standing { holds, nearly: soft || is_nearly_outside(gap, options), ..joint.standing };
     }
 }

@@ -120,14 +120,12 @@ impl Island {
         let large = LARGE * self.usual_force(strands, step);
         let off = |joint: &&Joint| if self.beyond { joint.force.norm() > large } else { !joint.standing.nearly };
         for joint in self.joints.iter().filter(off) {
-            astray.push(joint.first.held);
-            astray.extend(joint.second.map(|end| end.held));
+            astray.extend(joint.ends().map(|end| end.held));
         }
         astray.sort_unstable();
         let mut some = false;
         for joint in &mut self.joints {
-            let of = |held: u32| astray.binary_search(&held).is_ok();
-            if !joint.yields && (of(joint.first.held) || joint.second.is_some_and(|end| of(end.held))) {
+            if !joint.yields && joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
                 (joint.yields, joint.dormant, joint.standing, some) = (true, false, Standing::UNKNOWN, true);
             }
         }

@@ -174,8 +174,8 @@ impl HeldStrand {
         }
     }
 
-    /// Takes the stations that the joints have now, and brings the attachments into order: those of the linear model, which is a new one unless the strand rests, and the
-    /// others, both from root to tip, those of a place by joint.
+    /// Takes the stations that the joints have now, and brings the attachments into order: those of the linear model, which is a new one
+    /// unless the strand rests, and the others, both from root to tip, those of a place by joint.
     fn sort(&mut self, island: &Island) {
         for attachment in &mut self.attachments {
             let joint = &island.joints[attachment.joint as usize];

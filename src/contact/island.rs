@@ -1,11 +1,12 @@
-//! Strands that joints tie together, directly or through others, and the contact problem of one Newton iteration of theirs.
+//! Strands that joints tie together, directly or through others: their joints at the present iterate, and where their iteration ends. (The contact
+//! problem of one iteration: `island_problem.rs`.)
 
 use nalgebra::Vector3;
 
 use super::body::BodyAt;
-use super::contact_space::{ContactSpace, End, SpaceTouch};
+use super::contact_space::End;
 use super::ending::Ending;
-use super::gauss_seidel::{GaussSeidel, Report, Settings};
+use super::gauss_seidel::Report;
 use super::held_strand::{Attachment, HeldStrand};
 use super::joint::{Joint, JointKind, SAME_SIDE, Standing};
 use super::law::Law;
@@ -14,25 +15,17 @@ use super::law::contact::Friction;
 use super::law::response::Response;
 use super::nearest::nearest;
 use super::options::{ContactModel, ContactOptions};
-use super::partition::Partition;
 use crate::chain::load::Station;
-use crate::error::Result;
-use crate::workers::Crew;
 
 /// How nearly a bond must hold at the end of a step, m.
 const BOND_TOLERANCE: f64 = 1e-10;
 /// The residual to which the contact problem is solved where friction need not be exact.
 const ROUGH: f64 = 1e-4;
-/// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
-const FIRST: f64 = 1e-2;
-const FORCING: f64 = 0.1;
 /// But with the exact model a strand is done when no element may be further than this from the end, rad.
 const ROUGH_TOLERANCE: f64 = 1e-4;
 /// The same two where an island is solved roughly.
 const ROUGHEST: f64 = 1e-3;
 const ROUGHEST_TOLERANCE: f64 = 1e-3;
-/// And where constraints have a part, which are to hold to [`BOND_TOLERANCE`].
-const CONSTRAINED: f64 = 1e-8;
 /// What the penalty models are content with: the residual, and rad.
 const SOFT: f64 = 1e-3;
 const SOFT_TOLERANCE: f64 = 2e-3;
@@ -47,7 +40,7 @@ const CHOSEN: u32 = 10;
 /// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
 /// of touches; a bond, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
-pub(super) const ENOUGH_DEPTH: f64 = 10.0;
+const ENOUGH_DEPTH: f64 = 10.0;
 const ENOUGH_BOND: f64 = 1e-9;
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
 const NO_SOLUTION: f64 = 1e4;
@@ -70,10 +63,6 @@ pub(super) const FEW: usize = 20;
 const RELAXED: f64 = 0.03;
 /// The same of a single touch that yields.
 const YIELDS: f64 = 0.003;
-/// In how many of an island's first iterations a touch that presses begins to rub (viscous friction): one that its friction lifts off would
-/// come and go for ever.
-const ASKED: u32 = 3;
-
 /// How far from a body's surface a touch is looked at again, m.
 const LOOK: f64 = 0.01;
 /// In how many of an island's first iterations that is done: in a crease or a mesh's notch a touch would be on one face and on another in
@@ -81,15 +70,6 @@ const LOOK: f64 = 0.01;
 pub(super) const LOOKS: u32 = 6;
 /// By how much more than before a normal may point along the strand.
 const ALONG: f64 = 0.1;
-
-/// The memory of contact problems, of one island's after another's: a worker's, in whose caches it stays.
-#[derive(Debug, Default)]
-pub struct ProblemScratch {
-    space: ContactSpace,
-    solver: GaussSeidel,
-    forces: Vec<Vector3<f64>>,
-    partition: Partition,
-}
 
 /// Strands that hang together.
 #[derive(Debug, Default)]
@@ -126,12 +106,12 @@ pub struct Island {
     fewest: (usize, u32),
     /// Iterations in a row that led nowhere, see [`IDLE`].
     idle: u32,
-    ends: Vec<[End; 2]>,
+    pub(super) ends: Vec<[End; 2]>,
     /// The joints that have a part in the present contact problem: a strand at their ends moves.
-    parts: Vec<u32>,
-    has_part: Vec<bool>,
+    pub(super) parts: Vec<u32>,
+    pub(super) has_part: Vec<bool>,
     /// Whether a strand has such joints.
-    strand_has_part: Vec<bool>,
+    pub(super) strand_has_part: Vec<bool>,
 }
 
 impl Island {
@@ -162,7 +142,7 @@ impl Island {
     }
 
     /// How nearly the laws of touches are to hold.
-    fn asked(&self, options: &ContactOptions) -> f64 {
+    pub(super) fn asked(&self, options: &ContactOptions) -> f64 {
         let in_the_end = match options.model {
             ContactModel::Coulomb => options.residual,
             ContactModel::Hard => ROUGH,
@@ -196,8 +176,7 @@ impl Island {
             let way = |end: &End| strands[self.strands[end.strand as usize] as usize].free(end.point);
             let way = way(first) - joint.second.map_or(Vector3::zeros(), |_| way(second));
             if joint.gap + normal.dot(&way) < 0.0 {
-                pressed.push(joint.first.held);
-                pressed.extend(joint.second.map(|end| end.held));
+                pressed.extend(joint.ends().map(|end| end.held));
             }
         }
     }
@@ -291,116 +270,6 @@ impl Island {
         (law, u)
     }
 
-    /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution.
-    ///
-    /// # Errors
-    /// Where a number has turned non-finite.
-    pub(crate) fn solve<S: Default + Send>(
-        &mut self,
-        strands: &[HeldStrand],
-        options: &ContactOptions,
-        step: f64,
-        scratch: &mut ProblemScratch,
-        crew: &Crew<S>,
-    ) -> Result<()> {
-        let ProblemScratch { space, solver, forces, partition } = scratch;
-        self.iterations += 1;
-        space.reset(step)?;
-        self.choose_parts(strands);
-        self.put_in_parts(strands, partition);
-        for local in &partition.strands {
-            if !self.strand_has_part[*local as usize] {
-                space.add_strand(0);
-                continue;
-            }
-            let operator = &strands[self.strands[*local as usize] as usize].held.delassus;
-            space.add_strand(operator.stations).copy_from_slice(&operator.columns);
-        }
-        forces.clear();
-        for index in 0..self.parts.len() {
-            let joint = self.parts[index] as usize;
-            let presses = self.joints[joint].presses();
-            self.joints[joint].rubs = presses && (self.iterations <= ASKED || self.joints[joint].rubs);
-            let (law, mut free) = self.evaluate(joint, strands, options, step);
-            let [first, second] = self.ends[joint];
-            let at = |end: End| {
-                let strand = &strands[self.strands[end.strand as usize] as usize];
-                if strand.resting {
-                    strand.given_way(end.point, &self.has_part, |_| Vector3::zeros())
-                } else {
-                    strand.free(end.point)
-                }
-            };
-            free += at(first);
-            let second = self.joints[joint].second.map(|_| second);
-            if let Some(end) = second {
-                free -= at(end);
-            }
-            self.joints[joint].standing.free = free.norm();
-            let placed = |end: End| End { strand: partition.place[end.strand as usize], ..end };
-            space.add_touch(SpaceTouch { first: placed(first), second: second.map(placed), law, free })?;
-            forces.push(self.joints[joint].force);
-        }
-        space.part(&partition.ends);
-        let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
-        let tolerance = part * self.asked(options);
-        // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
-        let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.ending.residual) };
-        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
-        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, least: self.scales_of_the_rest() };
-        self.report = solver.solve_by(space, &settings, forces, crew);
-        self.sweeps += self.report.sweeps;
-        for (joint, force) in self.parts.iter().zip(&*forces) {
-            let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
-            joint.force = *force;
-            if matches!(joint.kind, JointKind::Pin { .. }) {
-                let strand = &strands[self.strands[first.strand as usize] as usize];
-                joint.force += Vector3::from(strand.held.pulled(first.point as usize));
-            }
-        }
-        Ok(())
-    }
-
-    /// The joints that strands which move have.
-    fn choose_parts(&mut self, strands: &[HeldStrand]) {
-        self.parts.clear();
-        self.has_part.clear();
-        self.strand_has_part.clear();
-        self.strand_has_part.resize(self.strands.len(), false);
-        for (index, (joint, ends)) in self.joints.iter().zip(&self.ends).enumerate() {
-            let moves = |held: u32| !strands[held as usize].resting;
-            let has_part = !joint.dormant && (moves(joint.first.held) || joint.second.is_some_and(|end| moves(end.held)));
-            self.has_part.push(has_part);
-            if has_part {
-                self.parts.push(index as u32);
-                self.strand_has_part[ends[0].strand as usize] = true;
-                if joint.second.is_some() {
-                    self.strand_has_part[ends[1].strand as usize] = true;
-                }
-            }
-        }
-    }
-
-    /// Brings the joints that have a part into the order of the parts of a large problem that threads sweep side by side. (Bonds join strands to blocks:
-    /// problems with constraints are left whole.)
-    fn put_in_parts(&mut self, strands: &[HeldStrand], partition: &mut Partition) {
-        let may = !self.is_constrained();
-        let Self { parts, ends, joints, .. } = self;
-        let roots = self.strands.iter().map(|held| strands[*held as usize].held.now().0);
-        let touches = parts.iter().map(|index| {
-            let [first, second] = ends[*index as usize];
-            [Some(first.strand), joints[*index as usize].second.map(|_| second.strand)]
-        });
-        partition.update(roots, touches, may);
-        partition.put_in_order(parts);
-    }
-
-    /// The largest force and free displacement of the joints that have no part.
-    fn scales_of_the_rest(&self) -> [f64; 2] {
-        let rest = self.joints.iter().zip(&self.has_part).filter(|(_, has_part)| !**has_part);
-        rest.fold([0.0; 2], |[force, free], (joint, _)| [force.max(joint.force.norm()), free.max(joint.standing.free)])
-    }
-
     /// Whether the strands at a joint's ends rest and are moved by more than `limit` (a length over an element's) by the forces now. (A joint
     /// that does not hold may wait for what its resting strand gives way by, however little: then zero.)
     fn wakes(&self, index: usize, strands: &[HeldStrand], limit: f64) -> [bool; 2] {
@@ -463,10 +332,10 @@ impl Island {
                 rested = rested.max(miss);
                 continue;
             }
-            let gap_before = self.joints[index].gap;
+            let before = self.joints[index].gap;
             let (law, u) = self.evaluate(index, strands, options, step);
             let joint = &self.joints[index];
-            let came_nearer = gap_before - joint.gap;
+            let moved = (joint.gap - before).abs();
             let miss = law.residual(u, joint.force, step, length, force);
             self.ending.residual = self.ending.residual.max(miss);
             let (holds, nearly) = match law {
@@ -479,14 +348,14 @@ impl Island {
                 Law::Contact(contact) => {
                     let gap = if soft || joint.deep || joint.yields { 0.0 } else { u.dot(&contact.normal) };
                     let exact = soft || options.model != ContactModel::Coulomb && !self.rough || miss <= asked;
-                    let outside = self.rough || gap >= -0.5 * options.tolerance;
-                    (outside && exact, gap >= -ENOUGH_DEPTH * options.tolerance)
+                    let outside = self.rough || is_outside(gap, options);
+                    (outside && exact, is_nearly_outside(gap, options))
                 }
             };
             let wakes = self.wakes(index, strands, if holds { REST * tolerance } else { 0.0 });
             let free = self.joints[index].standing.free;
             self.joints[index].standing = Standing { miss, holds, nearly, free, wakes };
-            self.joints[index].may_sleep(&law, &u, came_nearer);
+            self.joints[index].may_sleep(&law, &u, moved);
             (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || wakes != [false; 2]);
         }
         let left = (residual / tolerance).max(self.ending.residual / ROUGH);
@@ -529,4 +398,14 @@ impl Island {
         self.ending.lost =
             self.done && self.is_relaxed() && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);
     }
+}
+
+/// Whether a touch with that gap is as far outside as a step's end asks.
+pub(super) fn is_outside(gap: f64, options: &ContactOptions) -> bool {
+    gap >= -0.5 * options.tolerance
+}
+
+/// The same of an island that does not get on.
+pub(super) fn is_nearly_outside(gap: f64, options: &ContactOptions) -> bool {
+    gap >= -ENOUGH_DEPTH * options.tolerance
 }

@@ -17,7 +17,7 @@ use crate::math::vector::Mat3;
 use crate::step::held::WorldBond;
 
 /// A body's surface is on the side that was found while its normal has turned by no more than this cosine since.
-pub(super) const SAME_SIDE: f64 = 0.7;
+pub const SAME_SIDE: f64 = 0.7;
 /// Where one less the cosine between two normals is less, they are of one face.
 const ONE_FACE: f64 = 0.01;
 
@@ -180,6 +180,11 @@ impl Joint {
         }
     }
 
+    /// Its ends, the first one first.
+    pub fn ends(&self) -> impl Iterator<Item = JointEnd> + use<> {
+        [Some(self.first), self.second].into_iter().flatten()
+    }
+
     /// Whether the surfaces press each other under the present force.
     pub fn presses(&self) -> bool {
         match self.kind {
@@ -213,7 +218,8 @@ impl Joint {
             }
     }
 
-    /// How unlike the surfaces of two touches that are [`Joint::is_with`] each other are: one less the cosine between their normals; zero of hair.
+    /// How unlike the surfaces of two touches that are [`Joint::is_with`] each other are: one less the cosine between their normals; zero
+    /// of hair.
     pub fn turned(&self, other: &Joint) -> f64 {
         match (self.kind, other.kind) {
             (JointKind::Body { normal: a, .. }, JointKind::Body { normal: b, .. }) => 1.0 - a.dot(&b),
@@ -221,7 +227,8 @@ impl Joint {
         }
     }
 
-    /// Whether `found` is a face of a crease that this touch began on and left for the other face when it was looked at again: both hold the point.
+    /// Whether `found` is a face of a crease that this touch began on and left for the other face when it was looked at again: both hold
+    /// the point.
     pub fn has_left(&self, found: &Joint) -> bool {
         match (self.kind, found.kind) {
             (JointKind::Body { side, .. }, JointKind::Body { normal, .. }) => {

@@ -19,6 +19,7 @@ pub mod hair_pairs;
 pub mod held_strand;
 pub mod helix_distance;
 pub mod island;
+pub mod island_problem;
 pub mod joint;
 pub mod law;
 pub mod nearest;

@@ -321,10 +321,8 @@ impl Holding {
             let island = &mut self.islands[self.strands[joint.first.held as usize].island as usize];
             let number = island.joints.len() as u32;
             island.joints.push(joint);
-            let ends = [Some(joint.first), joint.second];
-            for (second, end) in ends.into_iter().enumerate().filter_map(|(k, end)| end.map(|end| (k == 1, end))) {
-                let attachment =
-                    Attachment { joint: number, second, station: end.station, modelled: joint.modelled[usize::from(second)] };
+            for (k, end) in joint.ends().enumerate() {
+                let attachment = Attachment { joint: number, second: k == 1, station: end.station, modelled: joint.modelled[k] };
                 self.strands[end.held as usize].attachments.push(attachment);
             }
         }

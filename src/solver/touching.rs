@@ -14,7 +14,7 @@ use crate::chain::load::Station;
 use crate::contact::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
-use crate::contact::joint::{Joint, JointEnd, JointKind};
+use crate::contact::joint::{Joint, JointEnd, JointKind, SAME_SIDE};
 use crate::contact::law::Law;
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
@@ -34,8 +34,6 @@ const UNSEEN: f64 = 0.1;
 /// A touch that was missed is one that is known, seen from where the strands are now, if along the strand it is no further from it than this share
 /// of what holds the surfaces' centres apart: side by side they would be one force in two places, which no solve can tell apart.
 const SAME_PLACE: f64 = 0.5;
-/// But not where a body's surface is turned by more (one less the cosine): that is another face.
-const MOST_TURNED: f64 = 0.3;
 /// A touch is one that was known in the last step if along the strand it is no further from it than this share of the strand's length.
 const SAME: f64 = 0.02;
 
@@ -282,7 +280,7 @@ impl Touching {
             let mut joint = self.joint(scene, strands, held, touch);
             if joint.deep {
                 // It gives way; how deep it is says nothing, but is told.
-                left_deep.extend([Some(joint.first), joint.second].into_iter().flatten());
+                left_deep.extend(joint.ends());
                 continue;
             }
             let first = &strands[held as usize];
@@ -305,7 +303,7 @@ impl Touching {
     /// Tells the strands, and their islands, that have touches which no joint holds, when there is to be no other search.
     pub fn tell_missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island], h: f64) {
         for joint in self.missed(scene, strands, islands, h) {
-            for end in [Some(joint.first), joint.second].into_iter().flatten() {
+            for end in joint.ends() {
                 let strand = &mut strands[end.held as usize];
                 strand.overlooked = true;
                 islands[strand.island as usize].ending.converged = false;
@@ -332,9 +330,10 @@ impl Touching {
             held.ended = islands[held.island as usize].ended();
             held.resting |= held.ended.is_some_and(|ending| ending.converged);
         }
-        for end in missed.iter().flat_map(|joint| [Some(joint.first), joint.second]).flatten() {
+        for end in missed.iter().flat_map(Joint::ends) {
             strands[end.held as usize].ended = None;
         }
+        // Attachments are made anew; the models of strands that rest are not.
         for held in &*strands {
             let joints = &mut islands[held.island as usize].joints;
             for end in &held.attachments {
@@ -351,7 +350,7 @@ impl Touching {
                 yields |= known.yields;
                 let apart = apart(known, &joint, strands);
                 let turned = known.turned(&joint);
-                let same = !known.deep && turned < MOST_TURNED && apart <= SAME_PLACE * joint.margin();
+                let same = !known.deep && turned < 1.0 - SAME_SIDE && apart <= SAME_PLACE * joint.margin();
                 // In a crease there are two of one place.
                 let unlike = apart + turned * joint.margin();
                 if same && nearest.is_none_or(|(_, least)| unlike < least) {

@@ -1,6 +1,6 @@
 //! Who runs the strands of a step.
 
-use crate::contact::island::ProblemScratch;
+use crate::contact::island_problem::ProblemScratch;
 use crate::step;
 
 /// The scratch memory of one worker.

@@ -46,7 +46,7 @@ impl Holding {
     /// Euler yet. What nobody foresaw is little.
     pub(super) fn begin_pressed_again(island: &Island, strands: &mut [HeldStrand]) {
         for joint in island.joints.iter().filter(|joint| joint.presses()) {
-            for end in [Some(joint.first), joint.second].into_iter().flatten() {
+            for end in joint.ends() {
                 let held = &mut strands[end.held as usize];
                 held.begins_again |= !held.first_order;
             }

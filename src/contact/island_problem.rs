@@ -1,0 +1,142 @@
+//! The contact problem of an island's Newton iteration: which joints have a part in it, and its solution.
+
+use nalgebra::Vector3;
+
+use super::contact_space::{ContactSpace, End, SpaceTouch};
+use super::gauss_seidel::{GaussSeidel, Settings};
+use super::held_strand::HeldStrand;
+use super::island::Island;
+use super::joint::JointKind;
+use super::options::{ContactModel, ContactOptions};
+use super::partition::Partition;
+use crate::error::Result;
+use crate::workers::Crew;
+
+/// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
+const FIRST: f64 = 1e-2;
+const FORCING: f64 = 0.1;
+/// The residual where constraints have a part, which are to hold to the last digit.
+const CONSTRAINED: f64 = 1e-8;
+/// In how many of an island's first iterations a touch that presses begins to rub (viscous friction): one that its friction lifts off would
+/// come and go for ever.
+const ASKED: u32 = 3;
+
+/// The memory of contact problems, of one island's after another's: a worker's, in whose caches it stays.
+#[derive(Debug, Default)]
+pub struct ProblemScratch {
+    space: ContactSpace,
+    solver: GaussSeidel,
+    forces: Vec<Vector3<f64>>,
+    partition: Partition,
+}
+
+impl Island {
+    /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution.
+    ///
+    /// # Errors
+    /// Where a number has turned non-finite.
+    pub(crate) fn solve<S: Default + Send>(
+        &mut self,
+        strands: &[HeldStrand],
+        options: &ContactOptions,
+        step: f64,
+        scratch: &mut ProblemScratch,
+        crew: &Crew<S>,
+    ) -> Result<()> {
+        let ProblemScratch { space, solver, forces, partition } = scratch;
+        self.iterations += 1;
+        space.reset(step)?;
+        self.choose_parts(strands);
+        self.put_in_parts(strands, partition);
+        for local in &partition.strands {
+            if !self.strand_has_part[*local as usize] {
+                space.add_strand(0);
+                continue;
+            }
+            let operator = &strands[self.strands[*local as usize] as usize].held.delassus;
+            space.add_strand(operator.stations).copy_from_slice(&operator.columns);
+        }
+        forces.clear();
+        for index in 0..self.parts.len() {
+            let joint = self.parts[index] as usize;
+            let presses = self.joints[joint].presses();
+            self.joints[joint].rubs = presses && (self.iterations <= ASKED || self.joints[joint].rubs);
+            let (law, mut free) = self.evaluate(joint, strands, options, step);
+            let [first, second] = self.ends[joint];
+            let at = |end: End| {
+                let strand = &strands[self.strands[end.strand as usize] as usize];
+                if strand.resting {
+                    strand.given_way(end.point, &self.has_part, |_| Vector3::zeros())
+                } else {
+                    strand.free(end.point)
+                }
+            };
+            free += at(first);
+            let second = self.joints[joint].second.map(|_| second);
+            if let Some(end) = second {
+                free -= at(end);
+            }
+            self.joints[joint].standing.free = free.norm();
+            let placed = |end: End| End { strand: partition.place[end.strand as usize], ..end };
+            space.add_touch(SpaceTouch { first: placed(first), second: second.map(placed), law, free })?;
+            forces.push(self.joints[joint].force);
+        }
+        space.part(&partition.ends);
+        let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
+        let tolerance = part * self.asked(options);
+        // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
+        let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.ending.residual) };
+        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
+        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, least: self.scales_of_the_rest() };
+        self.report = solver.solve_by(space, &settings, forces, crew);
+        self.sweeps += self.report.sweeps;
+        for (joint, force) in self.parts.iter().zip(&*forces) {
+            let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
+            joint.force = *force;
+            if matches!(joint.kind, JointKind::Pin { .. }) {
+                let strand = &strands[self.strands[first.strand as usize] as usize];
+                joint.force += Vector3::from(strand.held.pulled(first.point as usize));
+            }
+        }
+        Ok(())
+    }
+
+    /// The joints that strands which move have.
+    fn choose_parts(&mut self, strands: &[HeldStrand]) {
+        self.parts.clear();
+        self.has_part.clear();
+        self.strand_has_part.clear();
+        self.strand_has_part.resize(self.strands.len(), false);
+        for (index, (joint, ends)) in self.joints.iter().zip(&self.ends).enumerate() {
+            let has_part = !joint.dormant && joint.moves(strands);
+            self.has_part.push(has_part);
+            if has_part {
+                self.parts.push(index as u32);
+                self.strand_has_part[ends[0].strand as usize] = true;
+                if joint.second.is_some() {
+                    self.strand_has_part[ends[1].strand as usize] = true;
+                }
+            }
+        }
+    }
+
+    /// Brings the joints that have a part into the order of the parts of a large problem that threads sweep side by side. (Bonds join strands to blocks:
+    /// problems with constraints are left whole.)
+    fn put_in_parts(&mut self, strands: &[HeldStrand], partition: &mut Partition) {
+        let may = !self.is_constrained();
+        let Self { parts, ends, joints, .. } = self;
+        let roots = self.strands.iter().map(|held| strands[*held as usize].held.now().0);
+        let touches = parts.iter().map(|index| {
+            let [first, second] = ends[*index as usize];
+            [Some(first.strand), joints[*index as usize].second.map(|_| second.strand)]
+        });
+        partition.update(roots, touches, may);
+        partition.put_in_order(parts);
+    }
+
+    /// The largest force and free displacement of the joints that have no part.
+    fn scales_of_the_rest(&self) -> [f64; 2] {
+        let rest = self.joints.iter().zip(&self.has_part).filter(|(_, has_part)| !**has_part);
+        rest.fold([0.0; 2], |[force, free], (joint, _)| [force.max(joint.force.norm()), free.max(joint.standing.free)])
+    }
+}
