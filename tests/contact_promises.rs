@@ -17,6 +17,8 @@ use superhelix::solver::id::StrandId;
 const RADIUS: f64 = 1e-3;
 const BALL: f64 = 0.03;
 const LENGTH: f64 = 0.1;
+/// The natural curvature of a strand that presses on another, 1/m.
+const DOWN: f64 = 30.0;
 /// Places that a strand is looked at: with curvatures up to 100/m the line through them is within a micrometre of it.
 const PLACES: usize = 301;
 
@@ -189,5 +191,45 @@ fn what_cannot_be_held_takes_nobody_along() {
         assert!(told > 20 && sunk > 4e-5 && sunk < 1e-4, "{told} {sunk:e}");
         let tolerance = ContactOptions::default().tolerance;
         assert!(worst.0 < tolerance + 1e-6 && worst.1 < tolerance + 1e-6, "{worst:?}");
+    }
+}
+
+/// Hair that is drawn into hair, and pressed into it by its own shape, comes out: its touches' springs are pushed on. (By the springs
+/// alone it went right through.)
+#[test]
+fn what_is_drawn_in_each_other_and_pressed_together_parts() {
+    for model in [ContactModel::Hard, ContactModel::Coulomb] {
+        let contact = ContactOptions { model, hair: true, ..ContactOptions::default() };
+        let options = SolverOptions { contact, gravity: Vector3::zeros(), ..SolverOptions::default() };
+        let mut solver = Solver::new(options).unwrap();
+        let strand = |origin: Vector3<f64>, turn: f64, natural: [f64; 3]| {
+            let mut def = StrandDef::straight(LENGTH, 5);
+            (def.material.youngs_modulus, def.material.viscosity, def.material.air_drag) = (4e9, 0.05, 1e-4);
+            // Thick hair is stiff for its weight.
+            def.material.radius = [3e-4; 2];
+            def.root = Frame { origin, rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), turn) };
+            def.natural = vec![natural; 5];
+            def.initial = Some(vec![[0.0; 3]; 5]);
+            def
+        };
+        // The upper one, three fifths of what both are thick above the lower one, would bend down through it.
+        let lower = strand(Vector3::new(-0.05, 0.0, 0.0), 0.0, [0.0; 3]);
+        let upper = strand(Vector3::new(0.0, -0.05, 1.2 * RADIUS), 0.5 * PI, [0.0, DOWN, 0.0]);
+        let ids = solver.add_strands(&[lower, upper]).unwrap();
+        let touching = StrandContact { wisp_radius: RADIUS, ..StrandContact::default() };
+        solver.set_contact(&ids, Some(&touching)).unwrap();
+        let (mut deep, mut force) = (Vec::new(), 0.0);
+        for _ in 0..40 {
+            let report = solver.step(1.0 / 60.0, 1).unwrap();
+            let lines = lines(&solver, &ids);
+            force = solver.contacts().iter().map(|contact| contact.force.norm()).fold(force, f64::max);
+            deep.push((2.0 * RADIUS - apart(&lines[0], &lines[1]), report.contact.unconverged));
+        }
+        println!("{model:?}: {deep:?} {force:e}");
+        // It goes on pressing, on the side that it was drawn on.
+        assert!(force > 1e-3 && !solver.contacts().is_empty(), "{force:e}");
+        // Parted at 0.1 m/s it is out in a step; another to see that it is.
+        let tolerance = solver.options().contact.tolerance + 1e-6;
+        assert!(deep[2..].iter().all(|(deep, unconverged)| *deep < tolerance && *unconverged == 0), "{deep:?}");
     }
 }

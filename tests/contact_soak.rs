@@ -293,6 +293,9 @@ impl Scene {
         let (model, many) = (self.model, self.many);
         let total = |solver: &mut Solver| {
             let report = solver.step(self.step, 1).unwrap();
+            if std::env::var_os("CONTACT_SOAK_PRINT").is_some() {
+                println!("{name} without bodies: {report:?}");
+            }
             // What the springs hold of touches with each other (k d²/2, or its integral with the soft beginning).
             let ContactOptions { stiffness, regularisation_depth: soft, .. } = solver.options().contact;
             let spring = |contact: &Contact| {

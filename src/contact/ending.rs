@@ -108,6 +108,7 @@ impl Island {
         let all_yield = !forgives && !self.is_constrained();
         for joint in &mut self.joints {
             (joint.force, joint.yields, joint.dormant) = (Vector3::zeros(), joint.yields || all_yield, false);
+            joint.pushed = 0.0;
         }
         Next::BeginsAgain
     }

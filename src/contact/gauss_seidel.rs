@@ -205,7 +205,7 @@ impl Kernel for Sweep<'_> {
         for (row, force) in rows.iter_mut().zip(forces) {
             let old = *force;
             let u = row.relative(displacements, from);
-            let new = row.solve.solve(u - row.response * old);
+            let new = row.solve.approach(u - row.response * old);
             let change = new - old;
             if change != Vector3::zeros() {
                 *force = new;

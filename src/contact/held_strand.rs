@@ -137,6 +137,11 @@ impl HeldStrand {
         self.held.start().1.iter().map(|element| element.length).sum()
     }
 
+    /// What takes it its own length in a step, N.
+    pub fn usual_force(&self, step: f64) -> f64 {
+        self.mass * self.length() / (step * step)
+    }
+
     /// Where a station is.
     pub fn end_state(&self, station: &Station) -> EndState {
         self.end_now(station, Held::place(self.held.start(), station))

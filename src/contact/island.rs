@@ -106,6 +106,8 @@ pub struct Island {
     fewest: (usize, u32),
     /// Iterations in a row that led nowhere, see [`IDLE`].
     idle: u32,
+    /// How deep the deepest of its touches that give way was when they were pushed on last, m, and how often that was.
+    pub(super) pushed: (f64, u32),
     pub(super) ends: Vec<[End; 2]>,
     /// The joints that have a part in the present contact problem: a strand at their ends moves.
     pub(super) parts: Vec<u32>,
@@ -121,6 +123,7 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.ending) = (0, 0, Ending::default());
         (self.done, self.beyond, self.rest, self.rough) = (false, false, -1.0, false);
+        self.pushed = (f64::INFINITY, 0);
         self.begin_to_count(0);
     }
 
@@ -243,7 +246,7 @@ impl Island {
         let second = joint.second.map_or(first, |end| &strands[end.held as usize]);
         let a = first.place(ends[0].point);
         let b = joint.second.map_or(a, |_| second.place(ends[1].point));
-        let (mut law, u) = joint.evaluate([a, b], [&first.contact, &second.contact], options, step);
+        let (mut law, mut u) = joint.evaluate([a, b], [&first.contact, &second.contact], options, step);
         if relaxed || joint.deep || joint.yields {
             let part = if relaxed || joint.deep { RELAXED } else { YIELDS };
             let compliance = part * step * step / first.mass.min(second.mass);
@@ -264,26 +267,27 @@ impl Island {
                     if relaxed || joint.yields {
                         contact.friction = Friction::None;
                     }
+                    joint.off = -u.dot(&contact.normal);
+                    u -= contact.normal * joint.pushed;
                 }
             }
         }
         (law, u)
     }
 
-    /// Whether the strands at a joint's ends rest and are moved by more than `limit` (a length over an element's) by the forces now. (A joint
-    /// that does not hold may wait for what its resting strand gives way by, however little: then zero.)
-    fn wakes(&self, index: usize, strands: &[HeldStrand], limit: f64) -> [bool; 2] {
+    /// How far the strands at a joint's ends, where they rest, are moved by the forces now, in units of an element's length.
+    fn pushes_resting(&self, index: usize, strands: &[HeldStrand]) -> [f64; 2] {
         let ends = if self.joints[index].second.is_some() { 2 } else { 1 };
-        let mut wakes = [false; 2];
-        for (wakes, end) in wakes.iter_mut().zip(&self.ends[index][..ends]) {
+        let mut ways = [0.0; 2];
+        for (moved, end) in ways.iter_mut().zip(&self.ends[index][..ends]) {
             let strand = &strands[self.strands[end.strand as usize] as usize];
             if strand.resting {
                 let way = strand.given_way(end.point, &self.has_part, |joint| self.joints[joint].force).norm();
                 let element = strand.length() / strand.held.now().1.len() as f64;
-                *wakes = way.is_nan() || way > limit * element;
+                *moved = if way.is_nan() { f64::INFINITY } else { way / element };
             }
         }
-        wakes
+        ways
     }
 
     /// Whether constraints have a part in it.
@@ -296,10 +300,9 @@ impl Island {
         self.strands.iter().map(|held| strands[*held as usize].bending).fold(0.0, f64::max)
     }
 
-    /// What takes the heaviest strand its own length in a step, N.
+    /// The largest of its strands' [`HeldStrand::usual_force`], N.
     pub(super) fn usual_force(&self, strands: &[HeldStrand], step: f64) -> f64 {
-        let of = |held: &u32| strands[*held as usize].mass * strands[*held as usize].length() / (step * step);
-        self.strands.iter().map(of).fold(0.0, f64::max)
+        self.strands.iter().map(|held| strands[*held as usize].usual_force(step)).fold(0.0, f64::max)
     }
 
     /// After the second half: whether the iteration has ended, by the strands' residuals and by how far the laws are from holding where
@@ -352,11 +355,15 @@ impl Island {
                     (outside && exact, is_nearly_outside(gap, options))
                 }
             };
-            let wakes = self.wakes(index, strands, if holds { REST * tolerance } else { 0.0 });
+            // (A joint that does not hold may wait for what its resting strand gives way by, however little.)
+            let ways = self.pushes_resting(index, strands);
+            let wakes = ways.map(|way| way > if holds { REST * tolerance } else { 0.0 });
+            // What rests is within that of its end, and moved by no more it is no further from it than it may be.
+            let waits = ways.iter().any(|way| *way > (1.0 - REST) * tolerance);
             let free = self.joints[index].standing.free;
             self.joints[index].standing = Standing { miss, holds, nearly, free, wakes };
             self.joints[index].may_sleep(&law, &u, moved);
-            (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || wakes != [false; 2]);
+            (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || waits);
         }
         let left = (residual / tolerance).max(self.ending.residual / ROUGH);
         if left < 0.5 * self.best.0 {
@@ -389,6 +396,7 @@ impl Island {
         let lost = self.strands.iter().all(|held| strands[*held as usize].held.outcome.quarantined);
         // One touch that stays a little beyond what is asked roughly says nothing of the end.
         let good = good && !wakes_some || self.rough && slow && enough;
+        let good = good && !self.push_on(strands, options, step);
         // What has given way holds not, whatever it came to.
         self.ending.came_to_end = good;
         self.ending.converged = good && !self.is_relaxed() && !self.joints.iter().any(|joint| joint.yields);

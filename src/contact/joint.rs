@@ -147,6 +147,10 @@ pub struct Joint {
     pub deep: bool,
     /// It could not be held, or held a strand that did not come to its end: it gives way and does not rub (`ending.rs`).
     pub yields: bool,
+    /// How far it is from where it is to be, m, and by how much more than that its spring pushes: zero or above; of what gives way (`pushing.rs`).
+    pub off: f64,
+    /// See `off`.
+    pub pushed: f64,
     /// It is one of a body's faces in a crease, and stays on that.
     pub in_crease: bool,
     /// A touch that has no part in contact problems for now: nothing presses it, and its surfaces are further apart than strands still go.
@@ -172,6 +176,8 @@ impl Joint {
             gap: 0.0,
             deep: false,
             yields: false,
+            off: 0.0,
+            pushed: 0.0,
             in_crease: false,
             dormant: false,
             roused: false,

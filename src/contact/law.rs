@@ -78,8 +78,21 @@ impl LawSolve {
     /// The force λ for which u = W λ + `free` and λ obey the law; exact to rounding.
     #[inline(always)]
     pub fn solve(&mut self, free: Vector3<f64>) -> Vector3<f64> {
+        self.solve_to(free, secular::EXACT)
+    }
+
+    /// The same for who solves again and again with a `free` that changes less and less, as sweeps do: each solve begins where the last one came to,
+    /// so that this one need not be exact while that one was far off. Friction has the size that the law says; its direction, and the normal force with
+    /// it, are exact once `free` no longer changes.
+    #[inline(always)]
+    pub(super) fn approach(&mut self, free: Vector3<f64>) -> Vector3<f64> {
+        self.solve_to(free, secular::NEAR)
+    }
+
+    #[inline(always)]
+    fn solve_to(&mut self, free: Vector3<f64>, last: f64) -> Vector3<f64> {
         match self {
-            LawSolve::Contact(contact) => contact.solve(free),
+            LawSolve::Contact(contact) => contact.solve(free, last),
             LawSolve::Ring(ring) => ring.solve(free),
             LawSolve::Bond(bond) => bond.solve(free),
         }

@@ -28,6 +28,7 @@ mod overlooked;
 mod partition;
 mod patch;
 pub mod pieces;
+mod pushing;
 mod rank;
 pub mod segment_distance;
 pub mod shape;

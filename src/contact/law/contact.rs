@@ -153,9 +153,9 @@ impl ContactSolve {
         }
     }
 
-    /// See [`super::LawSolve::solve`].
+    /// See [`super::LawSolve::solve`]; `last`: see [`secular`].
     #[inline(always)]
-    pub(super) fn solve(&mut self, free: Vector3<f64>) -> Vector3<f64> {
+    pub(super) fn solve(&mut self, free: Vector3<f64>, last: f64) -> Vector3<f64> {
         if self.least == f64::MIN_POSITIVE {
             // Nothing moves here, whatever the force.
             return Vector3::zeros();
@@ -168,7 +168,7 @@ impl ContactSolve {
                 Vector3::new(force.max(0.0), 0.0, 0.0)
             }
             Local::Coulomb(..) if b[0] >= 0.0 => Vector3::zeros(),
-            Local::Coulomb(mean, lean) => self.coulomb(&b, mean, lean),
+            Local::Coulomb(mean, lean) => self.coulomb(&b, mean, lean, last),
             Local::Viscous(mean, lean) => self.viscous(&b, mean, lean),
         };
         self.frame.tr_mul(&local)
@@ -186,7 +186,7 @@ impl ContactSolve {
     }
 
     #[inline(always)]
-    fn coulomb(&mut self, b: &[f64; 3], mean: f64, lean: [f64; 2]) -> Vector3<f64> {
+    fn coulomb(&mut self, b: &[f64; 3], mean: f64, lean: [f64; 2], last: f64) -> Vector3<f64> {
         let mobility = |alpha: f64| [1.0 / (self.tangent[0] + alpha), 1.0 / (self.tangent[1] + alpha)];
         let stick = self.forces(b, mobility(self.least));
         if stick.normal >= 0.0 {
@@ -197,7 +197,7 @@ impl ContactSolve {
             }
         }
         // μ λ_N/|λ_T| − 1 is nearly linear in α, as secular equations are in this form; its negative falls.
-        let alpha = secular::root(self.least, self.guess, |alpha| {
+        let alpha = secular::root(self.least, self.guess, last, |alpha| {
             let v = mobility(alpha);
             let f = self.forces(b, v);
             let [x, y] = f.tangent;

@@ -2,14 +2,17 @@
 
 /// Most evaluations of a search; bisection in the exponent alone halves any bracket of f64 to neighbours in fewer.
 const MOST: u32 = 200;
-/// A step of Newton's that changes x by less than this part of it is the last.
-const LAST: f64 = 1e-10;
+/// A step of Newton's that changes x by less than this part of it is the last, since what it leaves of such a change is its square: a rounding,
+pub(super) const EXACT: f64 = 1e-10;
+/// or enough for who asks again, beginning there: sweeps, of a sixth less time so.
+pub(super) const NEAR: f64 = 1e-3;
 
 /// The root x of `f` above `least`. `f` gives value and slope; it must be positive at `least` (not evaluated there) and negative for all
-/// x from some x on. Starts at `guess`. Ends where neighbours in f64 are, where the value is below a few roundings, or, if no x is negative
+/// x from some x on. Starts at `guess`. Ends after a
+/// step of Newton's by less than `last` of x, where neighbours in f64 are, where the value is below a few roundings, or, if no x is negative
 /// enough, at the largest x tried.
 #[inline(always)]
-pub(super) fn root(least: f64, guess: f64, mut f: impl FnMut(f64) -> (f64, f64)) -> f64 {
+pub(super) fn root(least: f64, guess: f64, last: f64, mut f: impl FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (least, f64::INFINITY);
     let mut x = if guess > least && guess.is_finite() { guess } else { 2.0 * least };
     for _ in 0..MOST {
@@ -24,8 +27,7 @@ pub(super) fn root(least: f64, guess: f64, mut f: impl FnMut(f64) -> (f64, f64))
         }
         let mut next = x - value / slope;
         if next > low && next < high {
-            // What Newton's step leaves of such a change is its square.
-            if (next - x).abs() <= LAST * x {
+            if (next - x).abs() <= last * x {
                 return next;
             }
         } else {
