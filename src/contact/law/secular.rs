@@ -8,9 +8,8 @@ pub(super) const EXACT: f64 = 1e-10;
 pub(super) const NEAR: f64 = 1e-3;
 
 /// The root x of `f` above `least`. `f` gives value and slope; it must be positive at `least` (not evaluated there) and negative for all
-/// x from some x on. Starts at `guess`. Ends after a
-/// step of Newton's by less than `last` of x, where neighbours in f64 are, where the value is below a few roundings, or, if no x is negative
-/// enough, at the largest x tried.
+/// x from some x on. Starts at `guess`. Ends after a step of Newton's by less than `last` of x, where neighbours in f64 are, where the value is
+/// below a few roundings, or, if no x is negative enough, at the largest x tried.
 #[inline(always)]
 pub(super) fn root(least: f64, guess: f64, last: f64, mut f: impl FnMut(f64) -> (f64, f64)) -> f64 {
     let (mut low, mut high) = (least, f64::INFINITY);
