@@ -343,9 +343,12 @@ impl Touching {
         for island in islands.iter_mut() {
             joints.append(&mut island.joints);
         }
+        let mut known_of = KnownOf::new(strands.len());
         for joint in missed {
+            known_of.take_in(joints);
             let (mut yields, mut nearest) = (false, None);
-            for (index, known) in joints.iter().enumerate().filter(|(_, known)| known.is_with(&joint)) {
+            let known = known_of.strand(joint.first.held).map(|index| (index, &joints[index]));
+            for (index, known) in known.filter(|(_, known)| known.is_with(&joint)) {
                 // What yields does so all along.
                 yields |= known.yields;
                 let apart = apart(known, &joint, strands);
@@ -353,7 +356,7 @@ impl Touching {
                 let same = !known.deep && turned < 1.0 - SAME_SIDE && apart <= SAME_PLACE * joint.margin();
                 // In a crease there are two of one place.
                 let unlike = apart + turned * joint.margin();
-                if same && nearest.is_none_or(|(_, least)| unlike < least) {
+                if same && nearest.is_none_or(|(_, least)| unlike <= least) {
                     nearest = Some((index, unlike));
                 }
             }
@@ -391,6 +394,30 @@ impl Touching {
             self.remembered.push(Remembered { strand: strand.index, with, along, force: joint.force });
         }
         self.remembered.sort_by(|a, b| (a.strand, a.with).cmp(&(b.strand, b.with)).then(a.along.total_cmp(&b.along)));
+    }
+}
+
+/// Which joints strands are the first end of: the last first.
+struct KnownOf {
+    last: Vec<Option<usize>>,
+    before: Vec<Option<usize>>,
+}
+
+impl KnownOf {
+    /// Of that many strands, no joints yet.
+    fn new(strands: usize) -> Self {
+        Self { last: vec![None; strands], before: Vec::new() }
+    }
+
+    /// Takes in what was added to a list of joints.
+    fn take_in(&mut self, joints: &[Joint]) {
+        for (index, joint) in joints.iter().enumerate().skip(self.before.len()) {
+            self.before.push(self.last[joint.first.held as usize].replace(index));
+        }
+    }
+
+    fn strand(&self, held: u32) -> impl Iterator<Item = usize> {
+        std::iter::successors(self.last[held as usize], |index| self.before[*index])
     }
 }
 
