@@ -1,9 +1,12 @@
 //! Running work on many strands: on the calling thread, in a private pool, or by the host's task system. Pieces of work do not see each
 //! other, so that the result does not depend on who ran which.
 
+mod team;
+
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 
+pub(crate) use self::team::Team;
 use crate::error::{Error, Result};
 
 /// A host's own task system: `run(count, min_range, task)` must call `task(begin, end, worker)` over disjoint ranges that cover
@@ -147,12 +150,7 @@ impl<S: Default + Send> Crew<S> {
     /// last may be shorter), and at most `most`.
     pub fn for_each_task<T: Send>(&self, items: &mut [T], least: usize, most: usize, work: impl Fn(&mut [T], &mut S) + Sync) {
         let run = |chunk: &mut [T]| self.with_scratch(0, |scratch| work(chunk, scratch));
-        // A host's threads are not known: its tasks are as small as may be.
-        let threads = match &self.runner {
-            Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if crew.is_here() => pool.current_num_threads() + 1,
-            Runner::Serial | Runner::Pool(_) => 1,
-            Runner::Host(_) => usize::MAX,
-        };
+        let threads = self.threads();
         let tasks = if threads == 1 { 1 } else { threads.saturating_mul(TASKS_PER_THREAD) };
         let chunk = (items.len() / tasks / least * least).clamp(least, most);
         match &self.runner {
@@ -188,6 +186,40 @@ impl<S: Default + Send> Crew<S> {
                     take(index);
                 }
             }
+        }
+    }
+
+    /// How many there are. A host's threads are not known: its tasks are as small as may be.
+    fn threads(&self) -> usize {
+        match &self.runner {
+            Runner::Pool(crew @ Pool { pool: Some(pool), .. }) if crew.is_here() => pool.current_num_threads() + 1,
+            Runner::Serial | Runner::Pool(_) => 1,
+            Runner::Host(_) => usize::MAX,
+        }
+    }
+
+    /// Calls `lead` once, on some thread, whose [`Team`] does `work`; `most` threads at most are of use.
+    pub fn together(&self, most: usize, work: &(dyn Fn(usize) + Sync), lead: impl FnOnce(&Team) + Send) {
+        let threads = self.threads().min(most);
+        let team = &Team::new(work, threads <= 1);
+        match &self.runner {
+            Runner::Pool(Pool { pool: Some(pool), .. }) if threads > 1 => pool.in_place_scope(|scope| {
+                for _ in 1..threads {
+                    scope.spawn(|_| team.help());
+                }
+                team.lead(lead);
+            }),
+            Runner::Host(host) if threads > 1 => {
+                // Which of its threads come, and when, is the host's: the first one leads, so that nobody waits for who never comes.
+                let lead = Mutex::new(Some(lead));
+                let take = || lead.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
+                let join = |_| take().map_or_else(|| team.help(), |lead| team.lead(lead));
+                host.run(threads as u32, 1, &|begin, end, _worker| (begin..end).for_each(join));
+                if let Some(lead) = take() {
+                    team.lead(lead);
+                }
+            }
+            Runner::Serial | Runner::Pool(_) | Runner::Host(_) => team.lead(lead),
         }
     }
 
@@ -252,6 +284,8 @@ impl<'a, T: Send> Shares<'a, T> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
     use super::*;
 
     #[test]
@@ -278,5 +312,81 @@ mod tests {
         let mut order = Vec::new();
         shares.work(1, &mut |chunk: &mut [usize]| order.push(chunk[0]));
         assert_eq!(order, [32, 40, 48, 56, 96, 88, 80, 72, 64, 24, 16, 8, 0]);
+    }
+
+    /// A host that does its tasks in one way or another.
+    struct Host<F>(F);
+
+    impl<F: Fn(u32, &(dyn Fn(u32, u32, u32) + Sync)) + Send + Sync> ParallelFor for Host<F> {
+        fn run(&self, count: u32, _: u32, task: &(dyn Fn(u32, u32, u32) + Sync)) {
+            (self.0)(count, task);
+        }
+    }
+
+    fn crews() -> Vec<Workers> {
+        vec![
+            Workers::Serial,
+            Workers::Pool(2),
+            Workers::Pool(5),
+            Workers::Host(Arc::new(Host(|count: u32, task: &(dyn Fn(u32, u32, u32) + Sync)| task(0, count, 0)))),
+            Workers::Host(Arc::new(Host(|count: u32, task: &(dyn Fn(u32, u32, u32) + Sync)| {
+                (0..count).rev().for_each(|k| task(k, k + 1, 0));
+            }))),
+            Workers::Host(Arc::new(Host(|count: u32, task: &(dyn Fn(u32, u32, u32) + Sync)| {
+                std::thread::scope(|scope| (0..count).for_each(|k| drop(scope.spawn(move || task(k, k + 1, k)))));
+            }))),
+            // One that forgets.
+            Workers::Host(Arc::new(Host(|_: u32, _: &(dyn Fn(u32, u32, u32) + Sync)| {}))),
+        ]
+    }
+
+    #[test]
+    fn a_team_goes_through_rounds_together() {
+        const PIECES: usize = 4;
+        for (k, workers) in crews().iter().enumerate() {
+            let crew = Crew::<()>::new(workers).unwrap();
+            // Each piece needs what all pieces of the round before came to: none may begin before those are done.
+            let next = |values: &[u64; PIECES], piece: usize| {
+                values.iter().fold(piece as u64, |all, value| all.rotate_left(9).wrapping_add(*value).wrapping_mul(5))
+            };
+            let (first, rounds) = (std::array::from_fn(|piece| piece as u64), AtomicUsize::new(0));
+            let values = [Mutex::new(first), Mutex::new([0; PIECES])];
+            let work = |piece: usize| {
+                let round = rounds.load(Ordering::Relaxed);
+                if (round + piece).is_multiple_of(20) {
+                    std::thread::sleep(std::time::Duration::from_micros(20));
+                }
+                let value = next(&values[round % 2].lock().unwrap(), piece);
+                values[(round + 1) % 2].lock().unwrap()[piece] = value;
+            };
+            let (mut expected, mut calls) = (first, 0);
+            crew.together(PIECES, &work, |team| {
+                calls += 1;
+                for round in 0..1000 {
+                    rounds.store(round, Ordering::Relaxed);
+                    team.each(PIECES);
+                    expected = std::array::from_fn(|piece| next(&expected, piece));
+                }
+            });
+            assert_eq!((calls, *values[0].lock().unwrap()), (1, expected), "crew {k}");
+        }
+    }
+
+    #[test]
+    fn a_team_in_which_one_panics_ends_in_that_panic() {
+        for (k, workers) in crews()[..3].iter().enumerate() {
+            let crew = Crew::<()>::new(workers).unwrap();
+            for piece in 0..8 {
+                let work = |own: usize| assert_ne!(own, piece);
+                let run = || crew.together(8, &work, |team| (0..100).for_each(|_| team.each(8)));
+                std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).expect_err("a panic");
+            }
+            let done = AtomicUsize::new(0);
+            let work = |_: usize| {
+                done.fetch_add(1, Ordering::Relaxed);
+            };
+            crew.together(8, &work, |team| team.each(8));
+            assert_eq!(done.into_inner(), 8, "crew {k}");
+        }
     }
 }

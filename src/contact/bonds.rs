@@ -76,6 +76,11 @@ pub struct Bonds {
 }
 
 impl Bonds {
+    /// Whether the problem has any.
+    pub fn are_there(&self) -> bool {
+        !self.groups.is_empty()
+    }
+
     /// Eliminates the bonds of a problem.
     pub(super) fn eliminate(&mut self, space: &ContactSpace) {
         self.groups.clear();

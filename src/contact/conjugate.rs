@@ -1,69 +1,259 @@
-//! Sweeps of Gauss–Seidel, accelerated: nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe and Erleben 2010). What a sweep
-//! changes is taken for minus a gradient; part of the last direction is gone again after every sweep. It costs no product with W: what the
-//! directions displace is kept with them.
+//! Sweeps of Gauss–Seidel over a problem's parts side by side, accelerated: nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen,
+//! Niebe and Erleben 2010). What a sweep changes is taken for minus a gradient; part of the last direction is gone again after every sweep. It
+//! costs no product with W: what the directions displace is kept with them.
+
+use std::ops::{Add, Mul, Sub};
+use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 
 use nalgebra::Vector3;
 
+use super::bonds::Bonds;
 use super::contact_space::ContactSpace;
-use super::gauss_seidel::sweep;
-use super::system::System;
-use crate::workers::Crew;
+use super::parts::{levels, lowest_of};
+use super::system::{Displacements, Row, Stretch, System};
+use crate::math::lane::{Kernel, Lane};
+use crate::workers::{Crew, Team};
 
 /// The iteration's memory.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Conjugate {
-    /// Forces and displacements before a sweep.
-    forces: Vec<Vector3<f64>>,
-    displacements: Vec<f64>,
-    /// The last direction, and what it displaces.
-    direction: Vec<Vector3<f64>>,
-    carried: Vec<f64>,
+    forces: Past<Vector3<f64>>,
+    /// What the directions displace.
+    displacements: Past<f64>,
     /// |gradient|² of the last sweep; zero: none yet.
     square: f64,
+}
+
+/// What is kept of a list.
+#[derive(Debug, Clone, Default)]
+struct Past<T> {
+    /// Its values before the last sweep.
+    before: Vec<T>,
+    /// The last direction.
+    direction: Vec<T>,
+}
+
+/// A part's share of a list, and of what is kept of it.
+struct Share<'a, T> {
+    now: &'a mut [T],
+    before: &'a mut [T],
+    direction: &'a mut [T],
+}
+
+/// The coordinates of a part of the lowest level.
+struct Coordinates<'a> {
+    /// The first one among all.
+    from: usize,
+    displacements: Share<'a, f64>,
+}
+
+/// The touches of a part.
+struct Touches<'a> {
+    rows: &'a mut [Row],
+    forces: Share<'a, Vector3<f64>>,
+    /// What it adds to |gradient|².
+    square: f64,
+}
+
+/// What the parts of a level are to do.
+#[derive(Clone, Copy)]
+struct Turn {
+    level: usize,
+    /// The level's first part.
+    first: usize,
+    /// How the last sweep ends, first.
+    end: End,
+    /// Whether the sweep is one of the accelerated ones.
+    kept: bool,
+}
+
+/// How a sweep ends.
+#[derive(Clone, Copy)]
+enum End {
+    /// As it is.
+    Plain,
+    /// This share of the last direction is gone again.
+    Along(f64),
+    /// It was no descent: the next begins anew from where it led.
+    Restart,
 }
 
 impl Conjugate {
     /// Forgets the direction.
     pub(super) fn restart(&mut self, system: &System, forces: &[Vector3<f64>]) {
-        self.direction.clear();
-        self.direction.resize(forces.len(), Vector3::zeros());
-        self.carried.clear();
-        self.carried.resize(system.displacements.len(), 0.0);
+        self.forces.restart(forces.len());
+        self.displacements.restart(system.displacements.len());
         self.square = 0.0;
     }
 
-    /// A sweep, and part of the last direction.
-    pub(super) fn sweep<S: Default + Send>(
+    /// So many accelerated sweeps, and one that is not: what the directions left outside the laws comes back. By a crew: the same bits.
+    pub(super) fn sweeps<S: Default + Send>(
         &mut self,
         space: &ContactSpace,
         system: &mut System,
         forces: &mut [Vector3<f64>],
+        sweeps: u32,
         crew: &Crew<S>,
     ) {
-        self.forces.clear();
-        self.forces.extend_from_slice(forces);
-        self.displacements.clear();
-        self.displacements.extend_from_slice(&system.displacements);
-        sweep(space, system, forces, crew);
-        let square: f64 = forces.iter().zip(&self.forces).map(|(new, old)| (new - old).norm_squared()).sum();
-        let share = if self.square > 0.0 { square / self.square } else { 0.0 };
-        self.square = square;
-        if share > 1.0 {
-            // Not a descent: begin again from the sweep.
-            self.restart(system, forces);
-            return;
+        let System { rows, displacements, bonds, .. } = system;
+        let (parts, bonds) = (space.parts(), &*bonds);
+        let all = [displacements.len(), rows.len()];
+        let mut from = 0;
+        let coordinates = self.displacements.shares(displacements, || parts.coordinate_ends(all[0]));
+        let coordinates = coordinates.map(|displacements| {
+            let end = from + displacements.now.len();
+            Mutex::new(Coordinates { from: std::mem::replace(&mut from, end), displacements })
+        });
+        let coordinates: Vec<_> = coordinates.collect();
+        let forces = self.forces.shares(forces, || parts.touch_ends(all[1]));
+        let touches = split(rows, parts.touch_ends(all[1])).zip(forces);
+        let touches: Vec<_> = touches.map(|(rows, forces)| Mutex::new(Touches { rows, forces, square: 0.0 })).collect();
+
+        let turn = RwLock::new(Turn { level: 0, first: 0, end: End::Plain, kept: true });
+        let sweep = |k: usize| {
+            let turn = *turn.read().unwrap_or_else(PoisonError::into_inner);
+            let touches = &mut *lock(&touches[turn.first + k]);
+            let own = &coordinates[lowest_of(turn.level, k)];
+            if turn.level == 0 {
+                let Coordinates { from, displacements } = &mut *lock(&own[0]);
+                displacements.begin(turn);
+                touches.sweep(space, bonds, Stretch { from: *from, values: displacements.now }, turn);
+            } else {
+                touches.sweep(space, bonds, Several(own.iter().map(lock).collect()), turn);
+            }
+        };
+        let mut last = self.square;
+        let lead = |team: &Team| {
+            let mut end = End::Plain;
+            for sweep in 0..=sweeps {
+                let kept = sweep < sweeps;
+                for (level, parts) in levels(parts.lowest()).enumerate() {
+                    *turn.write().unwrap_or_else(PoisonError::into_inner) = Turn { level, first: parts.start, end, kept };
+                    team.each(parts.len());
+                }
+                if kept {
+                    let square: f64 = touches.iter().map(|part| lock(part).square).sum();
+                    let share = if last > 0.0 { square / last } else { 0.0 };
+                    (end, last) = if share > 1.0 { (End::Restart, 0.0) } else { (End::Along(share), square) };
+                }
+            }
+        };
+        crew.together(parts.lowest(), &sweep, lead);
+        self.square = last;
+    }
+}
+
+impl<T: Copy + Default> Past<T> {
+    fn restart(&mut self, count: usize) {
+        self.before.resize(count, T::default());
+        self.direction.clear();
+        self.direction.resize(count, T::default());
+    }
+
+    /// The list and what is kept of it, part by part.
+    fn shares<'a, I: Iterator<Item = usize> + 'a>(
+        &'a mut self,
+        now: &'a mut [T],
+        ends: impl Fn() -> I,
+    ) -> impl Iterator<Item = Share<'a, T>> {
+        let before = split(&mut self.before, ends()).zip(split(&mut self.direction, ends()));
+        split(now, ends()).zip(before).map(|(now, (before, direction))| Share { now, before, direction })
+    }
+}
+
+impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Share<'_, T> {
+    /// Ends the last sweep, and keeps the values as they are before the next.
+    fn begin(&mut self, turn: Turn) {
+        match turn.end {
+            End::Plain => {}
+            End::Along(share) => {
+                for ((now, old), direction) in self.now.iter_mut().zip(&*self.before).zip(&mut *self.direction) {
+                    let change = *now - *old;
+                    let before = *direction * share;
+                    *now = *now + before;
+                    *direction = before + change;
+                }
+            }
+            End::Restart => self.direction.fill(T::default()),
         }
-        for ((force, old), direction) in forces.iter_mut().zip(&self.forces).zip(&mut self.direction) {
-            let change = *force - old;
-            let before = *direction * share;
-            *force += before;
-            *direction = before + change;
-        }
-        for ((now, old), carried) in system.displacements.iter_mut().zip(&self.displacements).zip(&mut self.carried) {
-            let change = *now - old;
-            let before = *carried * share;
-            *now += before;
-            *carried = before + change;
+        if turn.kept {
+            self.before.copy_from_slice(self.now);
         }
     }
+}
+
+impl Touches<'_> {
+    fn sweep(&mut self, space: &ContactSpace, bonds: &Bonds, displacements: impl Displacements, turn: Turn) {
+        let Self { rows, forces, square } = self;
+        forces.begin(turn);
+        f64::call(Sweep { space, bonds, rows, forces: forces.now, displacements });
+        *square = forces.now.iter().zip(&*forces.before).map(|(new, old)| (new - old).norm_squared()).sum();
+    }
+}
+
+/// A sweep over some rows.
+struct Sweep<'a, D> {
+    space: &'a ContactSpace,
+    bonds: &'a Bonds,
+    rows: &'a mut [Row],
+    forces: &'a mut [Vector3<f64>],
+    displacements: D,
+}
+
+impl<D: Displacements> Kernel for Sweep<'_, D> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { space, bonds, rows, forces, mut displacements } = self;
+        for (row, force) in rows.iter_mut().zip(forces) {
+            let old = *force;
+            let u = row.relative(&displacements);
+            let new = row.solve.approach(u - row.response * old);
+            let change = new - old;
+            if change != Vector3::zeros() {
+                *force = new;
+                row.push(space, bonds, &change, &mut displacements);
+            }
+        }
+    }
+}
+
+/// Those of several parts of the lowest level, in order.
+struct Several<'a, 'b>(Vec<MutexGuard<'a, Coordinates<'b>>>);
+
+impl Several<'_, '_> {
+    /// Which of the parts has a coordinate.
+    #[inline(always)]
+    fn part_of(&self, at: usize) -> usize {
+        (1..self.0.len()).rev().find(|k| self.0[*k].from <= at).unwrap_or(0)
+    }
+}
+
+impl Displacements for Several<'_, '_> {
+    #[inline(always)]
+    fn rest(&self, at: usize) -> &[f64] {
+        let part = &self.0[self.part_of(at)];
+        &part.displacements.now[at - part.from..]
+    }
+
+    #[inline(always)]
+    fn rest_mut(&mut self, at: usize) -> &mut [f64] {
+        let part = self.part_of(at);
+        let Coordinates { from, displacements } = &mut *self.0[part];
+        &mut displacements.now[at - *from..]
+    }
+}
+
+/// A list in pieces that end there.
+fn split<'a, T>(mut list: &'a mut [T], ends: impl Iterator<Item = usize> + 'a) -> impl Iterator<Item = &'a mut [T]> {
+    let mut from = 0;
+    ends.map(move |end| {
+        let (own, rest) = std::mem::take(&mut list).split_at_mut(end - from);
+        (list, from) = (rest, end);
+        own
+    })
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

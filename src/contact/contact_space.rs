@@ -5,6 +5,7 @@ use std::fmt::Display;
 use nalgebra::{Matrix3, Vector3};
 
 use super::law::Law;
+use super::parts::Parts;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// A touched point of a strand: a place, or the rotation at a place.
@@ -39,17 +40,7 @@ pub struct ContactSpace {
     response: Vec<f64>,
     coordinates: usize,
     touches: Vec<SpaceTouch>,
-    parts: Vec<Part>,
-}
-
-/// A part of a problem that touches nothing but itself and what is in no part: everything from where the part before ends, or the beginning,
-/// up to here.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Part {
-    /// How many touches lie before its end.
-    pub(super) touches: usize,
-    /// How many coordinates.
-    pub(super) coordinates: usize,
+    parts: Parts,
 }
 
 /// Where a strand's numbers are.
@@ -107,16 +98,19 @@ impl ContactSpace {
         Ok(())
     }
 
-    /// Says which touches may be swept side by side, once all is added: `ends` has the end of each part's strands and of its touches,
-    /// ascending. A touch of a part has its ends on the part's strands; touches after the last part's come after all of them, one by one. There
-    /// must be no bonds.
-    pub(super) fn part(&mut self, ends: &[[usize; 2]]) {
-        let coordinates = |strands: usize| self.strands.get(strands).map_or(self.coordinates, |block| block.base);
-        self.parts.extend(ends.iter().map(|[strands, touches]| Part { touches: *touches, coordinates: coordinates(*strands) }));
+    /// Says which touches may be swept side by side, once all is added, and where there are no bonds: where the strands of every part of the
+    /// lowest level end, and the touches of every part ([`Parts`]).
+    pub(super) fn part(&mut self, strand_ends: &[usize], touch_ends: &[usize]) {
+        // (One part is what a problem is anyhow, and may have bonds.)
+        if strand_ends.len() == 1 {
+            return;
+        }
+        let coordinates = |strands: &usize| self.strands.get(*strands).map_or(self.coordinates, |block| block.base);
+        self.parts.set(strand_ends.iter().map(coordinates), touch_ends);
     }
 
     /// See [`ContactSpace::part`].
-    pub(super) fn parts(&self) -> &[Part] {
+    pub(super) fn parts(&self) -> &Parts {
         &self.parts
     }
 

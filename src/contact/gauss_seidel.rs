@@ -5,12 +5,11 @@
 use nalgebra::Vector3;
 
 use super::block_newton::BlockNewton;
-use super::bonds::{Bonds, DependentBond};
+use super::bonds::DependentBond;
 use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
 use super::patch::Patches;
-use super::system::{Row, System};
-use crate::math::lane::{Kernel, Lane};
+use super::system::System;
 use crate::workers::Crew;
 
 /// When to stop.
@@ -53,19 +52,15 @@ const WHOLE: usize = 100;
 const ONE_BLOCK: usize = 400;
 /// and so many where sweeps are slow.
 const RESCUE: usize = 150;
-/// Sweeps between looks at the residual: the first time, and of what is taken whole, between Newton's tries; and later.
+/// Sweeps between looks at the residual: the first time, and of what is taken whole, between Newton's first two tries (twice as many before the
+/// next: most of what it cannot solve at once has no solution); and most, later.
 const FIRST_ROUND: u32 = 5;
 const ROUND: u32 = 20;
-/// A round that leaves more than this part of the residual is slow: then it is for a few touches, and so many patches of so many around the
-/// worst are solved, each with its neighbours as they are (`patch.rs`), before the next round.
+/// A round that leaves more than this part of the residual is slow: then it is for a few touches, and patches around the worst are solved before
+/// the next (`patch.rs`).
 const SLOW: f64 = 0.5;
-const PATCHES: usize = 8;
-const PATCH: usize = 40;
 /// That is of use only near the solution: elsewhere a patch, of the price of some sweeps, is soon undone by others.
 const NEAR: f64 = 0.1;
-/// The residual, as a part of what is asked for, and the part of its own residual that a patch may leave.
-const AIM: f64 = 0.3;
-const PART: f64 = 0.1;
 
 /// The solver; keeps its memory.
 #[derive(Debug, Clone, Default)]
@@ -108,7 +103,7 @@ impl GaussSeidel {
         let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= most.max(RESCUE));
         let mut last = f64::INFINITY;
         let (mut best, mut best_at) = (f64::INFINITY, 0);
-        let mut tried_whole = false;
+        let (mut tried_whole, mut tries) = (false, 0_u32);
         self.conjugate.restart(system, &self.forces);
         loop {
             scales(system, &self.forces, settings.least, &mut report);
@@ -127,30 +122,26 @@ impl GaussSeidel {
             // Never twice in a row: where Newton's iteration halts, sweeps lead on to where it does not.
             tried_whole = !tried_whole && ((whole && report.sweeps == 0) || (rescue && slow));
             if tried_whole {
+                tries += u32::from(!system.bonds.are_there());
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
-                self.newton.solve(space, system, &mut self.forces, &self.rows, &report, settings.tolerance, 0.0);
+                self.newton.solve(space, system, &self.forces, &self.rows, &report, settings.tolerance, 0.0);
+                self.newton.apply(space, system, &mut self.forces);
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
                 continue;
             }
             if slow && report.residual < NEAR {
-                self.patches.begin(space, system, &self.forces, &report);
-                for _ in 0..PATCHES {
-                    if !self.patches.next(system, &self.forces, settings.tolerance, PATCH, &mut self.rows) {
-                        break;
-                    }
-                    self.newton.solve(space, system, &mut self.forces, &self.rows, &report, AIM * settings.tolerance, PART);
-                }
+                self.patches.solve(space, system, &mut self.forces, &report, settings.tolerance, crew);
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
             }
-            let round = if whole || report.sweeps == 0 { FIRST_ROUND } else { ROUND };
-            for _ in 0..round {
-                self.conjugate.sweep(space, system, &mut self.forces, crew);
-            }
-            // What the direction left outside the laws comes back.
-            sweep(space, system, &mut self.forces, crew);
+            let round = match () {
+                () if whole => ROUND.min(FIRST_ROUND << (tries.clamp(1, 3) - 1)),
+                () if report.sweeps == 0 => FIRST_ROUND,
+                () => ROUND,
+            };
+            self.conjugate.sweeps(space, system, &mut self.forces, round, crew);
             report.sweeps += round + 1;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
@@ -158,60 +149,6 @@ impl GaussSeidel {
         }
         report.dependent = system.bonds.finish(space, forces);
         report
-    }
-}
-
-/// One sweep: parts side by side, then what is in none.
-pub(super) fn sweep<S: Default + Send>(space: &ContactSpace, system: &mut System, forces: &mut [Vector3<f64>], crew: &Crew<S>) {
-    let System { rows, displacements, bonds, .. } = system;
-    let bonds = &*bonds;
-    if !space.parts().is_empty() {
-        let mut sweeps = Vec::with_capacity(space.parts().len());
-        let (mut rows, mut forces, mut displacements) = (&mut rows[..], &mut forces[..], &mut displacements[..]);
-        let (mut done, mut from) = (0, 0);
-        for part in space.parts() {
-            let (own_rows, other_rows) = rows.split_at_mut(part.touches - done);
-            let (own_forces, other_forces) = forces.split_at_mut(part.touches - done);
-            let (own_displacements, other_displacements) = displacements.split_at_mut(part.coordinates - from);
-            sweeps.push(Sweep { space, bonds, rows: own_rows, forces: own_forces, displacements: own_displacements, from });
-            (rows, forces, displacements) = (other_rows, other_forces, other_displacements);
-            (done, from) = (part.touches, part.coordinates);
-        }
-        crew.for_each_task(&mut sweeps, 1, 1, |sweeps, _| {
-            for Sweep { rows, forces, displacements, from, .. } in sweeps {
-                f64::call(Sweep { space, bonds, rows, forces, displacements, from: *from });
-            }
-        });
-    }
-    let first = space.parts().last().map_or(0, |part| part.touches);
-    f64::call(Sweep { space, bonds, rows: &mut rows[first..], forces: &mut forces[first..], displacements, from: 0 });
-}
-
-/// A sweep over some rows, of coordinates from `from` on.
-struct Sweep<'a> {
-    space: &'a ContactSpace,
-    bonds: &'a Bonds,
-    rows: &'a mut [Row],
-    forces: &'a mut [Vector3<f64>],
-    displacements: &'a mut [f64],
-    from: usize,
-}
-
-impl Kernel for Sweep<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run(self) {
-        let Self { space, bonds, rows, forces, displacements, from } = self;
-        for (row, force) in rows.iter_mut().zip(forces) {
-            let old = *force;
-            let u = row.relative(displacements, from);
-            let new = row.solve.approach(u - row.response * old);
-            let change = new - old;
-            if change != Vector3::zeros() {
-                *force = new;
-                row.push(space, bonds, &change, displacements, from);
-            }
-        }
     }
 }
 
@@ -240,18 +177,29 @@ pub fn residual(space: &ContactSpace, system: &System, forces: &[Vector3<f64>], 
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
     use crate::contact::contact_space::{End, SpaceTouch};
     use crate::contact::law::Law;
     use crate::contact::law::coefficient::Coefficient;
     use crate::contact::law::contact::{Contact, Friction};
     use crate::contact::law::response::Response;
-    use crate::workers::Workers;
+    use crate::workers::{ParallelFor, Workers};
 
     const POINTS: u32 = 5;
 
-    /// Cantilevers side by side that are pressed on the ground and against each other, in two parts; too many to be taken whole.
-    fn two_parts() -> (ContactSpace, Vec<Vector3<f64>>) {
+    /// A host with one thread, which does what comes last first.
+    struct Backwards;
+
+    impl ParallelFor for Backwards {
+        fn run(&self, count: u32, _: u32, task: &(dyn Fn(u32, u32, u32) + Sync)) {
+            (0..count).rev().for_each(|k| task(k, k + 1, 0));
+        }
+    }
+
+    /// Cantilevers side by side that are pressed on the ground and against each other, in four parts; too many to be taken whole.
+    fn four_parts() -> (ContactSpace, Vec<Vector3<f64>>) {
         let mut space = ContactSpace::default();
         space.reset(1.0 / 60.0).unwrap();
         for _ in 0..20 {
@@ -263,7 +211,7 @@ mod tests {
                 matrix[k] = if i % 3 == j % 3 { s * s * (3.0 * t - s) / 6.0 } else { 0.0 };
             }
         }
-        let mut add = |first: u32, second: Option<u32>, point: u32| {
+        let add = |space: &mut ContactSpace, first: u32, second: Option<u32>, point: u32| {
             let normal = if second.is_some() { -Vector3::y() } else { Vector3::z() };
             let friction = Friction::Coulomb(Coefficient::uniform(0.3));
             let free =
@@ -273,31 +221,31 @@ mod tests {
             space.add_touch(SpaceTouch { first: end(first), second: second.map(end), law, free }).unwrap();
         };
         let mut ends = Vec::new();
-        let mut touches = 0;
-        for part in [0..10, 10..20] {
-            for strand in part.clone() {
+        for part in 0..4 {
+            for strand in 5 * part..5 * part + 5 {
                 for point in 0..POINTS {
-                    add(strand, None, point);
-                    touches += 1;
-                    if strand + 1 < part.end {
-                        add(strand, Some(strand + 1), point);
-                        touches += 1;
+                    add(&mut space, strand, None, point);
+                    if strand % 5 < 4 {
+                        add(&mut space, strand, Some(strand + 1), point);
                     }
                 }
             }
-            ends.push([part.end as usize, touches]);
+            ends.push(space.touches().len());
         }
-        for point in 0..POINTS {
-            add(9, Some(10), point);
+        for strand in [4, 14, 9] {
+            for point in 0..POINTS {
+                add(&mut space, strand, Some(strand + 1), point);
+            }
+            ends.push(space.touches().len());
         }
-        space.part(&ends);
+        space.part(&[5, 10, 15, 20], &ends);
         let forces = vec![Vector3::zeros(); space.touches().len()];
         (space, forces)
     }
 
     #[test]
     fn parts_swept_side_by_side_hold_the_laws_and_are_the_same_bits_for_any_number_of_threads() {
-        let (space, zeros) = two_parts();
+        let (space, zeros) = four_parts();
         let settings = Settings { tolerance: 1e-9, ..Settings::default() };
         let mut alone = zeros.clone();
         let report = GaussSeidel::default().solve(&space, &settings, &mut alone);
@@ -308,13 +256,16 @@ mod tests {
             let miss = touch.law.residual(u, *force, space.step(), report.length, report.force);
             assert!(miss < 2e-9, "touch {k}: {miss:e}");
         }
-        // Touches between the parts press too.
-        assert!(alone[alone.len() - POINTS as usize..].iter().any(|force| force.norm() > 1e-3 * report.force));
-        for threads in [2, 3, 8] {
-            let crew = Crew::<()>::new(&Workers::Pool(threads)).unwrap();
+        // Touches between parts press too.
+        for between in alone.chunks(POINTS as usize).rev().take(3) {
+            assert!(between.iter().any(|force| force.norm() > 1e-3 * report.force));
+        }
+        let others = [Workers::Pool(2), Workers::Pool(3), Workers::Pool(8), Workers::Host(Arc::new(Backwards))];
+        for workers in others {
+            let crew = Crew::<()>::new(&workers).unwrap();
             let mut forces = zeros.clone();
             assert_eq!(GaussSeidel::default().solve_by(&space, &settings, &mut forces, &crew), report);
-            assert_eq!(forces, alone, "{threads} threads");
+            assert_eq!(forces, alone, "{workers:?}");
         }
     }
 }

@@ -81,7 +81,7 @@ impl Island {
             space.add_touch(SpaceTouch { first: placed(first), second: second.map(placed), law, free })?;
             forces.push(self.joints[joint].force);
         }
-        space.part(&partition.ends);
+        space.part(&partition.strand_ends, &partition.touch_ends);
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)

@@ -26,6 +26,7 @@ pub mod nearest;
 pub mod options;
 mod overlooked;
 mod partition;
+mod parts;
 mod patch;
 pub mod pieces;
 mod pushing;

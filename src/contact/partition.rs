@@ -1,11 +1,13 @@
 //! A large problem in parts that threads sweep side by side: strands are halved by where their roots are, again and again, each time across the
-//! axis that cuts fewest touches. A touch of two parts' strands waits for both. Who sweeps a part changes no result, and how many parts there
-//! are depends on the problem alone.
+//! axis that cuts fewest touches. A touch of two parts' strands waits for both: it is in the smallest part that has them whole (`parts.rs`). Who
+//! sweeps a part changes no result, and how many parts there are depends on the problem alone.
 
 use nalgebra::Vector3;
 
+use super::parts::smallest;
+
 /// Problems of fewer touches are left whole: what parts would save, handing them out costs.
-const LEAST: usize = 1000;
+const LEAST: usize = 250;
 /// How often strands are halved.
 const HALVINGS: u32 = 2;
 
@@ -19,9 +21,11 @@ pub struct Partition {
     pub strands: Vec<u32>,
     /// Every strand's place among them.
     pub place: Vec<u32>,
-    /// Of every part the end of its strands and of its touches.
-    pub ends: Vec<[usize; 2]>,
-    /// The touches, part after part, and those between parts at the end.
+    /// Where the strands of every part of the lowest level end.
+    pub strand_ends: Vec<usize>,
+    /// Where the touches of every part of every level end.
+    pub touch_ends: Vec<usize>,
+    /// The touches, part after part.
     touches: Vec<u32>,
     /// Every strand's part.
     part: Vec<u32>,
@@ -42,10 +46,10 @@ impl Partition {
         self.between.extend(touches);
         self.part.clear();
         self.part.resize(self.roots.len(), 0);
-        let parts = if may && self.between.len() >= LEAST { 1 << HALVINGS } else { 0 };
-        if parts > 0 {
+        let halvings = if may && self.between.len() >= LEAST { HALVINGS } else { 0 };
+        if halvings > 0 {
             self.weigh();
-            for level in 0..HALVINGS {
+            for level in 0..halvings {
                 self.halve(1 << level);
             }
         }
@@ -58,7 +62,7 @@ impl Partition {
         for (at, strand) in strands.iter().enumerate() {
             place[*strand as usize] = at as u32;
         }
-        self.order_touches(parts);
+        self.order_touches(1 << halvings);
     }
 
     /// Puts a list with an entry a touch into the touches' order.
@@ -95,7 +99,8 @@ impl Partition {
                     before += weight(strand);
                 }
             }
-            let cut = between.iter().filter(|ends| part_of(halved, ends).is_none()).count();
+            let parts_of = |ends: &Ends| ends.map(|strand| strand.map(|strand| halved[strand as usize]));
+            let cut = between.iter().map(parts_of).filter(|parts| matches!(parts, [Some(a), Some(b)] if a != b)).count();
             if cut < least {
                 least = cut;
                 std::mem::swap(halved, best);
@@ -104,27 +109,18 @@ impl Partition {
         std::mem::swap(part, best);
     }
 
-    fn order_touches(&mut self, parts: u32) {
-        let Self { strands, touches, ends, part, between, order, .. } = self;
+    fn order_touches(&mut self, lowest: u32) {
+        let Self { strands, touches, strand_ends, touch_ends, part, between, order, .. } = self;
         order.clear();
-        // What is left whole is as if it were between parts.
-        order.extend(between.iter().map(|ends| part_of(part, ends).filter(|_| parts > 0).unwrap_or(parts)));
+        order.extend(between.iter().map(|ends| smallest(lowest, ends.map(|strand| strand.map(|strand| part[strand as usize])))));
         touches.clear();
         touches.extend(0..between.len() as u32);
         touches.sort_by_key(|touch| order[*touch as usize]);
-        ends.clear();
-        ends.extend((0..parts).map(|k| {
-            let strands = strands.partition_point(|strand| part[*strand as usize] <= k);
-            [strands, touches.partition_point(|touch| order[*touch as usize] <= k)]
-        }));
+        strand_ends.clear();
+        strand_ends.extend((0..lowest).map(|k| strands.partition_point(|strand| part[*strand as usize] <= k)));
+        touch_ends.clear();
+        touch_ends.extend((0..2 * lowest - 1).map(|k| touches.partition_point(|touch| order[*touch as usize] <= k)));
     }
-}
-
-/// The part that all of a touch's strands are in.
-fn part_of(part: &[u32], ends: &Ends) -> Option<u32> {
-    let mut parts = ends.iter().flatten().map(|strand| part[*strand as usize]);
-    let first = parts.next()?;
-    parts.all(|other| other == first).then_some(first)
 }
 
 #[cfg(test)]
@@ -148,26 +144,26 @@ mod tests {
     #[test]
     fn every_touch_of_a_part_is_between_its_strands() {
         let (mut partition, touches) = update(24, true);
-        assert_eq!(partition.ends.len(), 4);
+        assert_eq!((partition.strand_ends.len(), partition.touch_ends.len()), (4, 7));
         let mut order: Vec<u32> = (0..touches.len() as u32).collect();
         partition.put_in_order(&mut order);
         let mut seen = order.clone();
         seen.sort_unstable();
         assert!(seen.iter().enumerate().all(|(k, touch)| k as u32 == *touch));
-        let (mut from, mut first) = (0, 0);
-        for [strands, end] in &partition.ends {
-            let own = &partition.strands[from..*strands];
+        let start = |k: usize| if k == 0 { 0 } else { partition.strand_ends[k - 1] };
+        let leaves = [0..1, 1..2, 2..3, 3..4, 0..2, 2..4, 0..4];
+        let mut first = 0;
+        for (k, (end, leaves)) in partition.touch_ends.iter().zip(leaves).enumerate() {
+            let own = &partition.strands[start(leaves.start)..start(leaves.end)];
             for touch in &order[first..*end] {
                 assert!(touches[*touch as usize].iter().flatten().all(|strand| own.contains(strand)), "touch {touch}");
             }
             // Balanced, by touches, to a row of the grid.
             let share = (end - first) as f64 / touches.len() as f64;
-            assert!((0.2..0.27).contains(&share), "{share}");
-            (from, first) = (*strands, *end);
+            assert!(if k < 4 { (0.2..0.27).contains(&share) } else { share > 0.0 && share < 0.05 }, "part {k}: {share}");
+            first = *end;
         }
-        assert_eq!(from, partition.strands.len());
-        let between = (touches.len() - first) as f64 / touches.len() as f64;
-        assert!(between > 0.0 && between < 0.05, "{between}");
+        assert_eq!((first, start(4)), (touches.len(), partition.strands.len()));
         for (strand, place) in partition.place.iter().enumerate() {
             assert_eq!(partition.strands[*place as usize], strand as u32);
         }
@@ -179,7 +175,8 @@ mod tests {
             let (mut partition, touches) = update(side, may);
             let mut order: Vec<u32> = (0..touches.len() as u32).collect();
             partition.put_in_order(&mut order);
-            assert!(partition.ends.is_empty() && order.is_sorted() && partition.strands.is_sorted());
+            assert!(partition.strand_ends == [partition.strands.len()] && partition.touch_ends == [touches.len()]);
+            assert!(order.is_sorted() && partition.strands.is_sorted());
         }
     }
 }

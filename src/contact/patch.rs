@@ -1,27 +1,86 @@
 //! Where sweeps over a large problem do not get on it is for a few touches that hang together closely: those around the worst are taken
-//! out, and solved at once with their neighbours as they are (Schwarz's method, where it is needed).
+//! out, and solved at once with their neighbours as they are (Schwarz's method, where it is needed). Patches that share no block do not see
+//! each other.
 
 use nalgebra::Vector3;
 
+use super::block_newton::BlockNewton;
 use super::contact_space::ContactSpace;
 use super::gauss_seidel::Report;
 use super::system::System;
+use crate::workers::Crew;
+
+/// Most patches at a time, and most rows of one.
+const MOST: usize = 8;
+const ROWS: usize = 40;
+/// The residual that is asked of a patch, as a part of what is asked of the problem, and the part of its own that a patch may leave.
+const AIM: f64 = 0.3;
+const PART: f64 = 0.1;
 
 /// The memory of the search.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Patches {
     /// The residual of each row.
     misses: Vec<f64>,
-    /// Rows that were in a patch since the last [`Patches::begin`].
+    /// Rows that are in a patch.
     taken: Vec<bool>,
     blocks: Vec<usize>,
+    /// The turn of the last patch that has a block.
+    turns: Vec<u32>,
+    patches: Vec<Patch>,
+}
+
+/// Some touches.
+#[derive(Debug, Clone, Default)]
+struct Patch {
+    rows: Vec<u32>,
+    /// After the patches before that share a block with it.
+    turn: u32,
+    newton: BlockNewton,
 }
 
 impl Patches {
+    /// Finds the patches around the touches that miss their laws most, and solves them for what is asked of the problem, `tolerance`, or part of
+    /// what they miss it by.
+    pub(super) fn solve<S: Default + Send>(
+        &mut self,
+        space: &ContactSpace,
+        system: &mut System,
+        forces: &mut [Vector3<f64>],
+        report: &Report,
+        tolerance: f64,
+        crew: &Crew<S>,
+    ) {
+        self.begin(space, system, forces, report);
+        let mut patches = std::mem::take(&mut self.patches);
+        patches.resize_with(MOST, Patch::default);
+        let found =
+            patches.iter_mut().map(|patch| self.find(system, forces, tolerance, patch)).take_while(|found| *found).count();
+        let mut rest = &mut patches[..found];
+        rest.sort_by_key(|patch| patch.turn);
+        while let Some(first) = rest.first() {
+            let turn = first.turn;
+            let (now, later) = rest.split_at_mut(rest.partition_point(|patch| patch.turn == turn));
+            let (shared, all) = (&*system, &*forces);
+            crew.for_each_task(now, 1, 1, |patches, _| {
+                for Patch { rows, newton, .. } in patches {
+                    newton.solve(space, shared, all, rows, report, AIM * tolerance, PART);
+                }
+            });
+            for patch in now {
+                patch.newton.apply(space, system, forces);
+            }
+            rest = later;
+        }
+        self.patches = patches;
+    }
+
     /// Looks at all rows.
-    pub(super) fn begin(&mut self, space: &ContactSpace, system: &System, forces: &[Vector3<f64>], report: &Report) {
+    fn begin(&mut self, space: &ContactSpace, system: &System, forces: &[Vector3<f64>], report: &Report) {
         self.taken.clear();
         self.taken.resize(system.rows.len(), false);
+        self.turns.clear();
+        self.turns.resize(system.blocks(), 0);
         self.misses.clear();
         self.misses.extend(system.rows.iter().zip(forces).map(|(row, force)| {
             let law = &space.touches()[row.touch].law;
@@ -29,16 +88,10 @@ impl Patches {
         }));
     }
 
-    /// The rows that press, or miss their law, around the one that misses it most of those in no patch yet: `most` of them, nearest first by
-    /// the blocks that they share, then ascending. False where none misses by more than `tolerance`.
-    pub(super) fn next(
-        &mut self,
-        system: &System,
-        forces: &[Vector3<f64>],
-        tolerance: f64,
-        most: usize,
-        rows: &mut Vec<u32>,
-    ) -> bool {
+    /// A patch: the rows that press, or miss their law, around the one that misses it most of those in no patch yet, nearest first by the blocks
+    /// that they share, then ascending. False where none misses by more than `tolerance`.
+    fn find(&mut self, system: &System, forces: &[Vector3<f64>], tolerance: f64, patch: &mut Patch) -> bool {
+        let Patch { rows, turn, .. } = patch;
         let free = self.misses.iter().enumerate().filter(|(row, _)| !self.taken[*row]);
         let Some((worst, _)) = free.filter(|(_, miss)| **miss > tolerance).max_by(|a, b| a.1.total_cmp(b.1).then(b.0.cmp(&a.0)))
         else {
@@ -52,11 +105,11 @@ impl Patches {
         };
         self.blocks.extend(blocks_of(worst));
         let mut next = 0;
-        while next < self.blocks.len() && rows.len() < most {
+        while next < self.blocks.len() && rows.len() < ROWS {
             for row in system.rows_of(self.blocks[next]) {
                 let index = *row as usize;
                 let counts = forces[index] != Vector3::zeros() || self.misses[index] > tolerance;
-                if counts && rows.len() < most && !rows.contains(row) {
+                if counts && rows.len() < ROWS && !rows.contains(row) {
                     rows.push(*row);
                     self.taken[index] = true;
                     for block in blocks_of(index) {
@@ -69,6 +122,10 @@ impl Patches {
             next += 1;
         }
         rows.sort_unstable();
+        *turn = 1 + self.blocks.iter().map(|block| self.turns[*block]).max().unwrap_or(0);
+        for block in &self.blocks {
+            self.turns[*block] = *turn;
+        }
         true
     }
 }

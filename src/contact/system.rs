@@ -165,41 +165,81 @@ impl System {
     /// The relative displacement of a row now.
     #[inline(always)]
     pub fn relative(&self, row: &Row) -> Vector3<f64> {
-        row.relative(&self.displacements, 0)
+        row.relative(&self.displacements)
     }
 
     /// Changes a row's force by `change`: displaces all points of its blocks.
     #[inline(always)]
     pub fn push(&mut self, space: &ContactSpace, index: usize, change: &Vector3<f64>) {
-        self.rows[index].push(space, &self.bonds, change, &mut self.displacements, 0);
+        self.rows[index].push(space, &self.bonds, change, &mut self.displacements);
+    }
+}
+
+/// Displacements of a problem's coordinates, or of some.
+pub trait Displacements {
+    /// Those from a coordinate on: to its block's last at least.
+    fn rest(&self, at: usize) -> &[f64];
+    /// The same, to be changed.
+    fn rest_mut(&mut self, at: usize) -> &mut [f64];
+}
+
+/// Those from a coordinate on.
+#[derive(Debug)]
+pub struct Stretch<'a> {
+    /// That coordinate.
+    pub from: usize,
+    /// m or rad.
+    pub values: &'a mut [f64],
+}
+
+impl Displacements for Stretch<'_> {
+    #[inline(always)]
+    fn rest(&self, at: usize) -> &[f64] {
+        &self.values[at - self.from..]
+    }
+
+    #[inline(always)]
+    fn rest_mut(&mut self, at: usize) -> &mut [f64] {
+        &mut self.values[at - self.from..]
+    }
+}
+
+impl Displacements for Vec<f64> {
+    #[inline(always)]
+    fn rest(&self, at: usize) -> &[f64] {
+        &self[at..]
+    }
+
+    #[inline(always)]
+    fn rest_mut(&mut self, at: usize) -> &mut [f64] {
+        &mut self[at..]
     }
 }
 
 impl Row {
-    /// Its relative displacement where its blocks' coordinates, from `from` on, are displaced by `displacements`.
+    /// Its relative displacement where its blocks' coordinates are displaced by `displacements`.
     #[inline(always)]
-    pub fn relative(&self, displacements: &[f64], from: usize) -> Vector3<f64> {
-        let mut u = self.free + read(displacements, self.first.at - from);
+    pub fn relative(&self, displacements: &impl Displacements) -> Vector3<f64> {
+        let mut u = self.free + read(displacements.rest(self.first.at), 0);
         if let Some(second) = &self.second {
-            u -= read(displacements, second.at - from);
+            u -= read(displacements.rest(second.at), 0);
         }
         u
     }
 
-    /// Adds what a change of its force displaces to its blocks' coordinates, from `from` on.
+    /// Adds what a change of its force displaces to its blocks' coordinates.
     #[inline(always)]
-    pub fn push(&self, space: &ContactSpace, bonds: &Bonds, change: &Vector3<f64>, displacements: &mut [f64], from: usize) {
-        push_end(space, bonds, &self.first, change, displacements, from);
+    pub fn push(&self, space: &ContactSpace, bonds: &Bonds, change: &Vector3<f64>, displacements: &mut impl Displacements) {
+        push_end(space, bonds, &self.first, change, displacements);
         if let Some(second) = &self.second {
-            push_end(space, bonds, second, &-change, displacements, from);
+            push_end(space, bonds, second, &-change, displacements);
         }
     }
 }
 
 #[inline(always)]
-fn push_end(space: &ContactSpace, bonds: &Bonds, slot: &Slot, change: &Vector3<f64>, displacements: &mut [f64], from: usize) {
+fn push_end(space: &ContactSpace, bonds: &Bonds, slot: &Slot, change: &Vector3<f64>, displacements: &mut impl Displacements) {
     let matrix = if slot.reduced { bonds.reduced() } else { space.responses() };
     let columns = slot.matrix + (slot.at - slot.base) * slot.size;
-    let base = slot.base - from;
-    add_columns(&matrix[columns..], change, &mut displacements[base..base + slot.size]);
+    add_columns(&matrix[columns..], change, &mut displacements.rest_mut(slot.base)[..slot.size]);
 }

@@ -1,0 +1,94 @@
+//! The parts of a large problem, a binary tree: strands are in parts of the lowest level, two of these make one of the level above, and the
+//! highest part is the whole. A touch is in the smallest part that has all its strands, so that parts of one level can be swept side by
+//! side once those below are. Parts are numbered level by level, the lowest first.
+
+use std::ops::Range;
+
+/// Where parts end, in lists that have them in order. Nothing: the problem is one part.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Parts {
+    coordinates: Vec<usize>,
+    touches: Vec<usize>,
+}
+
+impl Parts {
+    /// Says where the coordinates of every part of the lowest level end, a power of two of them, and the touches of every part.
+    pub(super) fn set(&mut self, coordinate_ends: impl Iterator<Item = usize>, touch_ends: &[usize]) {
+        self.coordinates.clear();
+        self.coordinates.extend(coordinate_ends);
+        self.touches.clear();
+        self.touches.extend_from_slice(touch_ends);
+        assert!(self.lowest().is_power_of_two() && self.touches.len() == 2 * self.lowest() - 1, "{self:?}");
+    }
+
+    /// Makes the problem one part.
+    pub(super) fn clear(&mut self) {
+        self.coordinates.clear();
+        self.touches.clear();
+    }
+
+    /// How many parts the lowest level has.
+    pub(super) fn lowest(&self) -> usize {
+        self.coordinates.len().max(1)
+    }
+
+    /// Where the coordinates of every part of the lowest level end, of `all`.
+    pub(super) fn coordinate_ends(&self, all: usize) -> impl Iterator<Item = usize> {
+        ends(&self.coordinates, all)
+    }
+
+    /// Where the touches of every part end, of `all`.
+    pub(super) fn touch_ends(&self, all: usize) -> impl Iterator<Item = usize> {
+        ends(&self.touches, all)
+    }
+}
+
+fn ends(ends: &[usize], all: usize) -> impl Iterator<Item = usize> {
+    ends.iter().copied().chain(ends.is_empty().then_some(all))
+}
+
+/// The levels of so many lowest parts, the lowest first: the parts of each.
+pub(super) fn levels(lowest: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..=lowest.ilog2()).map(move |level| {
+        let first = 2 * lowest - ((2 * lowest) >> level);
+        first..first + (lowest >> level)
+    })
+}
+
+/// The parts of the lowest level that a part consists of, which is the `k`-th of its level.
+pub(super) fn lowest_of(level: usize, k: usize) -> Range<usize> {
+    k << level..(k + 1) << level
+}
+
+/// The smallest of the parts above (or among) `lowest` ones that has both of these.
+pub(super) fn smallest(lowest: u32, ends: [Option<u32>; 2]) -> u32 {
+    let (a, b) = match ends {
+        [Some(a), Some(b)] => (a, b),
+        [Some(a), None] | [None, Some(a)] => (a, a),
+        [None, None] => (0, 0),
+    };
+    let level = u32::BITS - (a ^ b).leading_zeros();
+    2 * lowest - ((2 * lowest) >> level) + (a >> level)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_numbered_level_by_level_and_two_strands_meet_where_their_parts_do() {
+        assert!(levels(1).eq(std::iter::once(0..1)));
+        assert_eq!(levels(4).collect::<Vec<_>>(), [0..4, 4..6, 6..7]);
+        for a in 0..8 {
+            for b in 0..8 {
+                let part = smallest(8, [Some(a), Some(b)]) as usize;
+                let has = |level: usize, k: usize| [a, b].iter().all(|end| lowest_of(level, k).contains(&(*end as usize)));
+                let all =
+                    levels(8).enumerate().flat_map(|(level, parts)| parts.enumerate().map(move |(k, part)| (part, level, k)));
+                let first = all.filter(|(_, level, k)| has(*level, *k)).map(|(part, ..)| part).min();
+                assert_eq!(first, Some(part), "{a} and {b}");
+            }
+        }
+        assert_eq!(smallest(4, [Some(2), None]), 2);
+    }
+}
