@@ -47,7 +47,7 @@ pub struct Ending {
     pub came_to_end: bool,
     /// It has not come to its end, but is near enough to stay as it is.
     pub good_enough: bool,
-    /// Not even so: its strands stay as the step found them.
+    /// Not even so: strands of it stay as the step found them, see [`Island::has_lost`].
     pub lost: bool,
     /// Largest residual of the laws at the last check, see [`Report::residual`](super::gauss_seidel::Report::residual).
     pub residual: f64,

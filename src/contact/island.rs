@@ -166,6 +166,13 @@ impl Island {
         }
     }
 
+    /// Whether a strand of it has come to nowhere, all that could be tried done: of touches those alone that are astray themselves, which may free the
+    /// others; with constraints all, and where not one iteration was possible.
+    pub fn has_lost(&self, strand: &HeldStrand) -> bool {
+        let all = self.iterations <= 1 || self.is_constrained();
+        self.ending.lost && (all || !(strand.residual <= LOST))
+    }
+
     /// Whether strands of it touch something.
     pub fn has_touches(&self) -> bool {
         self.joints.iter().any(Joint::is_touch)

@@ -415,7 +415,7 @@ impl Holding {
             let at_end = held.resting || island.ending.came_to_end;
             held.held.outcome.converged =
                 !held.overlooked && (island.ending.converged || (at_end && island.holds(&held.attachments)));
-            held.held.outcome.quarantined |= island.ending.lost;
+            held.held.outcome.quarantined |= island.has_lost(held);
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;
             let most_elastic = strand.energies.elastic + held.mass * speed * speed;
