@@ -194,6 +194,29 @@ fn what_cannot_be_held_takes_nobody_along() {
     }
 }
 
+/// Where no attempt brings a strand near its end it stays as the step found it, and is told; those that it hangs together with go on, or they
+/// would stay where they are for as long as it does.
+#[test]
+fn a_strand_that_is_lost_takes_nobody_along() {
+    // Too few iterations for a strand whose root is turned over.
+    let few = ContactOptions { max_iterations: 12, ..ContactOptions::default() };
+    let (mut solver, ids, defs) = falling(ContactModel::Penalty, 8, few);
+    for _ in 0..21 {
+        assert_eq!(solver.step(1.0 / 60.0, 1).unwrap().quarantined, 0);
+    }
+    let before = lines(&solver, &ids);
+    let turn = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 3.0);
+    solver.set_root_frames(&ids[1..2], &[Frame { rotation: defs[1].root.rotation * turn, ..defs[1].root }], 1.0 / 60.0).unwrap();
+    let report = solver.step(1.0 / 60.0, 1).unwrap();
+    // All hang together.
+    assert_eq!((report.contact.unconverged, report.unconverged + report.quarantined), (1, 8), "{report:?}");
+    let moved = lines(&solver, &ids).iter().zip(&before).filter(|(now, before)| now != before).count() as u32;
+    println!("{} of 8 rolled back, {moved} moved", report.quarantined);
+    assert!(report.quarantined > 0 && report.quarantined < 8, "{report:?}");
+    // (One that is rolled back has its root where the host put it.)
+    assert!(moved >= report.unconverged, "{moved} {report:?}");
+}
+
 /// Hair that is drawn into hair, and pressed into it by its own shape, comes out: its touches' springs are pushed on. (By the springs
 /// alone it went right through.)
 #[test]

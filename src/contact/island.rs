@@ -170,7 +170,7 @@ impl Island {
     /// others; with constraints all, and where not one iteration was possible.
     pub fn has_lost(&self, strand: &HeldStrand) -> bool {
         let all = self.iterations <= 1 || self.is_constrained();
-        self.ending.lost && (all || !(strand.residual <= LOST))
+        self.ending.lost && (all || strand.residual > LOST || strand.residual.is_nan())
     }
 
     /// Whether strands of it touch something.
