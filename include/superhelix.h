@@ -93,7 +93,8 @@
 // A request that this version does not serve. The text says what to use instead.
 #define SHX_ERROR_UNSUPPORTED (-9)
 
-// A strand's status only, never returned by a function: the state turned non-finite in the last step and was rolled back.
+// A strand's status only, never returned by a function: in the last step the state turned non-finite, or touches or constraints
+// drove it astray and found no end, and it was rolled back.
 #define SHX_ERROR_QUARANTINED (-10)
 
 // A file could not be read, written or understood. The text names the file, the place and what was expected there.
@@ -620,7 +621,8 @@ typedef struct shx_strand_def {
 typedef struct shx_step_report {
   // Set by shx_step_report_init.
   uint32_t struct_size;
-  // Strand-substeps rolled back because a state turned non-finite; shx_solver_strand_status tells which strands.
+  // Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end;
+  // shx_solver_strand_status tells which strands.
   uint32_t quarantined;
   // Strand-substeps whose iteration ended before it reached the tolerance.
   uint32_t unconverged;
@@ -1655,7 +1657,7 @@ SHX_API shx_result shx_solver_set_gravity(shx_solver *solver, const double gravi
 SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3]);
 
 // Moves time on by dt seconds (above zero) in substeps equal parts (at least 1; each a full solve). report may be null.
-// A strand whose state turns non-finite is rolled back and marked; the step goes on, and the report and the strand's status say
+// A strand whose state turns non-finite, or goes astray in touches or constraints without end, is rolled back and marked; the step goes on, and the report and the strand's status say
 // so. Same input, same bits, whatever the number of threads.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps), SHX_ERROR_UNSUPPORTED
 // (SHX_INTEGRATOR_REFERENCE where strands may touch something or constraints hold them: it steps free strands only).

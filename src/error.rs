@@ -71,7 +71,8 @@ pub enum Error {
         /// What is wrong with it, and where.
         reason: String,
     },
-    /// The strand's state turned non-finite in a step and was rolled back (a strand's status, never a call's result).
+    /// The strand's state turned non-finite in a step, or touches or constraints drove it astray and found no end, and it was rolled
+    /// back (a strand's status, never a call's result).
     Quarantined,
     /// A bug of the library was caught at its border; the solver is poisoned.
     Panic {
@@ -154,7 +155,7 @@ impl fmt::Display for Error {
             Error::OutOfMemory { bytes } => write!(f, "{bytes} bytes of memory could not be had"),
             Error::Unsupported { argument, value, hint } => write!(f, "{argument} is {value}, which is not supported: {hint}"),
             Error::File { path, reason } => write!(f, "{path}: {reason}"),
-            Error::Quarantined => write!(f, "the strand's state turned non-finite and was rolled back"),
+            Error::Quarantined => write!(f, "the strand's state turned non-finite or went astray, and was rolled back"),
             Error::Panic { message } => write!(f, "internal error: {message}; the solver is poisoned"),
             Error::Poisoned => write!(f, "an earlier internal error poisoned this solver: destroy it"),
         }

@@ -34,7 +34,8 @@ pub const SHX_ERROR_SNAPSHOT: i32 = -7;
 pub const SHX_ERROR_OUT_OF_MEMORY: i32 = -8;
 /// A request that this version does not serve. The text says what to use instead.
 pub const SHX_ERROR_UNSUPPORTED: i32 = -9;
-/// A strand's status only, never returned by a function: the state turned non-finite in the last step and was rolled back.
+/// A strand's status only, never returned by a function: in the last step the state turned non-finite, or touches or constraints
+/// drove it astray and found no end, and it was rolled back.
 pub const SHX_ERROR_QUARANTINED: i32 = -10;
 /// A file could not be read, written or understood. The text names the file, the place and what was expected there.
 pub const SHX_ERROR_FILE: i32 = -11;

@@ -23,7 +23,8 @@ use crate::step::options::LinearSolver;
 pub struct shx_step_report {
     /// Set by shx_step_report_init.
     pub struct_size: u32,
-    /// Strand-substeps rolled back because a state turned non-finite; shx_solver_strand_status tells which strands.
+    /// Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end;
+    /// shx_solver_strand_status tells which strands.
     pub quarantined: u32,
     /// Strand-substeps whose iteration ended before it reached the tolerance.
     pub unconverged: u32,
@@ -200,7 +201,7 @@ fn tell(log: &LogSink, report: &StepReport) {
     if report.quarantined > 0 {
         log.message(
             SHX_LOG_WARN,
-            format_args!("shx_solver_step: {} strand-substeps rolled back (non-finite state)", report.quarantined),
+            format_args!("shx_solver_step: {} strand-substeps rolled back (non-finite or astray)", report.quarantined),
         );
     }
     if report.unconverged > 0 {
@@ -240,7 +241,7 @@ fn tell(log: &LogSink, report: &StepReport) {
 }
 
 /// Moves time on by dt seconds (above zero) in substeps equal parts (at least 1; each a full solve). report may be null.
-/// A strand whose state turns non-finite is rolled back and marked; the step goes on, and the report and the strand's status say
+/// A strand whose state turns non-finite, or goes astray in touches or constraints without end, is rolled back and marked; the step goes on, and the report and the strand's status say
 /// so. Same input, same bits, whatever the number of threads.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps), SHX_ERROR_UNSUPPORTED
 /// (SHX_INTEGRATOR_REFERENCE where strands may touch something or constraints hold them: it steps free strands only).

@@ -24,8 +24,8 @@ const MOST: u32 = 30;
 const FREE: u32 = 12;
 /// What has not halved its residual in so many steps is left: constraints that touches contradict make problems without solution. (But not
 /// before it had its free steps, and a problem that is taken whole some more, unless it has more than so many touches: a step's price grows with
-/// their cube. Of 14,000 that came to their end in a shake nine took more. Touches that bonds press take all steps: left earlier, their strands
-/// are told to hold nothing.)
+/// their cube. Of 14,000 that came to their end in a shake nine took more. Touches that bonds press take all steps: left earlier, constraints
+/// that can be held are told as violated.)
 const STEPS: u32 = 8;
 const LARGE: usize = 100;
 /// Sweeps in the block where Newton's direction leads nowhere.

@@ -61,17 +61,17 @@ struct Turn {
     level: usize,
     /// The level's first part.
     first: usize,
-    /// How the last sweep ends, first.
-    end: End,
+    /// What comes after the last sweep, first.
+    after: AfterSweep,
     /// Whether the sweep is one of the accelerated ones.
     kept: bool,
 }
 
-/// How a sweep ends.
+/// What comes after a sweep.
 #[derive(Clone, Copy)]
-enum End {
-    /// As it is.
-    Plain,
+enum AfterSweep {
+    /// Nothing: it stays as it is.
+    Nothing,
     /// This share of the last direction is gone again.
     Along(f64),
     /// It was no descent: the next begins anew from where it led.
@@ -109,7 +109,7 @@ impl Conjugate {
         let touches = split(rows, parts.touch_ends(all[1])).zip(forces);
         let touches: Vec<_> = touches.map(|(rows, forces)| Mutex::new(Touches { rows, forces, square: 0.0 })).collect();
 
-        let turn = RwLock::new(Turn { level: 0, first: 0, end: End::Plain, kept: true });
+        let turn = RwLock::new(Turn { level: 0, first: 0, after: AfterSweep::Nothing, kept: true });
         let sweep = |k: usize| {
             let turn = *turn.read().unwrap_or_else(PoisonError::into_inner);
             let touches = &mut *lock(&touches[turn.first + k]);
@@ -124,17 +124,17 @@ impl Conjugate {
         };
         let mut last = self.square;
         let lead = |team: &Team| {
-            let mut end = End::Plain;
+            let mut after = AfterSweep::Nothing;
             for sweep in 0..=sweeps {
                 let kept = sweep < sweeps;
                 for (level, parts) in levels(parts.lowest()).enumerate() {
-                    *turn.write().unwrap_or_else(PoisonError::into_inner) = Turn { level, first: parts.start, end, kept };
+                    *turn.write().unwrap_or_else(PoisonError::into_inner) = Turn { level, first: parts.start, after, kept };
                     team.each(parts.len());
                 }
                 if kept {
                     let square: f64 = touches.iter().map(|part| lock(part).square).sum();
                     let share = if last > 0.0 { square / last } else { 0.0 };
-                    (end, last) = if share > 1.0 { (End::Restart, 0.0) } else { (End::Along(share), square) };
+                    (after, last) = if share > 1.0 { (AfterSweep::Restart, 0.0) } else { (AfterSweep::Along(share), square) };
                 }
             }
         };
@@ -164,9 +164,9 @@ impl<T: Copy + Default> Past<T> {
 impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Share<'_, T> {
     /// Ends the last sweep, and keeps the values as they are before the next.
     fn begin(&mut self, turn: Turn) {
-        match turn.end {
-            End::Plain => {}
-            End::Along(share) => {
+        match turn.after {
+            AfterSweep::Nothing => {}
+            AfterSweep::Along(share) => {
                 for ((now, old), direction) in self.now.iter_mut().zip(&*self.before).zip(&mut *self.direction) {
                     let change = *now - *old;
                     let before = *direction * share;
@@ -174,7 +174,7 @@ impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T
                     *direction = before + change;
                 }
             }
-            End::Restart => self.direction.fill(T::default()),
+            AfterSweep::Restart => self.direction.fill(T::default()),
         }
         if turn.kept {
             self.before.copy_from_slice(self.now);
@@ -187,7 +187,9 @@ impl Touches<'_> {
         let Self { rows, forces, square } = self;
         forces.begin(turn);
         f64::call(Sweep { space, bonds, rows, forces: forces.now, displacements });
-        *square = forces.now.iter().zip(&*forces.before).map(|(new, old)| (new - old).norm_squared()).sum();
+        if turn.kept {
+            *square = forces.now.iter().zip(&*forces.before).map(|(new, old)| (new - old).norm_squared()).sum();
+        }
     }
 }
 

@@ -53,7 +53,7 @@ const ONE_BLOCK: usize = 400;
 /// and so many where sweeps are slow.
 const RESCUE: usize = 150;
 /// Sweeps between looks at the residual: the first time, and of what is taken whole, between Newton's first two tries (twice as many before the
-/// next: most of what it cannot solve at once has no solution); and most, later.
+/// next, but where there are bonds: most of what it cannot solve at once has no solution); and most, later.
 const FIRST_ROUND: u32 = 5;
 const ROUND: u32 = 20;
 /// A round that leaves more than this part of the residual is slow: then it is for a few touches, and patches around the worst are solved before

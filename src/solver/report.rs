@@ -10,7 +10,7 @@ pub use crate::energy::Energies;
 pub struct StepReport {
     /// Substeps taken.
     pub substeps: u32,
-    /// Strand-substeps rolled back because a state turned non-finite.
+    /// Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end.
     pub quarantined: u32,
     /// Strand-substeps whose Newton iteration ended at the cap or could not descend further before reaching the tolerance.
     pub unconverged: u32,
@@ -62,6 +62,6 @@ pub enum StrandStatus {
     Ok,
     /// Newton stopped at the cap, or could not descend further, before reaching the tolerance; the state is usable.
     Unconverged,
-    /// The state turned non-finite and was rolled back to the step's start.
+    /// The state turned non-finite, or touches or constraints drove it astray and found no end: rolled back to the step's start.
     Quarantined,
 }

@@ -22,8 +22,8 @@ pub const SHORTEST_STEP: f64 = 1e-9;
 impl Solver {
     /// Takes all strands through `dt` seconds in `substeps` equal parts.
     ///
-    /// A strand that does not converge keeps its best state and is counted; one whose numbers turn non-finite is rolled back to the
-    /// substep's start and counted; the others go on.
+    /// A strand that does not converge keeps its best state and is counted; one whose numbers turn non-finite, or that goes astray in
+    /// touches or constraints without end, is rolled back to the substep's start and counted; the others go on.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`];

@@ -14,7 +14,7 @@ pub struct Report {
     pub iterations_max: u32,
     /// Strand-steps that stopped before reaching the tolerance.
     pub unconverged: u64,
-    /// Strand-steps rolled back because the state turned non-finite.
+    /// Strand-steps rolled back: the state turned non-finite, or astray in touches or constraints.
     pub quarantined: u64,
     /// Strand-steps that were taken in parts.
     pub subdivided: u64,

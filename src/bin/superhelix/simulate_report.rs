@@ -54,7 +54,7 @@ pub struct SimulateReport {
     pub simulated_seconds: f64,
     /// How the steps went.
     pub report: Report,
-    /// Indices in the file of strands whose state turned non-finite at some step.
+    /// Indices in the file of strands that were rolled back at some step.
     pub quarantined_strands: Vec<usize>,
     /// Wall time of reading and fitting, s.
     pub preparing_seconds: f64,
