@@ -980,7 +980,7 @@ typedef struct shx_contact {
   double force[3];
   // How far the strand slid over its partner during the substep, m, world, along the surface.
   double slip[3];
-  // Distance of the surfaces, m; negative where they overlap.
+  // Distance of the surfaces along the normal at the places that touch, m; negative where they overlap.
   double gap;
 } shx_contact;
 

@@ -256,3 +256,53 @@ fn what_is_drawn_in_each_other_and_pressed_together_parts() {
         assert!(deep[2..].iter().all(|(deep, unconverged)| *deep < tolerance && *unconverged == 0), "{deep:?}");
     }
 }
+
+/// The depth that a step tells is that of the strands as they are: touches keep the points that they were found with, and where strands go several times
+/// their radius in a step these have slid apart, and say nothing of what lies where.
+#[test]
+fn how_deep_hair_is_in_hair_is_told_of_the_strands_and_not_of_their_touches() {
+    const STRANDS: usize = 25;
+    let mut most_stale = 0.0_f64;
+    for model in [ContactModel::Hard, ContactModel::Coulomb] {
+        // So few iterations leave touches that do not hold.
+        let contact = ContactOptions { model, hair: true, max_iterations: 3, ..ContactOptions::default() };
+        let mut solver = Solver::new(SolverOptions { contact, ..SolverOptions::default() }).unwrap();
+        let defs: Vec<StrandDef> = (0..STRANDS)
+            .map(|k| {
+                let mut def = StrandDef::straight(LENGTH * (1.0 + 0.3 * (1.3 * k as f64).sin()), 6);
+                (def.material.youngs_modulus, def.material.viscosity, def.material.air_drag) = (3e9, 0.02, 2e-5);
+                def.natural = vec![[0.0, 10.0 * (1.7 * k as f64).sin(), 10.0 * (2.3 * k as f64).cos()]; 6];
+                let origin = 4.0 * RADIUS * Vector3::new((k % 5) as f64, (k / 5) as f64, 0.0);
+                def.root = Frame { origin, rotation: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.5 * PI) };
+                def
+            })
+            .collect();
+        let ids = solver.add_strands(&defs).unwrap();
+        let touching = StrandContact { wisp_radius: RADIUS, ..StrandContact::default() };
+        solver.set_contact(&ids, Some(&touching)).unwrap();
+        let (mut off, mut stale) = (0.0_f64, 0.0_f64);
+        for step in 0..90 {
+            let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.6 * (0.25 * f64::from(step)).sin())
+                * UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.4 * (0.19 * f64::from(step)).sin());
+            let centre = Vector3::new(0.0, 0.0, 0.05);
+            let roots: Vec<Frame> = defs
+                .iter()
+                .map(|def| Frame { origin: centre + turn * (def.root.origin - centre), rotation: turn * def.root.rotation })
+                .collect();
+            solver.set_root_frames(&ids, &roots, 1.0 / 60.0).unwrap();
+            let report = solver.step(1.0 / 60.0, 1).unwrap();
+            if step < 60 {
+                continue;
+            }
+            let lines = lines(&solver, &ids);
+            let depth = deepest(&lines, Vector3::repeat(1.0), 0.0).1.max(0.0);
+            off = off.max((report.contact.penetration - depth).abs());
+            stale = stale.max(solver.contacts().iter().fold(0.0, |a: f64, touch| a.max(-touch.gap)) - depth);
+        }
+        println!("{model:?}: told within {off:e} m; by touches as they were found it would be {stale:e} too deep");
+        // What is in each other by no more than the tolerance may be told as nothing.
+        assert!(off < 1.1 * solver.options().contact.tolerance, "{off:e}");
+        most_stale = most_stale.max(stale);
+    }
+    assert!(most_stale > 3e-5, "no touch misses where its strands do not: {most_stale:e}");
+}

@@ -284,6 +284,9 @@ impl Scene {
                 tally.deep_steps += u64::from(depth > DEEP);
                 lasting = if depth > DEEP { lasting + 1 } else { 0 };
                 tally.stayed += u64::from(lasting == LASTING);
+                if lasting == LASTING {
+                    println!("{name} step {step}: stays {:.2} mm in a body", depth * 1e3);
+                }
             }
         }
         // Without bodies what is left must come down: damping takes, nothing gives. Strands that lie in each other may give back what is stored
@@ -325,6 +328,9 @@ impl Scene {
         // What springs between strands held may be given back.
         let rose = most > before + 0.25 * scale + stored || last > before + 0.05 * scale + stored;
         tally.rose += u64::from(rose);
+        if rose {
+            println!("{name}: energy rose from {before:e} to {most:e}, {last:e} in the end, of {scale:e}");
+        }
         // Wisps in wisps are let go of with touches that are not solved.
         assert!(self.many || !rose, "{name}: energy rose from {before:e} to {most:e}, {last:e} in the end, of {scale:e}");
     }

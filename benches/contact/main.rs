@@ -102,6 +102,8 @@ struct Shaken {
     most_iterations: u32,
     sweeps: f64,
     penetration: f64,
+    /// The deepest that strands and bust are in each other after a step by [`Solver::overlaps`], which knows nothing of the step's touches, m.
+    overlap: f64,
     deep_steps: u32,
     residual: f64,
     unconverged: u64,
@@ -130,6 +132,7 @@ fn shake(
         most_iterations: 0,
         sweeps: 0.0,
         penetration: 0.0,
+        overlap: 0.0,
         deep_steps: 0,
         residual: 0.0,
         unconverged: 0,
@@ -155,6 +158,8 @@ fn shake(
         out.most_iterations = out.most_iterations.max(report.contact.iterations);
         out.sweeps += report.contact.sweeps as f64 / steps as f64;
         out.penetration = out.penetration.max(report.contact.penetration);
+        let overlaps = solver.overlaps(&ids)?;
+        out.overlap = overlaps.iter().fold(out.overlap, |deepest, overlap| deepest.max(overlap.hair).max(overlap.bodies));
         out.deep_steps += u32::from(report.contact.penetration > DEEP);
         out.residual = out.residual.max(report.contact.residual);
         out.unconverged += u64::from(report.unconverged);
@@ -185,7 +190,7 @@ fn main() -> Outcome<()> {
     }
     let defs = guides(&head, count)?;
     let mut csv = String::from(
-        "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,deep_steps,residual,unconverged,rolled_back\n",
+        "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
     );
     println!(
         "{} guides x {ELEMENTS} elements on {} triangles, {threads} threads, {steps} steps of 1/60 s",
@@ -196,7 +201,7 @@ fn main() -> Outcome<()> {
         let out = shake(&defs, &head, model, steps, threads)?;
         let at = |share: f64| out.milliseconds[((out.milliseconds.len() - 1) as f64 * share) as usize];
         let row = format!(
-            "\"{}\",{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{},{:.1e},{},{}",
+            "\"{}\",{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.2e},{},{:.1e},{},{}",
             out.model,
             at(0.5),
             at(0.9),
@@ -206,6 +211,7 @@ fn main() -> Outcome<()> {
             out.most_iterations,
             out.sweeps,
             out.penetration,
+            out.overlap,
             out.deep_steps,
             out.residual,
             out.unconverged,

@@ -27,10 +27,10 @@ def show(lines, name, *pages):
 
 def shake():
     lines = [(row["model"], row["median_ms"], row["ninth_decile_ms"], row["worst_ms"], row["touches"], row["iterations"],
-              row["most_iterations"], row["penetration_m"], row["deep_steps"], row["residual"], row["unconverged"], row["rolled_back"])
+              row["most_iterations"], row["penetration_m"], row["overlap_m"], row["deep_steps"], row["residual"], row["unconverged"], row["rolled_back"])
              for row in rows("contact_shake.csv")]
-    show(table(("model", "ms a step, median", "nine of ten", "worst", "touches", "iterations, mean", "most", "deepest, m",
-                "of 90 steps deeper than 0.1 mm", "residual",
+    show(table(("model", "ms a step, median", "nine of ten", "worst", "touches", "iterations, mean", "most", "deepest told, m",
+                "overlap, m", "of 90 steps deeper than 0.1 mm", "residual",
                 "unconverged strand steps", "rolled back"), lines), "shake", "contact.md")
 
 

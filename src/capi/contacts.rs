@@ -39,7 +39,7 @@ pub struct shx_contact {
     pub force: [f64; 3],
     /// How far the strand slid over its partner during the substep, m, world, along the surface.
     pub slip: [f64; 3],
-    /// Distance of the surfaces, m; negative where they overlap.
+    /// Distance of the surfaces along the normal at the places that touch, m; negative where they overlap.
     pub gap: f64,
 }
 

@@ -23,6 +23,7 @@ pub mod island_problem;
 pub mod joint;
 pub mod law;
 pub mod nearest;
+pub mod nearest_pair;
 pub mod options;
 mod overlooked;
 mod partition;

@@ -37,7 +37,7 @@ pub struct Contact {
     pub normal: Vector3<f64>,
     /// Force on the strand, N, world; on the partner it is the opposite.
     pub force: Vector3<f64>,
-    /// Distance of the surfaces, m; negative where they overlap.
+    /// Distance of the surfaces along the normal at the places that touch, m; negative where they overlap.
     pub gap: f64,
     /// How far the strand slid over its partner during the substep, m, world, along the surface.
     pub slip: Vector3<f64>,

@@ -19,6 +19,7 @@ use crate::contact::ending::Next;
 use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
 use crate::contact::joint::{Joint, JointKind};
+use crate::contact::nearest_pair::depth;
 use crate::contact::options::ContactOptions;
 use crate::contact::shape::Bounds;
 use crate::step::Setting;
@@ -449,7 +450,7 @@ impl Holding {
                         scene.constraints[index as usize].add_report(joint, &strand.path().now);
                     }
                     None => {
-                        contact.penetration = contact.penetration.max(-joint.gap);
+                        contact.penetration = contact.penetration.max(depth(joint, &self.strands, scene.options.tolerance));
                         if joint.force == Vector3::zeros() {
                             continue;
                         }

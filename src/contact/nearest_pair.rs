@@ -1,0 +1,57 @@
+//! Where two strands are nearest each other near a touch, and how deep they are in each other there.
+
+use super::held_strand::HeldStrand;
+use super::helix_distance::{Arc, closest};
+use super::joint::{Joint, JointKind};
+use super::touch::StrandCurve;
+
+/// From element to element at most so often.
+const MOST: usize = 8;
+
+/// How deep a touch's surfaces are in each other, m; zero or below where they are apart. A touch of strands keeps the points and the normal that it was
+/// found with, which have slid apart by a step's end: what it misses by more than `tolerance` is asked of the strands themselves, where they are
+/// nearest near these points. Points that have come to the other side are as deep as that.
+pub fn depth(joint: &Joint, strands: &[HeldStrand], tolerance: f64) -> f64 {
+    let depth = -joint.gap;
+    let (JointKind::Hair { margin, .. }, Some(second)) = (joint.kind, joint.second) else { return depth };
+    if depth <= tolerance || depth >= margin {
+        return depth;
+    }
+    let ends = [joint.first, second];
+    let strands = ends.map(|end| &strands[end.held as usize]);
+    let curves = strands.map(|strand| strand.path().now);
+    let exempt = strands.map(|strand| strand.contact.exempt_length);
+    margin - nearest_distance(curves, exempt, ends.map(|end| (end.station.element, end.station.s)))
+}
+
+/// The least distance of two curves, beyond what is `exempt` at their roots (m), near two places of theirs (element, arclength in it, m).
+/// Ends count.
+fn nearest_distance(curves: [StrandCurve; 2], exempt: [f64; 2], mut places: [(usize, f64); 2]) -> f64 {
+    let mut hops = 0;
+    loop {
+        let arcs = [0, 1].map(|k| {
+            let (curve, element) = (curves[k], places[k].0);
+            let length = curve.elements[element].length;
+            let begin = exempt[k] - curve.along(element, 0.0);
+            Arc { curve, element, s: [begin.clamp(0.0, length), length] }
+        });
+        let pair = closest(&arcs[0], &arcs[1], places.map(|place| place.1), [false; 2]);
+        let found = [0, 1].map(|k| (arcs[k].element, pair.s[k]));
+        // Where an arc's end is nearest and the distance still falls beyond it, the next arc is asked.
+        places = [0, 1].map(|k| {
+            let (element, s) = found[k];
+            let elements = curves[k].elements;
+            if s >= arcs[k].s[1] && pair.slope[k] < 0.0 && element + 1 < elements.len() {
+                (element + 1, 0.0)
+            } else if s <= 0.0 && arcs[k].s[0] == 0.0 && pair.slope[k] > 0.0 && element > 0 {
+                (element - 1, elements[element - 1].length)
+            } else {
+                (element, s)
+            }
+        });
+        hops += 1;
+        if places == found || hops == MOST {
+            return pair.apart.norm();
+        }
+    }
+}
