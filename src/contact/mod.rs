@@ -1,5 +1,6 @@
 //! Contact and constraints: bodies and hair against hair. Where strands are touched, and the forces that answer.
 
+mod across_edge;
 pub mod allowance;
 mod block_newton;
 pub mod body;

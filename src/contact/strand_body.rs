@@ -8,6 +8,7 @@ use std::cell::Cell;
 
 use nalgebra::Vector3;
 
+use super::across_edge::across_edge;
 use super::body::BodyAt;
 use super::body_sweep;
 use super::descent::{self, Sample};
@@ -216,8 +217,14 @@ impl Search<'_, '_> {
         if swept {
             body_sweep::sweep(&ground, self.thickness, &nodes, &mut hits);
         }
-        for node in &mut nodes {
-            let surface = ground.ask(|| node.before, node.now, self.inside);
+        for k in 0..nodes.len() {
+            let (before, place) = (k.checked_sub(1).map(|before| nodes[before].now), nodes[k].now);
+            let node = &mut nodes[k];
+            let mut surface = ground.ask(|| node.before, place, self.inside);
+            if surface.is_none() && before.is_some_and(|before| goes_through(&ground, &before, &place)) {
+                // Deep inside, though the node before is outside.
+                surface = ground.ask(|| node.before, place, None);
+            }
             if let Some(surface) = &surface {
                 self.inside = Some(surface.distance < 0.0);
             } else if self.inside.is_none() {
@@ -290,9 +297,10 @@ impl Search<'_, '_> {
         let mut close = std::mem::take(&mut self.scratch.close);
         for pair in nodes.windows(2) {
             close_to(ground, path, pair, limit, &mut close);
-            // Between places outside nothing is looked for deep inside.
+            // Between places outside nothing is looked for deep inside, unless the surface is between them.
             let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);
-            let inside = (out(&pair[0]) && out(&pair[1])).then_some(false);
+            let outside = out(&pair[0]) && out(&pair[1]) && !goes_through(ground, &pair[0].now, &pair[1].now);
+            let inside = outside.then_some(false);
             let ask = |s: f64| {
                 let (now, tangent) = path.now.at(s);
                 ground.ask_among(&close, || path.start.at(s).0, now, inside).map(|surface| sample(s, surface, &tangent))
@@ -412,21 +420,33 @@ impl Search<'_, '_> {
         let least = if nearest.is_some() { 0.0 } else { ALIKE };
         let normal = self.body.axes_end * hit.normal;
         let mut kept = from;
+        let mut deepest: Option<Touch> = None;
         for touch in from..self.out.len() {
             let other = self.out[touch];
             if (other.place.s - s).abs() > piece || other.normal.dot(&normal) >= least {
                 self.out[kept] = other;
                 kept += 1;
+            } else if deepest.is_none_or(|deepest| other.gap < deepest.gap) {
+                deepest = Some(other);
             }
         }
         self.out.truncate(kept);
         match nearest {
             Some(nearest) => {
                 let gap = nearest.distance - self.thickness;
-                let beside = self.out[from..].iter().any(|touch| (touch.place.s - s).abs() <= piece);
+                let is_beside = |out: &[Touch], gap: f64| {
+                    out.iter().any(|touch| (touch.place.s - s).abs() <= piece && touch.gap <= 0.5 * gap)
+                };
                 // Outside there is none but those that are near.
-                if gap < 0.0 && !beside {
+                if gap < 0.0 && !is_beside(&self.out[from..], gap) {
                     self.push(index, s, &nearest, gap);
+                }
+                // What is deeper in the body, up to its far side, came with it: the plane that was hit holds it off.
+                if let Some(lost) = deepest.filter(|lost| lost.gap < gap.min(0.0) && !is_beside(&self.out[from..], lost.gap)) {
+                    let gap = hit.normal.dot(&(path.now.at(lost.place.s).0 - hit.point)) - self.thickness;
+                    if gap < 0.0 {
+                        self.push(index, lost.place.s, hit, gap);
+                    }
                 }
             }
             None => self.push(index, s, hit, gap),
@@ -434,45 +454,10 @@ impl Search<'_, '_> {
     }
 }
 
-/// The surface at a minimum inside a solid. Where the nearest faces change there, the strand lies across the edge that they meet in, and the
-/// plane that holds it off goes through that edge across the strand: its normal is the one between theirs that has no part along the
-/// strand. A face's own would push it along itself, which no strand gives way to.
-fn across_edge(
-    lowest: &Sample<Surface>,
-    mut around: [Sample<Surface>; 2],
-    ask: impl Fn(f64) -> Option<Sample<Surface>>,
-) -> Surface {
-    /// Faces that meet more sharply than twice the angle of this sine are two sides of something thin, not of an edge.
-    const BLUNT: f64 = 0.3;
-    /// Normals that turn by less along the strand are of one surface.
-    const EDGE: f64 = 0.2;
-    /// The faces are asked for inside, and no farther from the edge than this, m.
-    const BESIDE: f64 = 1e-5;
-    let surface = lowest.found;
-    if around[1].slope - around[0].slope < EDGE {
-        return surface;
-    }
-    for (end, beside) in around.iter_mut().enumerate() {
-        while beside.value >= 0.0 || (beside.s - lowest.s).abs() > BESIDE {
-            match ask(lowest.s + 0.2 * (beside.s - lowest.s)) {
-                Some(sample) if (sample.slope < 0.0) == (end == 0) && sample.s != lowest.s => *beside = sample,
-                _ => return surface,
-            }
-        }
-    }
-    let [falling, rising] = around;
-    let turn = rising.slope - falling.slope;
-    if turn < EDGE {
-        return surface;
-    }
-    let between = (falling.found.normal * rising.slope - rising.found.normal * falling.slope) / turn;
-    let cosine = between.norm();
-    if cosine < BLUNT {
-        return surface;
-    }
-    let at = surface.point + surface.normal * surface.distance;
-    let (normal, distance) = (between / cosine, surface.distance / cosine);
-    Surface { point: at - normal * distance, normal, distance, ..surface }
+/// Whether the chord between two places goes through the surface of a solid mesh.
+fn goes_through(ground: &Ground, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
+    let solid = ground.mesh.filter(|mesh| mesh.sides() == Sides::Solid);
+    solid.is_some_and(|mesh| ground.patch.is_pierced(mesh, from, to))
 }
 
 /// Picks the triangles of a mesh that can be nearest to a place between two nodes.

@@ -265,3 +265,76 @@ fn a_strand_drawn_round_a_corner_is_not_in_it() {
         }
     }
 }
+
+/// Wherever a fast body's corner, edge or face ran into a strand: what is deep in it at the step's end is touched there, and from the side that it came
+/// from pushed out.
+#[test]
+fn no_piece_that_a_body_has_run_into_is_left_in_it() {
+    /// How far apart places are that are looked at, and how deep is deep, m.
+    const APART: f64 = 1e-4;
+    const DEEP: f64 = 2e-4;
+    let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(Vector3::from);
+    let tetrahedron = |size: f64| {
+        let vertices = corners.iter().map(|corner| corner * size).collect();
+        Shape::new_mesh(vertices, vec![[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]], Sides::Solid).unwrap()
+    };
+    let mut dice = Dice(23);
+    let (mut runs, mut cases) = (0, 0);
+    for case in 0..4000 {
+        let size = dice.between(3e-3, 3e-2);
+        let shape = match case % 4 {
+            0 => Shape::new_box(Vector3::from_fn(|_, _| size * dice.between(0.3, 1.0))).unwrap(),
+            1 => tetrahedron(size),
+            2 => Shape::new_hull(&(0..12).map(|_| dice.cube() * size).collect::<Vec<_>>()).unwrap(),
+            _ => Shape::new_ellipsoid(Vector3::from_fn(|_, _| size * dice.between(0.3, 1.0))).unwrap(),
+        };
+        let curvatures: Vec<[f64; 3]> = (0..3).map(|_| dice.cube().map(|k| 12.0 * k).into()).collect();
+        let moving = Moving::still(Vector3::zeros(), strand(&dice.rotation(), LENGTH, &curvatures));
+        // Past a place of the strand, from where it is clear of all of it.
+        let aim = moving.path().now.position(1, 0.5 * LENGTH) + dice.cube() * size;
+        let rotation = dice.rotation();
+        let way = dice.direction() * dice.between(0.5, 4.0) * size;
+        let spin = UnitQuaternion::from_scaled_axis(dice.cube() * 0.2);
+        let (start, end) = (Frame { origin: aim - way, rotation }, Frame { origin: aim, rotation: spin * rotation });
+        let places: Vec<(f64, Vector3<f64>)> = (0..(3.0 * LENGTH / APART) as usize)
+            .map(|k| {
+                (k as f64 * APART, moving.path().now.position((k as f64 * APART / LENGTH) as usize, k as f64 * APART % LENGTH))
+            })
+            .collect();
+        let depth = |frame: &Frame, at: &Vector3<f64>| {
+            let local = frame.rotation.inverse() * (at - frame.origin);
+            shape.closest(local, 1e-3).map_or(0.0, |surface| -surface.distance)
+        };
+        if places.iter().any(|(_, at)| depth(&start, at) != 0.0) {
+            continue;
+        }
+        cases += 1;
+        let body = BodyAt::new(7, &shape, start, end, 0.0);
+        let found: Vec<(f64, f64)> = moving
+            .touches(RADIUS, &body, 0.0)
+            .iter()
+            .map(|touch| (moving.path().now.along(touch.place.element as usize, touch.place.s), touch.gap))
+            .collect();
+        // Pieces of the strand that are in the body: where, and how deep.
+        let mut pieces: Vec<[f64; 3]> = Vec::new();
+        for (along, at) in &places {
+            let deep = depth(&end, at);
+            match pieces.last_mut() {
+                Some([_, to, deepest]) if deep > 0.0 && along - *to < 1.5 * APART => {
+                    (*to, *deepest) = (*along, deepest.max(deep))
+                }
+                _ if deep > 0.0 => pieces.push([*along, *along, deep]),
+                _ => {}
+            }
+        }
+        for [from, to, deepest] in pieces.into_iter().filter(|[.., deepest]| *deepest > DEEP) {
+            runs += 1;
+            // A step's next search finds what is left of it once this is pushed out.
+            let near = found.iter().filter(|(along, _)| *along > from - LENGTH / 3.0 && *along < to + LENGTH / 3.0);
+            let most = near.fold(0.0, |a: f64, (_, gap)| a.min(*gap));
+            assert!(most < -0.3 * deepest, "case {case}: from {from} to {to}, {deepest} deep: {found:?}");
+        }
+    }
+    println!("{runs} pieces in bodies, {cases} ways");
+    assert!(runs > 500, "{runs}");
+}

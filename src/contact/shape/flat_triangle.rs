@@ -46,6 +46,19 @@ impl FlatTriangle {
         self.axes[2].dot(&(point - self.corners[0]))
     }
 
+    /// Whether the straight way between two places goes through it; through an edge of two triangles it goes through one of them.
+    pub fn is_pierced(&self, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
+        if (self.height(from) < 0.0) == (self.height(to) < 0.0) {
+            return false;
+        }
+        let [a, b, c] = &self.corners;
+        let way = to - from;
+        // The signed volumes of the way with the edges: all of one sign when it passes between them.
+        let volume = |p: &Vector3<f64>, q: &Vector3<f64>| way.dot(&(p - from).cross(&(q - from)));
+        let volumes = [volume(a, b), volume(b, c), volume(c, a)];
+        volumes.iter().all(|volume| *volume >= 0.0) || volumes.iter().all(|volume| *volume < 0.0)
+    }
+
     /// The way from its nearest point to `point`, m.
     #[inline]
     pub fn way_to(&self, point: &Vector3<f64>) -> Vector3<f64> {

@@ -109,26 +109,17 @@ impl Patch {
         out.extend(self.near.iter().filter(|ball| tube.meets(&ball.centre, ball.radius)));
     }
 
-    /// Whether the way from `from` to `to` goes through an odd number of the triangles.
+    /// Whether the way from `from` at the step's start to `to` at its end goes through an odd number of the triangles.
     pub fn is_crossed(&self, mesh: &Mesh, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
-        let mut odd = false;
-        for index in &self.triangles {
-            let triangle = mesh.flat(*index);
-            let [a, b, c] = &triangle.corners;
-            // As seen from the triangle, which may move itself.
-            let from = &(from + mesh.travel_of(*index).iter().sum::<Vector3<f64>>() / 3.0);
-            if (triangle.height(from) < 0.0) == (triangle.height(to) < 0.0) {
-                continue;
-            }
-            let way = to - from;
-            // The signed volumes of the way with the edges: all of one sign when it passes between them.
-            let volume = |p: &Vector3<f64>, q: &Vector3<f64>| way.dot(&(p - from).cross(&(q - from)));
-            let volumes = [volume(a, b), volume(b, c), volume(c, a)];
-            if volumes.iter().all(|volume| *volume >= 0.0) || volumes.iter().all(|volume| *volume < 0.0) {
-                odd = !odd;
-            }
-        }
-        odd
+        // As seen from the triangle, which may move itself.
+        let from = |index: u32| from + mesh.travel_of(index).iter().sum::<Vector3<f64>>() / 3.0;
+        let through = self.triangles.iter().filter(|index| mesh.flat(**index).is_pierced(&from(**index), to));
+        through.count() % 2 == 1
+    }
+
+    /// Whether something straight between two places at the step's end goes through any of the triangles.
+    pub fn is_pierced(&self, mesh: &Mesh, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
+        self.triangles.iter().any(|index| mesh.flat(*index).is_pierced(from, to))
     }
 }
 
