@@ -298,7 +298,7 @@ impl Island {
     }
 
     /// Whether constraints have a part in it.
-    pub(super) fn is_constrained(&self) -> bool {
+    pub fn is_constrained(&self) -> bool {
         !self.joints.iter().all(Joint::is_touch)
     }
 

@@ -3,6 +3,7 @@
 //! which changes no result.
 
 mod formula;
+mod parts;
 
 use nalgebra::Vector3;
 
@@ -14,7 +15,7 @@ use super::strand::{self, Strand, Tally};
 use super::touching::{TouchMemory, Touching};
 use super::workers::{Crew, Scratch};
 use crate::chain::load::Station;
-use crate::contact::body::BodyAt;
+use crate::contact::body::{Body, BodyAt};
 use crate::contact::ending::Next;
 use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
@@ -47,6 +48,8 @@ pub(super) struct Holding {
     parents: Vec<u32>,
     touching: Touching,
     contacts: Vec<Contact>,
+    /// Takes parts of a substep.
+    shorter: Option<Box<Holding>>,
 }
 
 /// What contact came to in a call.
@@ -79,6 +82,8 @@ pub(super) struct Scene<'a> {
     pub slots: &'a SlotMap<StrandId>,
     pub constraints: &'a mut [Constraint],
     pub bodies: &'a [BodyAt<'a>],
+    /// The same bodies on their ways, ready for the substep.
+    pub ways: &'a [&'a Body],
     pub body_ids: &'a [BodyId],
     pub options: &'a ContactOptions,
     pub setting: &'a Setting<'a>,
@@ -141,8 +146,16 @@ impl Holding {
         }
     }
 
-    /// Takes the marked strands through a substep of `h` seconds.
-    pub fn take(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally, wrenches: &mut [Wrench]) {
+    /// Takes the marked strands through a substep of `h` seconds, which those that it leaves deep may take in parts, halved `levels` times at most.
+    pub fn take(
+        &mut self,
+        scene: &mut Scene,
+        h: f64,
+        levels: u32,
+        tally: &mut Tally,
+        contact: &mut ContactTally,
+        wrenches: &mut [Wrench],
+    ) {
         self.count = scene.strands.iter().filter(|strand| strand.held).count();
         self.strands.resize_with(self.strands.len().max(self.count), HeldStrand::default);
         for constraint in scene.constraints.iter_mut() {
@@ -158,8 +171,12 @@ impl Holding {
         self.tie(searches > 0);
         self.foresee_pressing(scene, h);
         self.solve(scene, h, contact, searches);
+        let in_parts = levels > 0 && self.choose_parts(scene.options);
         self.look_at_failures(scene, contact);
         self.end(scene, h, tally, contact, wrenches);
+        if in_parts {
+            self.take_parts(scene, h, levels - 1, tally, contact, wrenches);
+        }
     }
 
     /// Newton's iterations of all islands, and `searches` for touches that the last search did not know of, at most.
@@ -196,13 +213,13 @@ impl Holding {
     fn look_at_failures(&mut self, scene: &Scene, contact: &mut ContactTally) {
         let islands = &self.islands[..self.island_count];
         let strands = &mut self.strands[..self.count];
-        let overlooked = islands.iter().any(Island::failed) || strands.iter().any(|held| held.left_deep);
+        let is_looked_at = |held: &HeldStrand| !held.takes_parts && (held.left_deep || islands[held.island as usize].failed());
+        let overlooked = strands.iter().any(is_looked_at);
         if scene.options.model.is_soft() || !self.touching.is_possible(scene) || !overlooked {
             return;
         }
         for held in strands.iter_mut() {
-            let looked_at = held.left_deep || islands[held.island as usize].failed();
-            held.held.gone = if looked_at { f64::INFINITY } else { 0.0 };
+            held.held.gone = if is_looked_at(held) { f64::INFINITY } else { 0.0 };
         }
         self.touching.find(scene, strands, false);
         contact.penetration = contact.penetration.max(self.touching.deepest(strands));
@@ -237,7 +254,7 @@ impl Holding {
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.begins_again, held.ended, held.resting) = (strand.touched, false, None, false);
-            (held.left_deep, held.overlooked) = (false, false);
+            (held.left_deep, held.overlooked, held.takes_parts) = (false, false, false);
             (held.root_gap, held.looked_ahead) = (f64::INFINITY, false);
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
@@ -411,6 +428,9 @@ impl Holding {
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let setting = scene.setting;
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
+            if held.takes_parts {
+                return;
+            }
             let island = &islands[held.island as usize];
             // In an island that has not come to its end most strands may have.
             let at_end = held.resting || island.ending.came_to_end;
@@ -426,7 +446,7 @@ impl Holding {
             strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
         });
         (contact.touches, contact.roots_inside) = (0, 0);
-        for held in &self.strands[..self.count] {
+        for held in self.strands[..self.count].iter().filter(|held| !held.takes_parts) {
             tally.add(&held.held.outcome);
             contact.penetration = contact.penetration.max(-held.root_gap);
             contact.roots_inside += u32::from(held.root_gap < -scene.options.tolerance);
@@ -439,7 +459,8 @@ impl Holding {
             let strand = &self.strands[held as usize];
             (scene.strands[strand.index as usize].id, strand.along(station))
         };
-        for island in islands {
+        let ended = |island: &&Island| !island.strands.iter().any(|held| self.strands[*held as usize].takes_parts);
+        for island in islands.iter().filter(ended) {
             contact.unconverged += u32::from(!island.ending.converged);
             contact.residual = contact.residual.max(island.ending.residual);
             for joint in &island.joints {
@@ -478,7 +499,7 @@ impl Holding {
                 }
             }
         }
-        self.touching.remember(islands, &self.strands);
+        self.touching.remember(islands.iter().filter(ended), &self.strands);
         for island in islands {
             for dependent in &island.report.dependent {
                 if let Some(index) = island.joints[dependent.touch].constraint() {

@@ -10,11 +10,11 @@ use super::id::BodyId;
 use super::report::{StepReport, Wrench};
 use super::side_by_side;
 use super::strand::Tally;
-use crate::contact::body::BodyAt;
+use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
 use crate::step::options::Integrator;
-use crate::step::{Setting, Surroundings, packs};
+use crate::step::{Setting, Surroundings, packs, subdivision};
 
 /// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
 pub const SHORTEST_STEP: f64 = 1e-9;
@@ -109,12 +109,14 @@ impl Solver {
             }
             let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
             let body_ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
+            let ways: Vec<&Body> = self.bodies.iter().map(|body| &body.body).collect();
             let mut wrenches = vec![Wrench::default(); bodies.len()];
             let mut scene = Scene {
                 strands: &mut self.strands,
                 slots: &self.slots,
                 constraints: &mut self.constraints,
                 bodies: &bodies,
+                ways: &ways,
                 body_ids: &body_ids,
                 options: &self.options.contact,
                 setting: &setting,
@@ -127,7 +129,7 @@ impl Solver {
                 total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
             });
             let mut tally = Tally::default();
-            self.holding.take(&mut scene, h, &mut tally, &mut contact, &mut wrenches);
+            self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), &mut tally, &mut contact, &mut wrenches);
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
             for (body, wrench) in self.bodies.iter_mut().zip(wrenches) {
                 body.wrench = wrench;

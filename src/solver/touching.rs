@@ -381,9 +381,9 @@ impl Touching {
     }
 
     /// Keeps the touches' forces for the next substep.
-    pub fn remember(&mut self, islands: &[Island], strands: &[HeldStrand]) {
+    pub fn remember<'a>(&mut self, islands: impl Iterator<Item = &'a Island>, strands: &[HeldStrand]) {
         self.remembered.clear();
-        for joint in islands.iter().flat_map(|island| &island.joints).filter(|joint| joint.force != Vector3::zeros()) {
+        for joint in islands.flat_map(|island| &island.joints).filter(|joint| joint.force != Vector3::zeros()) {
             let with = match (joint.kind, joint.second) {
                 (JointKind::Body { body, .. }, _) => With::Body(body),
                 (JointKind::Hair { .. }, Some(second)) => With::Strand(strands[second.held as usize].index),
@@ -393,7 +393,17 @@ impl Touching {
             let along = strand.along(&joint.first.station);
             self.remembered.push(Remembered { strand: strand.index, with, along, force: joint.force });
         }
+        self.sort_remembered();
+    }
+
+    fn sort_remembered(&mut self) {
         self.remembered.sort_by(|a, b| (a.strand, a.with).cmp(&(b.strand, b.with)).then(a.along.total_cmp(&b.along)));
+    }
+
+    /// Remembers also what is left of the touches of strands that took the substep in parts.
+    pub fn remember_parts(&mut self, parts: &Self) {
+        self.remembered.extend_from_slice(&parts.remembered);
+        self.sort_remembered();
     }
 }
 

@@ -94,6 +94,13 @@ impl Default for StrandOutcome {
 }
 
 impl StrandOutcome {
+    /// Counts a part of a held strand's step.
+    pub(crate) fn add_held_part(&mut self, part: &Self) {
+        self.iterations += part.iterations;
+        self.quarantined |= part.quarantined;
+        self.add_part(part);
+    }
+
     /// Counts a part of the step that was kept; its iterations are counted apart.
     fn add_part(&mut self, part: &Self) {
         self.substeps += 1;
