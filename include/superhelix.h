@@ -541,7 +541,8 @@ typedef struct shx_solver_def {
   // Default 1e-6.
   double tolerance;
   // How often a strand's substep may be halved where it does not converge, turns non-finite or errs by more than error_tolerance;
-  // only that strand takes it in parts. 0 to 10; default 3; 0: never. Implicit Euler and second order only.
+  // only that strand takes it in parts. Strands that touches hold do so where the hard models leave them deep, and those that hang
+  // together with them. 0 to 10; default 3; 0: never. Implicit Euler and second order only.
   uint32_t max_subdivisions;
   // SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST. Results are the same to the bit with all of them; one that the machine
   // lacks is SHX_ERROR_UNSUPPORTED.
@@ -621,7 +622,7 @@ typedef struct shx_strand_def {
 typedef struct shx_step_report {
   // Set by shx_step_report_init.
   uint32_t struct_size;
-  // Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end;
+  // Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end.
   // shx_solver_strand_status tells which strands.
   uint32_t quarantined;
   // Strand-substeps whose iteration ended before it reached the tolerance.

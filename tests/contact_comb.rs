@@ -31,10 +31,11 @@ struct Outcome {
     deepest: f64,
 }
 
-/// Curved hairs of 5 cm and eight elements stand on a plane; a comb whose teeth are `between` from each other goes through them.
-fn comb(model: ContactModel, between: f64, speed: f64, substeps: u32) -> Outcome {
+/// Curved hairs of 5 cm and eight elements stand on a plane; a comb whose teeth are `between` from each other goes through them. Strands that are left
+/// deep take their substep in parts, halved so often at most.
+fn comb(model: ContactModel, between: f64, speed: f64, substeps: u32, max_subdivisions: u32) -> Outcome {
     let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -9.81), ..SolverOptions::default() };
-    options.contact.model = model;
+    (options.contact.model, options.step.max_subdivisions) = (model, max_subdivisions);
     let mut solver = Solver::new(options).unwrap();
     let defs: Vec<StrandDef> = (0..SIDE * SIDE)
         .map(|k| {
@@ -72,10 +73,19 @@ fn comb(model: ContactModel, between: f64, speed: f64, substeps: u32) -> Outcome
 /// Slow enough that a tooth goes less than a third of the space between hairs in a substep: solved but for single strands' steps, and nothing deep.
 #[test]
 fn a_comb_through_rooted_hair_in_short_steps() {
-    let out = comb(ContactModel::Hard, 2.5e-3, 0.6, 8);
+    let out = comb(ContactModel::Hard, 2.5e-3, 0.6, 8, 0);
     println!("{out:?}");
     assert!(out.unconverged * 200 <= out.strand_steps && out.rolled_back == 0, "{out:?}");
     assert!(out.deepest < 1e-3, "{out:?}");
+}
+
+/// In long steps hairs are taken over by teeth, and are left deep in them; in parts most of these steps are solved. The others take none.
+#[test]
+fn a_comb_through_rooted_hair_in_long_steps() {
+    let [whole, in_parts] = [0, 3].map(|levels| comb(ContactModel::Hard, 2.5e-3, 0.6, 1, levels));
+    println!("whole {whole:?}\nin parts {in_parts:?}");
+    assert!(whole.deepest > 1e-3 && whole.unconverged > 20, "{whole:?}");
+    assert!(in_parts.deepest < 0.2 * whole.deepest && in_parts.unconverged * 3 < whole.unconverged, "{in_parts:?} {whole:?}");
 }
 
 #[test]
@@ -84,7 +94,7 @@ fn table() {
     for model in [ContactModel::Hard, ContactModel::Coulomb] {
         for (between, speed) in [(2.5e-3, 0.6), (4e-3, 0.6), (2.5e-3, 0.15), (4e-3, 0.15)] {
             for substeps in [1, 2, 4, 8] {
-                let Outcome { steps, strand_steps, unconverged, rolled_back, deepest } = comb(model, between, speed, substeps);
+                let Outcome { steps, strand_steps, unconverged, rolled_back, deepest } = comb(model, between, speed, substeps, 3);
                 println!(
                     "{model:?}, teeth {:.1} mm apart, {speed} m/s: {steps} steps of {substeps}: {unconverged} of {strand_steps} strand steps not solved, {rolled_back} rolled back, {:.3} mm deep",
                     1e3 * between,

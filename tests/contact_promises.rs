@@ -55,9 +55,16 @@ fn deepest(lines: &[Vec<Vector3<f64>>], ball: Vector3<f64>, radius: f64) -> (f64
 }
 
 /// Strands in two layers across each other fall onto a ball, which also goes through them: `count` of them 6 mm from each other.
-fn falling(model: ContactModel, count: usize, options: ContactOptions) -> (Solver, Vec<StrandId>, Vec<StrandDef>) {
+fn falling(
+    model: ContactModel,
+    count: usize,
+    options: ContactOptions,
+    max_subdivisions: u32,
+) -> (Solver, Vec<StrandId>, Vec<StrandDef>) {
     let contact = ContactOptions { model, hair: true, ..options };
-    let mut solver = Solver::new(SolverOptions { contact, ..SolverOptions::default() }).unwrap();
+    let mut options = SolverOptions { contact, ..SolverOptions::default() };
+    options.step.max_subdivisions = max_subdivisions;
+    let mut solver = Solver::new(options).unwrap();
     let defs: Vec<StrandDef> = (0..count)
         .map(|k| {
             let (layer, place) = ((k % 2) as f64, (k / 2) as f64 - 0.25 * (count - 2) as f64);
@@ -93,7 +100,7 @@ fn swung(solver: &mut Solver, ids: &[StrandId], defs: &[StrandDef], step: u32) -
 #[test]
 fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
     for model in [ContactModel::Hard, ContactModel::Coulomb] {
-        let (mut solver, ids, defs) = falling(model, 8, ContactOptions::default());
+        let (mut solver, ids, defs) = falling(model, 8, ContactOptions::default(), 3);
         let tolerance = ContactOptions::default().tolerance;
         let (mut worst, mut searches, mut solved, mut touches) = ((0.0_f64, 0.0_f64), 0, 0, 0);
         for step in 0..90 {
@@ -120,7 +127,7 @@ fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
 fn islands_that_end_early_are_told_and_how_deep_they_are() {
     for model in [ContactModel::Hard, ContactModel::Coulomb] {
         let few = ContactOptions { max_iterations: 2, ..ContactOptions::default() };
-        let (mut solver, ids, defs) = falling(model, 8, few);
+        let (mut solver, ids, defs) = falling(model, 8, few, 0);
         let (mut told, mut deep, mut strands) = (0, 0.0_f64, 0);
         for step in 0..60 {
             let ball = swung(&mut solver, &ids, &defs, step);
@@ -142,7 +149,7 @@ fn islands_that_end_early_are_told_and_how_deep_they_are() {
             assert!(report.unconverged >= report.contact.unconverged && report.unconverged <= 8, "{report:?}");
             told += report.contact.unconverged;
             strands += report.unconverged;
-            // As deep as it is, also where it was seen too late to be held off (and is not in the list, since no force acts there).
+            // As deep as it is (nothing is taken in parts here), also where it was seen too late to be held off (and is not in the list, since no force acts there).
             let most = sampled.0.max(sampled.1);
             if most > 1e-4 {
                 assert!(report.contact.penetration > 0.9 * most, "step {step}: {most:e} {report:?}");
@@ -159,7 +166,7 @@ fn islands_that_end_early_are_told_and_how_deep_they_are() {
 #[test]
 fn what_cannot_be_held_takes_nobody_along() {
     for model in [ContactModel::Hard, ContactModel::Coulomb] {
-        let (mut solver, ids, defs) = falling(model, 8, ContactOptions::default());
+        let (mut solver, ids, defs) = falling(model, 8, ContactOptions::default(), 3);
         // The walls meet the first strand alone.
         let contact = StrandContact { radius: 1e-4, wisp_radius: RADIUS, groups: 3, exempt_length: 0.01, ..Default::default() };
         solver.set_contact(&ids[..1], Some(&contact)).unwrap();
@@ -200,7 +207,7 @@ fn what_cannot_be_held_takes_nobody_along() {
 fn a_strand_that_is_lost_takes_nobody_along() {
     // Too few iterations for a strand whose root is turned over.
     let few = ContactOptions { max_iterations: 12, ..ContactOptions::default() };
-    let (mut solver, ids, defs) = falling(ContactModel::Penalty, 8, few);
+    let (mut solver, ids, defs) = falling(ContactModel::Penalty, 8, few, 3);
     for _ in 0..21 {
         assert_eq!(solver.step(1.0 / 60.0, 1).unwrap().quarantined, 0);
     }

@@ -23,7 +23,7 @@ use crate::step::options::LinearSolver;
 pub struct shx_step_report {
     /// Set by shx_step_report_init.
     pub struct_size: u32,
-    /// Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end;
+    /// Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end.
     /// shx_solver_strand_status tells which strands.
     pub quarantined: u32,
     /// Strand-substeps whose iteration ended before it reached the tolerance.

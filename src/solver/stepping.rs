@@ -6,7 +6,7 @@ use std::time::Instant;
 use super::Solver;
 use super::constraints::ConstraintStatus;
 use super::holding::{ContactTally, Holding, Scene};
-use super::id::BodyId;
+use super::id::{BodyId, StrandId};
 use super::report::{StepReport, Wrench};
 use super::side_by_side;
 use super::strand::Tally;
@@ -135,6 +135,14 @@ impl Solver {
                 body.wrench = wrench;
                 body.body.finish(h);
             }
+        }
+        // The others had gone on when these took their parts.
+        let in_parts: Vec<StrandId> = self.holding.in_parts().map(|index| self.strands[index].id).collect();
+        if !in_parts.is_empty()
+            && let Ok(overlaps) = self.overlaps(&in_parts)
+        {
+            let deepest = overlaps.iter().fold(0.0, |a: f64, overlap| a.max(overlap.hair).max(overlap.bodies));
+            contact.penetration = contact.penetration.max(deepest);
         }
         // Where nothing holds strands any more the next step looks for none.
         for strand in &mut self.strands {

@@ -15,6 +15,11 @@ use crate::step::StrandOutcome;
 const DEEP: f64 = 10.0;
 
 impl Holding {
+    /// Which strands took the last substep in parts, by their index.
+    pub fn in_parts(&self) -> impl Iterator<Item = usize> {
+        self.strands[..self.count].iter().filter(|held| held.takes_parts).map(|held| held.index as usize)
+    }
+
     /// Marks the strands that are to take the substep in parts. True if there are any.
     pub(super) fn choose_parts(&mut self, options: &ContactOptions) -> bool {
         let mut some = false;
