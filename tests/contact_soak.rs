@@ -375,7 +375,7 @@ fn bodies_thrown_through_hair() {
         assert!(tally.touched * 20 > tally.steps, "too little happened: {tally:?}");
     }
     // Not never yet: an island that cannot be solved gives way, and what is then inside a fast body may stay there until it has passed.
-    assert!(few.stayed * 1000 <= few.steps && few.deep_steps * 100 <= few.steps, "{few:?}");
+    assert!(few.stayed * 20_000 <= few.steps && few.deep_steps * 1000 <= few.steps, "{few:?}");
     // Whatever is deep is told: of 300,000 steps all.
     assert!(few.untold * 50_000 <= few.steps && many.untold * 2_000 <= many.steps, "{few:?} {many:?}");
     // Strands that slide past each other side by side may be pushed apart by touches that are no longer between them (docs/contact.md): one scene of
@@ -384,7 +384,7 @@ fn bodies_thrown_through_hair() {
     assert!(few.rolled_back * 500 <= few.steps && few.unconverged * 50 <= few.steps, "{few:?}");
     // Large islands are less often solved to their end, see docs/contact.md. (In a short run the worst scenes may be most of it.)
     let enough = many.steps + 100;
-    assert!(many.stayed * 200 <= enough && many.deep_steps * 40 <= enough && many.drawing * 100 <= enough, "{many:?}");
+    assert!(many.stayed * 2000 <= enough && many.deep_steps * 200 <= enough && many.drawing * 100 <= enough, "{many:?}");
     assert!(many.rose * 600 <= many.steps + 600, "{many:?}");
     assert!(many.rolled_back * 50 <= enough && many.unconverged * 4 <= enough, "{many:?}");
     assert!(many.large * 3 > many.steps, "too few hung together: {many:?}");
