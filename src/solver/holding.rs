@@ -82,8 +82,8 @@ pub(super) struct Scene<'a> {
     pub slots: &'a SlotMap<StrandId>,
     pub constraints: &'a mut [Constraint],
     pub bodies: &'a [BodyAt<'a>],
-    /// The same bodies on their ways, ready for the substep.
-    pub ways: &'a [&'a Body],
+    /// Copies of the bodies on their ways, ready for the substep.
+    pub copies: &'a (dyn Fn() -> Vec<Body> + Sync),
     pub body_ids: &'a [BodyId],
     pub options: &'a ContactOptions,
     pub setting: &'a Setting<'a>,

@@ -109,14 +109,14 @@ impl Solver {
             }
             let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
             let body_ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
-            let ways: Vec<&Body> = self.bodies.iter().map(|body| &body.body).collect();
+            let copies = || -> Vec<Body> { self.bodies.iter().map(|body| body.body.clone()).collect() };
             let mut wrenches = vec![Wrench::default(); bodies.len()];
             let mut scene = Scene {
                 strands: &mut self.strands,
                 slots: &self.slots,
                 constraints: &mut self.constraints,
                 bodies: &bodies,
-                ways: &ways,
+                copies: &copies,
                 body_ids: &body_ids,
                 options: &self.options.contact,
                 setting: &setting,

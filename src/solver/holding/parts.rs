@@ -3,7 +3,7 @@
 //! ([`StepOptions::max_subdivisions`](crate::step::options::StepOptions::max_subdivisions)). The others have gone on, and are not seen meanwhile.
 
 use super::{ContactTally, Holding, Scene};
-use crate::contact::body::{Body, BodyAt};
+use crate::contact::body::BodyAt;
 use crate::contact::joint::Joint;
 use crate::contact::nearest_pair::depth;
 use crate::contact::options::ContactOptions;
@@ -52,7 +52,7 @@ impl Holding {
     ) {
         let mut shorter = self.shorter.take().unwrap_or_default();
         shorter.forget();
-        let mut bodies: Vec<Body> = scene.ways.iter().map(|body| (*body).clone()).collect();
+        let mut bodies = (scene.copies)();
         for held in self.strands[..self.count].iter_mut().filter(|held| held.takes_parts) {
             let StrandOutcome { iterations, .. } = held.held.outcome;
             held.held.outcome = StrandOutcome { converged: true, substeps: 0, iterations, ..StrandOutcome::default() };
@@ -66,10 +66,10 @@ impl Holding {
             }
             found.fill(Wrench::default());
             bodies.iter_mut().for_each(|body| body.begin(half));
-            let ways: Vec<&Body> = bodies.iter().collect();
+            let copies = || bodies.clone();
             let at: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.at(k as u32, half)).collect();
             // Constraints hold none of them.
-            let mut part = Scene { strands: &mut *scene.strands, constraints: &mut [], bodies: &at, ways: &ways, ..*scene };
+            let mut part = Scene { strands: &mut *scene.strands, constraints: &mut [], bodies: &at, copies: &copies, ..*scene };
             shorter.take(&mut part, half, levels, &mut Tally::default(), &mut told, &mut found);
             bodies.iter_mut().for_each(|body| body.finish(half));
             let of_part = shorter.strands[..shorter.count].iter().map(|held| &held.held.outcome);
