@@ -93,10 +93,11 @@ fn a_comb_through_rooted_hair_in_long_steps() {
 fn table() {
     for model in [ContactModel::Hard, ContactModel::Coulomb] {
         for (between, speed) in [(2.5e-3, 0.6), (4e-3, 0.6), (2.5e-3, 0.15), (4e-3, 0.15)] {
-            for substeps in [1, 2, 4, 8] {
-                let Outcome { steps, strand_steps, unconverged, rolled_back, deepest } = comb(model, between, speed, substeps, 3);
+            for (substeps, halvings) in [1, 2, 4, 8].into_iter().flat_map(|substeps| [(substeps, 0), (substeps, 3)]) {
+                let out = comb(model, between, speed, substeps, halvings);
+                let Outcome { steps, strand_steps, unconverged, rolled_back, deepest } = out;
                 println!(
-                    "{model:?}, teeth {:.1} mm apart, {speed} m/s: {steps} steps of {substeps}: {unconverged} of {strand_steps} strand steps not solved, {rolled_back} rolled back, {:.3} mm deep",
+                    "{model:?}, teeth {:.1} mm apart, {speed} m/s: {steps} steps of {substeps}, {halvings} halvings: {unconverged} of {strand_steps} strand steps not solved, {rolled_back} rolled back, {:.3} mm deep",
                     1e3 * between,
                     1e3 * deepest
                 );

@@ -337,6 +337,8 @@ impl Scene {
         if rose {
             println!("{name}: energy rose from {before:e} to {most:e}, {last:e} in the end, of {scale:e}");
         }
+        // Wisps in wisps are let go of with touches that are not solved.
+        assert!(self.many || !rose, "{name}: energy rose from {before:e} to {most:e}, {last:e} in the end, of {scale:e}");
     }
 }
 
@@ -376,11 +378,8 @@ fn bodies_thrown_through_hair() {
     }
     // Not never yet: an island that cannot be solved gives way, and what is then inside a fast body may stay there until it has passed.
     assert!(few.stayed * 20_000 <= few.steps && few.deep_steps * 1000 <= few.steps, "{few:?}");
-    // Whatever is deep is told: of 300,000 steps all.
-    assert!(few.untold * 50_000 <= few.steps && many.untold * 2_000 <= many.steps, "{few:?} {many:?}");
-    // Strands that slide past each other side by side may be pushed apart by touches that are no longer between them (docs/contact.md): one scene of
-    // 3000, for a few steps.
-    assert!(few.rose * 50_000 <= few.steps, "{few:?}");
+    // Whatever is deep is told.
+    assert!(few.untold == 0 && many.untold == 0, "{few:?} {many:?}");
     assert!(few.rolled_back * 500 <= few.steps && few.unconverged * 50 <= few.steps, "{few:?}");
     // Large islands are less often solved to their end, see docs/contact.md. (In a short run the worst scenes may be most of it.)
     let enough = many.steps + 100;

@@ -69,6 +69,12 @@ impl Ground<'_> {
         }
         Some(surface)
     }
+
+    /// Whether the chord between two places goes through the surface of a solid mesh.
+    pub fn is_pierced(&self, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
+        let solid = self.mesh.filter(|mesh| mesh.sides() == Sides::Solid);
+        solid.is_some_and(|mesh| self.patch.is_pierced(mesh, from, to))
+    }
 }
 
 /// What was found at a place of a curve.

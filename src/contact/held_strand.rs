@@ -68,8 +68,6 @@ pub struct HeldStrand {
     pub left_deep: bool,
     /// Whether the last search that there was to be found some of it in something, and no joint tells of that.
     pub overlooked: bool,
-    /// Whether it takes the substep in parts: this end of it is not to be.
-    pub takes_parts: bool,
     /// How often it was woken since its island was tied.
     pub woken: u32,
     /// How far an element may be from where the iteration ends, rad.

@@ -57,7 +57,7 @@ const HOPELESS: f64 = 0.1;
 /// move it by more than that (an element's length times the angle).
 const REST: f64 = 0.3;
 /// In an island of no more strands none rests, and it is not solved roughly first.
-pub(super) const FEW: usize = 20;
+pub const FEW: usize = 20;
 
 /// How far a relaxed constraint gives way, in units of what its force would move the whole strand by in a step.
 const RELAXED: f64 = 0.03;
@@ -70,6 +70,15 @@ const LOOK: f64 = 0.01;
 pub(super) const LOOKS: u32 = 6;
 /// By how much more than before a normal may point along the strand.
 const ALONG: f64 = 0.1;
+
+/// How deep surfaces are in each other, m.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Left {
+    /// At most.
+    pub deep: f64,
+    /// Where they were not when the step began.
+    pub newly: f64,
+}
 
 /// Strands that hang together.
 #[derive(Debug, Default)]
@@ -90,6 +99,10 @@ pub struct Island {
     pub done: bool,
     /// How they have ended, or stand so far.
     pub ending: Ending,
+    /// How deep it is left, m, as far as that was searched for: at most, and where it was not when the step began.
+    pub left: Left,
+    /// Whether its strands take the substep in parts: this end of theirs is not to be.
+    pub takes_parts: bool,
     /// Its forces grew beyond measure.
     pub beyond: bool,
     /// Whether bonds that do not give way hold strands to the world in this iteration.
@@ -123,7 +136,7 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.ending) = (0, 0, Ending::default());
         (self.done, self.beyond, self.rest, self.rough) = (false, false, -1.0, false);
-        self.pushed = (f64::INFINITY, 0);
+        (self.pushed, self.left, self.takes_parts) = ((f64::INFINITY, 0), Left::default(), false);
         self.begin_to_count(0);
     }
 

@@ -217,14 +217,14 @@ impl Search<'_, '_> {
         if swept {
             body_sweep::sweep(&ground, self.thickness, &nodes, &mut hits);
         }
-        for k in 0..nodes.len() {
-            let (before, place) = (k.checked_sub(1).map(|before| nodes[before].now), nodes[k].now);
-            let node = &mut nodes[k];
-            let mut surface = ground.ask(|| node.before, place, self.inside);
-            if surface.is_none() && before.is_some_and(|before| goes_through(&ground, &before, &place)) {
+        let mut last = nodes.first().map_or_else(Vector3::zeros, |node| node.now);
+        for node in &mut nodes {
+            let mut surface = ground.ask(|| node.before, node.now, self.inside);
+            if surface.is_none() && ground.is_pierced(&last, &node.now) {
                 // Deep inside, though the node before is outside.
-                surface = ground.ask(|| node.before, place, None);
+                surface = ground.ask(|| node.before, node.now, None);
             }
+            last = node.now;
             if let Some(surface) = &surface {
                 self.inside = Some(surface.distance < 0.0);
             } else if self.inside.is_none() {
@@ -299,7 +299,7 @@ impl Search<'_, '_> {
             close_to(ground, path, pair, limit, &mut close);
             // Between places outside nothing is looked for deep inside, unless the surface is between them.
             let out = |node: &Node| node.sample.is_none_or(|sample| sample.value >= 0.0);
-            let outside = out(&pair[0]) && out(&pair[1]) && !goes_through(ground, &pair[0].now, &pair[1].now);
+            let outside = out(&pair[0]) && out(&pair[1]) && !ground.is_pierced(&pair[0].now, &pair[1].now);
             let inside = outside.then_some(false);
             let ask = |s: f64| {
                 let (now, tangent) = path.now.at(s);
@@ -452,12 +452,6 @@ impl Search<'_, '_> {
             None => self.push(index, s, hit, gap),
         }
     }
-}
-
-/// Whether the chord between two places goes through the surface of a solid mesh.
-fn goes_through(ground: &Ground, from: &Vector3<f64>, to: &Vector3<f64>) -> bool {
-    let solid = ground.mesh.filter(|mesh| mesh.sides() == Sides::Solid);
-    solid.is_some_and(|mesh| ground.patch.is_pierced(mesh, from, to))
 }
 
 /// Picks the triangles of a mesh that can be nearest to a place between two nodes.

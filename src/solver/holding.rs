@@ -2,25 +2,26 @@
 //! iteration. Strands do the two halves of an iteration on any thread, islands solve their contact problems between them; who runs
 //! which changes no result.
 
+mod account;
 mod formula;
 mod parts;
 
+pub(super) use account::Account;
+pub use account::ContactTally;
+
 use nalgebra::Vector3;
 
-use super::bodies::{Contact, ContactPartner};
+use super::bodies::Contact;
 use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
-use super::report::Wrench;
-use super::strand::{self, Strand, Tally};
+use super::strand::{self, Strand};
 use super::touching::{TouchMemory, Touching};
 use super::workers::{Crew, Scratch};
-use crate::chain::load::Station;
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::ending::Next;
 use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
-use crate::contact::joint::{Joint, JointKind};
-use crate::contact::nearest_pair::depth;
+use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
 use crate::contact::shape::Bounds;
 use crate::step::Setting;
@@ -48,32 +49,8 @@ pub(super) struct Holding {
     parents: Vec<u32>,
     touching: Touching,
     contacts: Vec<Contact>,
-    /// Takes parts of a substep.
+    /// Takes parts of a substep, see `parts.rs`.
     shorter: Option<Box<Holding>>,
-}
-
-/// What contact came to in a call.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct ContactTally {
-    /// Touches that carried a force at the end of the last substep.
-    pub touches: u32,
-    /// Searches that found touches which the one at a substep's start had not.
-    pub searches: u32,
-    /// Newton iterations of the island that took most.
-    pub iterations: u32,
-    /// Sweeps of the contact problem's solver, all islands and substeps together.
-    pub sweeps: u64,
-    /// Islands whose iteration ended elsewhere than it should.
-    pub unconverged: u32,
-    /// Largest residual of the laws, relative, see `docs/contact.md`.
-    pub residual: f64,
-    /// How deep surfaces were in each other at the end of a substep at most, m.
-    pub penetration: f64,
-    /// The largest distance of a constraint from holding at the end of a substep, m.
-    pub constraint_error: f64,
-    /// Strands whose root was in a body by more than [`ContactOptions::tolerance`] at the end of the last substep, and not exempt: it is where
-    /// the host put it, and no force parts the two. (`penetration` has how deep.)
-    pub roots_inside: u32,
 }
 
 /// What a held substep works on.
@@ -88,6 +65,8 @@ pub(super) struct Scene<'a> {
     pub options: &'a ContactOptions,
     pub setting: &'a Setting<'a>,
     pub crew: &'a Crew,
+    /// Whether the substep is a part of one: strands that it does not hold are at the end of the whole.
+    pub is_part: bool,
 }
 
 impl Holding {
@@ -147,15 +126,7 @@ impl Holding {
     }
 
     /// Takes the marked strands through a substep of `h` seconds, which those that it leaves deep may take in parts, halved `levels` times at most.
-    pub fn take(
-        &mut self,
-        scene: &mut Scene,
-        h: f64,
-        levels: u32,
-        tally: &mut Tally,
-        contact: &mut ContactTally,
-        wrenches: &mut [Wrench],
-    ) {
+    pub fn take(&mut self, scene: &mut Scene, h: f64, levels: u32, mut account: Account) {
         self.count = scene.strands.iter().filter(|strand| strand.held).count();
         self.strands.resize_with(self.strands.len().max(self.count), HeldStrand::default);
         for constraint in scene.constraints.iter_mut() {
@@ -170,12 +141,14 @@ impl Holding {
         let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { MOST_SEARCHES };
         self.tie(searches > 0);
         self.foresee_pressing(scene, h);
-        self.solve(scene, h, contact, searches);
-        let in_parts = levels > 0 && self.choose_parts(scene.options);
-        self.look_at_failures(scene, contact);
-        self.end(scene, h, tally, contact, wrenches);
-        if in_parts {
-            self.take_parts(scene, h, levels - 1, tally, contact, wrenches);
+        self.solve(scene, h, account.contact, searches);
+        self.look_at_failures(scene);
+        let parted = if levels > 0 { self.choose_parts(scene) } else { Vec::new() };
+        self.finish(scene, h);
+        let parts = (!parted.is_empty()).then(|| self.take_parts(scene, h, levels - 1, &parted));
+        self.tell(scene, h, &mut account);
+        if let Some(parts) = parts {
+            self.add_parts(&parts, account);
         }
     }
 
@@ -209,20 +182,19 @@ impl Holding {
         }
     }
 
-    /// How deep islands are left that have not come to their end, and what no joint holds: it was no longer added to them, and would not be told.
-    fn look_at_failures(&mut self, scene: &Scene, contact: &mut ContactTally) {
-        let islands = &self.islands[..self.island_count];
-        let strands = &mut self.strands[..self.count];
-        let is_looked_at = |held: &HeldStrand| !held.takes_parts && (held.left_deep || islands[held.island as usize].failed());
-        let overlooked = strands.iter().any(is_looked_at);
-        if scene.options.model.is_soft() || !self.touching.is_possible(scene) || !overlooked {
+    /// How deep islands are left that have not come to their end, and what no joint holds: it was no longer added to them, and would not be told. What
+    /// their joints say of that is of where the touches were found.
+    fn look_at_failures(&mut self, scene: &Scene) {
+        let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
+        let is_looked_at = |held: &HeldStrand| held.left_deep || islands[held.island as usize].failed();
+        if scene.options.model.is_soft() || !self.touching.is_possible(scene) || !strands.iter().any(is_looked_at) {
             return;
         }
         for held in strands.iter_mut() {
             held.held.gone = if is_looked_at(held) { f64::INFINITY } else { 0.0 };
         }
         self.touching.find(scene, strands, false);
-        contact.penetration = contact.penetration.max(self.touching.deepest(strands));
+        self.touching.tell_depths(scene, strands, islands);
     }
 
     /// The marked strands, each with its place in `strands`.
@@ -244,6 +216,28 @@ impl Holding {
         });
     }
 
+    /// Makes the ends the strands' states.
+    fn finish(&mut self, scene: &mut Scene, h: f64) {
+        let islands = &self.islands[..self.island_count];
+        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        let setting = scene.setting;
+        scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
+            let island = &islands[held.island as usize];
+            // In an island that has not come to its end most strands may have.
+            let at_end = held.resting || island.ending.came_to_end;
+            held.held.outcome.converged =
+                !held.overlooked && (island.ending.converged || (at_end && island.holds(&held.attachments)));
+            held.held.outcome.quarantined |= island.has_lost(held);
+            // No step bends a strand by more than the energy of going its own length in it.
+            let speed = strand.model.length() / h;
+            let most_elastic = strand.energies.elastic + held.mass * speed * speed;
+            strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.step.rule));
+            let outcome = held.held.outcome;
+            strand.ended(outcome, setting, h, &mut scratch.step);
+            strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
+        });
+    }
+
     fn begin(&mut self, scene: &mut Scene, h: f64) {
         let strands = scene.strands.iter().enumerate().filter(|(_, strand)| strand.held);
         for ((k, strand), held) in strands.zip(&mut self.strands) {
@@ -254,7 +248,7 @@ impl Holding {
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             (held.first_order, held.begins_again, held.ended, held.resting) = (strand.touched, false, None, false);
-            (held.left_deep, held.overlooked, held.takes_parts) = (false, false, false);
+            (held.left_deep, held.overlooked) = (false, false);
             (held.root_gap, held.looked_ahead) = (f64::INFINITY, false);
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
@@ -419,96 +413,6 @@ impl Holding {
         for island in islands.iter_mut() {
             contact.iterations = contact.iterations.max(island.iterations);
             contact.sweeps += u64::from(std::mem::take(&mut island.sweeps));
-        }
-    }
-
-    /// Makes the ends the strands' states, and writes down what the joints came to.
-    fn end(&mut self, scene: &mut Scene, h: f64, tally: &mut Tally, contact: &mut ContactTally, wrenches: &mut [Wrench]) {
-        let islands = &self.islands[..self.island_count];
-        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
-        let setting = scene.setting;
-        scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
-            if held.takes_parts {
-                return;
-            }
-            let island = &islands[held.island as usize];
-            // In an island that has not come to its end most strands may have.
-            let at_end = held.resting || island.ending.came_to_end;
-            held.held.outcome.converged =
-                !held.overlooked && (island.ending.converged || (at_end && island.holds(&held.attachments)));
-            held.held.outcome.quarantined |= island.has_lost(held);
-            // No step bends a strand by more than the energy of going its own length in it.
-            let speed = strand.model.length() / h;
-            let most_elastic = strand.energies.elastic + held.mass * speed * speed;
-            strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.step.rule));
-            let outcome = held.held.outcome;
-            strand.ended(outcome, setting, h, &mut scratch.step);
-            strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
-        });
-        (contact.touches, contact.roots_inside) = (0, 0);
-        for held in self.strands[..self.count].iter().filter(|held| !held.takes_parts) {
-            tally.add(&held.held.outcome);
-            contact.penetration = contact.penetration.max(-held.root_gap);
-            contact.roots_inside += u32::from(held.root_gap < -scene.options.tolerance);
-        }
-        self.contacts.clear();
-        for constraint in scene.constraints.iter_mut() {
-            constraint.begin_report();
-        }
-        let place = |held: u32, station: &Station| {
-            let strand = &self.strands[held as usize];
-            (scene.strands[strand.index as usize].id, strand.along(station))
-        };
-        let ended = |island: &&Island| !island.strands.iter().any(|held| self.strands[*held as usize].takes_parts);
-        for island in islands.iter().filter(ended) {
-            contact.unconverged += u32::from(!island.ending.converged);
-            contact.residual = contact.residual.max(island.ending.residual);
-            for joint in &island.joints {
-                match joint.constraint() {
-                    Some(index) => {
-                        contact.constraint_error = contact.constraint_error.max(joint.gap);
-                        let strand = &self.strands[joint.first.held as usize];
-                        scene.constraints[index as usize].add_report(joint, &strand.path().now);
-                    }
-                    None => {
-                        contact.penetration = contact.penetration.max(depth(joint, &self.strands, scene.options.tolerance));
-                        if joint.force == Vector3::zeros() {
-                            continue;
-                        }
-                        contact.touches += 1;
-                        let (strand, arclength) = place(joint.first.held, &joint.first.station);
-                        let position = self.strands[joint.first.held as usize].end_state(&joint.first.station).now;
-                        let (normal, partner) = match (joint.kind, joint.second) {
-                            (JointKind::Hair { normal, .. }, Some(end)) => {
-                                let (strand, arclength) = place(end.held, &end.station);
-                                (normal, ContactPartner::Strand { strand, arclength })
-                            }
-                            (JointKind::Body { body, feature, normal, point, .. }, _) => {
-                                let origin = scene.bodies[body as usize].end.origin;
-                                let wrench = &mut wrenches[body as usize];
-                                wrench.force -= joint.force;
-                                wrench.torque -= (point - origin).cross(&joint.force);
-                                (normal, ContactPartner::Body { body: scene.body_ids[body as usize], feature })
-                            }
-                            _ => continue,
-                        };
-                        let slip = joint.slip - normal * normal.dot(&joint.slip);
-                        let (force, gap) = (joint.force, joint.gap);
-                        self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
-                    }
-                }
-            }
-        }
-        self.touching.remember(islands.iter().filter(ended), &self.strands);
-        for island in islands {
-            for dependent in &island.report.dependent {
-                if let Some(index) = island.joints[dependent.touch].constraint() {
-                    scene.constraints[index as usize].depends();
-                }
-            }
-        }
-        for constraint in scene.constraints.iter_mut() {
-            constraint.way.advance(h);
         }
     }
 }

@@ -3,6 +3,7 @@
 pub mod bodies;
 mod bulk_sampling;
 pub mod constraints;
+mod deep_places;
 pub mod definition;
 mod editing;
 mod holding;

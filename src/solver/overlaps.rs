@@ -2,18 +2,12 @@
 //! force where it stands.
 
 use super::Solver;
+use super::deep_places::AsItIs;
 use super::id::{BodyId, StrandId};
-use super::touching::{pair_options, tied};
 use crate::contact::allowance::Allowance;
 use crate::contact::body::BodyAt;
-use crate::contact::hair_pairs::{HairPairs, PairOptions};
-use crate::contact::options::StrandContact;
-use crate::contact::strand_body::{self, PathBounds, Span};
-use crate::contact::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
-use crate::contact::touches::TouchScratch;
+use crate::contact::touch::Partner;
 use crate::error::{Error, Result};
-use crate::rod::kinematics::{ElementState, element_states};
-use crate::step::state::rotation_matrix;
 
 /// How deep a strand is in others and in bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -28,27 +22,6 @@ pub struct Overlap {
     pub body: Option<BodyId>,
 }
 
-/// A place where two surfaces are in each other, before anything is allowed.
-#[derive(Debug, Clone, Copy)]
-struct Deep {
-    /// Where, and on which strand by its index in the solver.
-    place: Place,
-    /// The other strand's place, or which body it is.
-    partner: Partner,
-    /// Distance of the centrelines along the normal, m; of strand and body that of the surfaces, below zero.
-    distance: f64,
-    /// Up to which distance they would press, m: of strands the sum of their radii, less what a knot near by takes of it.
-    room: f64,
-}
-
-/// A strand's curve as it is now.
-#[derive(Debug, Default)]
-struct Curve {
-    elements: Vec<ElementState<f64>>,
-    /// Its overlaps with bodies.
-    deep: Vec<Touch>,
-}
-
 impl Solver {
     /// How deep each strand is in others (where [`ContactOptions::hair`](crate::contact::options::ContactOptions::hair) is set) and in bodies
     /// as they are now, less what it is allowed ([`Solver::allow_overlaps`]); in the order of `ids`. Strands without contact overlap nothing, what is
@@ -58,19 +31,19 @@ impl Solver {
     /// [`Error::InvalidId`] naming `ids[i]`.
     pub fn overlaps(&mut self, ids: &[StrandId]) -> Result<Vec<Overlap>> {
         let indices = self.indices(ids)?;
-        let deep = self.deep();
+        self.rest_bodies();
+        let bodies = self.bodies_at_rest();
+        let scene = self.as_it_is(&bodies);
         let mut found = vec![Overlap::default(); self.strands.len()];
-        for deep in &deep {
-            let a = deep.place.strand as usize;
+        for deep in &scene.deep_places(|_| true) {
+            let (a, depth) = (deep.place.strand as usize, scene.depth(deep));
             match deep.partner {
                 Partner::Body { body, .. } => {
-                    let depth = -deep.distance - self.allowed(&deep.place).1;
                     if depth > found[a].bodies {
                         (found[a].bodies, found[a].body) = (depth, Some(self.bodies[body as usize].id));
                     }
                 }
                 Partner::Strand(other) => {
-                    let depth = deep.room.min(self.wisp_radius(&deep.place) + self.wisp_radius(&other)) - deep.distance;
                     let b = other.strand as usize;
                     for (this, that) in [(a, b), (b, a)] {
                         if depth > found[this].hair {
@@ -102,10 +75,11 @@ impl Solver {
         let overlaps = self.overlaps(ids)?;
         let mut named = vec![false; self.strands.len()];
         indices.iter().for_each(|index| named[*index] = true);
-        let deep = self.deep();
+        let bodies = self.bodies_at_rest();
+        let scene = self.as_it_is(&bodies);
         let stations = |index: usize| none_at(&self.strands[index].model.lengths);
         let mut made: Vec<Option<Allowance>> = vec![None; self.strands.len()];
-        for deep in deep {
+        for deep in scene.deep_places(|_| true) {
             match deep.partner {
                 Partner::Body { .. } => {
                     let (index, element) = (deep.place.strand as usize, deep.place.element as usize);
@@ -120,7 +94,7 @@ impl Solver {
                     // Radii of those that give way, and what is left for them.
                     let ends = [deep.place, other];
                     let gives = ends.map(|end| named[end.strand as usize]);
-                    let radius = |end: usize| self.wisp_radius(&ends[end]);
+                    let radius = |end: usize| scene.wisp_radius(&ends[end]);
                     let (mut give, mut left) = (0.0, deep.distance);
                     for end in 0..2 {
                         if gives[end] {
@@ -173,82 +147,25 @@ impl Solver {
         Ok(self.strand("id", id)?.allowance.as_deref())
     }
 
-    /// What is left of the wisp's radius at a place, and how far the strand may be in a body there.
-    fn allowed(&self, place: &Place) -> (f64, f64) {
-        let strand = &self.strands[place.strand as usize];
-        let along = || strand.model.lengths[..place.element as usize].iter().sum::<f64>() + place.s;
-        strand.allowance.as_deref().map_or((1.0, 0.0), |allowance| {
-            let along = along();
-            (allowance.wisp_share(along), allowance.sunk(along))
-        })
-    }
-
-    fn wisp_radius(&self, place: &Place) -> f64 {
-        let contact = self.strands[place.strand as usize].contact.as_deref();
-        contact.map_or(0.0, |contact| contact.wisp_radius) * self.allowed(place).0
-    }
-
-    /// All places where surfaces are in each other now, as a step looks for them: by strand and arclength with bodies, then between strands.
-    fn deep(&mut self) -> Vec<Deep> {
+    /// Leaves what drew the bodies on their last ways behind.
+    fn rest_bodies(&mut self) {
         for body in &mut self.bodies {
             body.body.rest();
         }
-        let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, scene)| scene.body.still(k as u32)).collect();
-        let mut curves: Vec<(usize, Curve)> = (0..self.strands.len()).map(|index| (index, Curve::default())).collect();
-        let strands = &self.strands;
-        self.crew.for_each(&mut curves, |(index, curve), _| {
-            let (model, state) = (&strands[*index].model, &strands[*index].state);
-            let Some(contact) = strands[*index].contact.as_deref() else { return };
-            let frame = rotation_matrix(&state.root);
-            element_states(frame, model.lengths.iter().copied(), &state.curvatures, &mut curve.elements);
-            let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = *contact;
-            let path = path(*index as u32, state.root.origin, &curve.elements);
-            let (mut bounds, mut scratch) = (PathBounds::default(), strand_body::Scratch::default());
-            bounds.update(&path);
-            for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
-                strand_body::touches(&path, &bounds, Span { exempt }, radius, body, 0.0, &mut scratch, &mut curve.deep);
-            }
-        });
-        let in_bodies = curves.iter().flat_map(|(_, curve)| &curve.deep);
-        let mut deep: Vec<Deep> = in_bodies
-            .filter(|touch| touch.gap < 0.0)
-            .map(|touch| Deep { place: touch.place, partner: touch.partner, distance: touch.gap, room: 0.0 })
-            .collect();
-        if self.options.contact.hair {
-            self.deep_in_hair(&curves, &mut deep);
-        }
-        deep
     }
 
-    fn deep_in_hair(&self, curves: &[(usize, Curve)], deep: &mut Vec<Deep>) {
-        let (mut of, mut wisps, mut paths) = (Vec::new(), Vec::new(), Vec::new());
-        for (index, curve) in curves {
-            let Some(contact) = self.strands[*index].contact.as_deref().filter(|contact| contact.wisp_radius > 0.0) else {
-                continue;
-            };
-            of.push(*index);
-            wisps.push(contact.wisp());
-            paths.push(path(*index as u32, self.strands[*index].state.root.origin, &curve.elements));
-        }
-        // As a step looks: the touches that it takes for one are one here too.
-        let options = PairOptions { margin: 0.0, ..pair_options(&wisps) };
-        let (mut pairs, mut ties) = (HairPairs::default(), Vec::new());
-        tied(&self.constraints, |id| of.binary_search(&self.slots.index(id)?).ok(), &mut ties);
-        // What could be refused was checked when it was given to the solver.
-        if pairs.set(&wisps, &options).and_then(|()| pairs.set_ties(&ties)).and_then(|()| pairs.update(&paths)).is_err() {
-            return;
-        }
-        let (mut scratch, mut touches) = (TouchScratch::default(), Vec::new());
-        for group in pairs.groups() {
-            touches.clear();
-            pairs.touches(group, &paths, 0.0, &mut scratch, &mut touches);
-            for touch in touches.iter().filter(|touch| touch.gap < 0.0) {
-                let Partner::Strand(other) = touch.partner else { continue };
-                let at = |path: &StrandPath, place: &Place| path.now.position(place.element as usize, place.s);
-                let apart = at(&paths[group.a as usize], &touch.place) - at(&paths[group.b as usize], &other);
-                let distance = touch.normal.dot(&apart);
-                deep.push(Deep { place: touch.place, partner: touch.partner, distance, room: distance - touch.gap });
-            }
+    fn bodies_at_rest(&self) -> Vec<BodyAt<'_>> {
+        self.bodies.iter().enumerate().map(|(k, scene)| scene.body.still(k as u32)).collect()
+    }
+
+    fn as_it_is<'a>(&'a self, bodies: &'a [BodyAt<'a>]) -> AsItIs<'a> {
+        AsItIs {
+            strands: &self.strands,
+            slots: &self.slots,
+            constraints: &self.constraints,
+            bodies,
+            hair: self.options.contact.hair,
+            crew: &self.crew,
         }
     }
 }
@@ -261,9 +178,4 @@ fn none_at(lengths: &[f64]) -> Allowance {
         Some(*along)
     }));
     Allowance { wisp_shares: vec![1.0; along.len()], sunk: vec![0.0; along.len()], along }
-}
-
-fn path(index: u32, origin: nalgebra::Vector3<f64>, elements: &[ElementState<f64>]) -> StrandPath<'_> {
-    let curve = StrandCurve { origin, elements };
-    StrandPath { index, start: curve, now: curve }
 }

@@ -5,8 +5,8 @@ use std::time::Instant;
 
 use super::Solver;
 use super::constraints::ConstraintStatus;
-use super::holding::{ContactTally, Holding, Scene};
-use super::id::{BodyId, StrandId};
+use super::holding::{Account, ContactTally, Holding, Scene};
+use super::id::BodyId;
 use super::report::{StepReport, Wrench};
 use super::side_by_side;
 use super::strand::Tally;
@@ -121,6 +121,7 @@ impl Solver {
                 options: &self.options.contact,
                 setting: &setting,
                 crew: &self.crew,
+                is_part: false,
             };
             Holding::mark(&mut scene, h);
             self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
@@ -129,20 +130,13 @@ impl Solver {
                 total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
             });
             let mut tally = Tally::default();
-            self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), &mut tally, &mut contact, &mut wrenches);
+            let account = Account { tally: &mut tally, contact: &mut contact, wrenches: &mut wrenches };
+            self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), account);
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
             for (body, wrench) in self.bodies.iter_mut().zip(wrenches) {
                 body.wrench = wrench;
                 body.body.finish(h);
             }
-        }
-        // The others had gone on when these took their parts.
-        let in_parts: Vec<StrandId> = self.holding.in_parts().map(|index| self.strands[index].id).collect();
-        if !in_parts.is_empty()
-            && let Ok(overlaps) = self.overlaps(&in_parts)
-        {
-            let deepest = overlaps.iter().fold(0.0, |a: f64, overlap| a.max(overlap.hair).max(overlap.bodies));
-            contact.penetration = contact.penetration.max(deepest);
         }
         // Where nothing holds strands any more the next step looks for none.
         for strand in &mut self.strands {

@@ -16,6 +16,7 @@ use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
 use crate::contact::joint::{Joint, JointEnd, JointKind, SAME_SIDE};
 use crate::contact::law::Law;
+use crate::contact::nearest_pair::depth;
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
@@ -180,14 +181,7 @@ impl Touching {
 
     /// The joints of all touches found.
     pub fn joints(&mut self, scene: &Scene, strands: &[HeldStrand], joints: &mut Vec<Joint>) {
-        for (k, held) in strands.iter().enumerate() {
-            for touch in &held.found {
-                joints.push(self.joint(scene, strands, k as u32, touch));
-            }
-        }
-        for touch in &self.hair {
-            joints.push(self.joint(scene, strands, touch.place.strand, touch));
-        }
+        joints.extend(self.found(strands).map(|(held, touch)| self.joint(scene, strands, held, touch)));
     }
 
     fn joint(&self, scene: &Scene, strands: &[HeldStrand], held: u32, touch: &Touch) -> Joint {
@@ -272,8 +266,7 @@ impl Touching {
     /// Of the touches found last, those that overlap where the strands are now and that no joint tells of.
     fn missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &[Island], h: f64) -> Vec<Joint> {
         let (mut missed, mut left_deep) = (Vec::new(), Vec::new());
-        let bodies = strands.iter().enumerate().flat_map(|(k, held)| held.found.iter().map(move |touch| (k as u32, touch)));
-        for (held, touch) in bodies.chain(self.hair.iter().map(|touch| (touch.place.strand, touch))) {
+        for (held, touch) in self.found(strands) {
             if touch.gap >= -scene.options.tolerance || islands[strands[held as usize].island as usize].is_given_up() {
                 continue;
             }
@@ -374,10 +367,26 @@ impl Touching {
         true
     }
 
-    /// How deep anything is that the last search found, m.
-    pub fn deepest(&self, strands: &[HeldStrand]) -> f64 {
-        let found = strands.iter().flat_map(|held| &held.found).chain(&self.hair);
-        found.map(|touch| -touch.gap).fold(0.0, f64::max)
+    /// Tells the islands how deep what the last search found is.
+    pub fn tell_depths(&self, scene: &Scene, strands: &[HeldStrand], islands: &mut [Island]) {
+        for (held, touch) in self.found(strands) {
+            if touch.gap >= -scene.options.tolerance {
+                continue;
+            }
+            let joint = self.joint(scene, strands, held, touch);
+            let depth = depth(&joint, strands, scene.options.tolerance);
+            for end in joint.ends() {
+                let left = &mut islands[strands[end.held as usize].island as usize].left;
+                left.deep = left.deep.max(depth);
+                left.newly = left.newly.max(if joint.deep { 0.0 } else { depth });
+            }
+        }
+    }
+
+    /// What the last search found, and on which strand.
+    fn found<'a>(&'a self, strands: &'a [HeldStrand]) -> impl Iterator<Item = (u32, &'a Touch)> {
+        let bodies = strands.iter().enumerate().flat_map(|(k, held)| held.found.iter().map(move |touch| (k as u32, touch)));
+        bodies.chain(self.hair.iter().map(|touch| (touch.place.strand, touch)))
     }
 
     /// Keeps the touches' forces for the next substep.

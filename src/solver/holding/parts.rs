@@ -1,94 +1,177 @@
-//! Strands that touches leave deep take the substep again, in parts: those of islands that have not come to their end, each half from where the one
-//! before has left them, and halves of halves, as often as free strands' steps may be halved
-//! ([`StepOptions::max_subdivisions`](crate::step::options::StepOptions::max_subdivisions)). The others have gone on, and are not seen meanwhile.
+//! Strands of islands that have not come to their end take the substep again, in parts: where touches are left deep, and always where they are
+//! few, which costs little. Each half begins where the one before has left them; there are halves of halves, as often as free strands' steps
+//! may be halved ([`StepOptions::max_subdivisions`](crate::step::options::StepOptions::max_subdivisions)). The others have gone on, and are not
+//! seen meanwhile: an island that comes deeper into them so than it was left goes back to that.
 
-use super::{ContactTally, Holding, Scene};
-use crate::contact::body::BodyAt;
-use crate::contact::joint::Joint;
-use crate::contact::nearest_pair::depth;
-use crate::contact::options::ContactOptions;
+use super::account::{Account, ContactTally};
+use super::{Holding, Scene};
+use crate::contact::body::{Body, BodyAt};
+use crate::contact::island::FEW;
+use crate::contact::touch::Partner;
+use crate::solver::deep_places::AsItIs;
 use crate::solver::report::Wrench;
-use crate::solver::strand::Tally;
+use crate::solver::strand::{Strand, Tally};
 use crate::step::StrandOutcome;
 
 /// Surfaces that are so many tolerances in each other are deep.
 const DEEP: f64 = 10.0;
 
+/// A strand that is to take the substep in parts.
+#[derive(Debug)]
+pub(super) struct Parted {
+    /// Its place among the held strands.
+    held: usize,
+    /// As the substep found it.
+    before: Strand,
+}
+
+/// What parts came to.
+#[derive(Debug, Default)]
+pub(super) struct Parts {
+    told: ContactTally,
+    /// On the bodies, by the last of them.
+    wrenches: Vec<Wrench>,
+    /// Of the strands that have kept them.
+    outcomes: Vec<StrandOutcome>,
+}
+
 impl Holding {
-    /// Which strands took the last substep in parts, by their index.
-    pub fn in_parts(&self) -> impl Iterator<Item = usize> {
-        self.strands[..self.count].iter().filter(|held| held.takes_parts).map(|held| held.index as usize)
+    /// Marks the islands that are to take the substep in parts, and gives their strands as the substep found them.
+    pub(super) fn choose_parts(&mut self, scene: &Scene) -> Vec<Parted> {
+        let deep = DEEP * scene.options.tolerance;
+        for island in self.islands[..self.island_count].iter_mut() {
+            let may = island.failed() && !island.is_constrained() && !scene.options.model.is_soft();
+            island.takes_parts = may && (island.strands.len() <= FEW || island.ending.lost || island.left.newly > deep);
+        }
+        let strands = &self.strands;
+        let taking = (0..self.count).filter(|held| self.takes_parts(*held));
+        taking.map(|held| Parted { held, before: scene.strands[strands[held].index as usize].clone() }).collect()
     }
 
-    /// Marks the strands that are to take the substep in parts. True if there are any.
-    pub(super) fn choose_parts(&mut self, options: &ContactOptions) -> bool {
-        let mut some = false;
-        if options.model.is_soft() {
-            return some;
+    /// Takes the islands in question through the two halves of a substep of `h` seconds, which may be halved `levels` times more. They end as
+    /// whole steps have left them where that is less deep.
+    pub(super) fn take_parts(&mut self, scene: &mut Scene, h: f64, levels: u32, parted: &[Parted]) -> Parts {
+        let index = |holding: &Self, parted: &Parted| holding.strands[parted.held].index as usize;
+        let whole: Vec<Strand> = parted.iter().map(|parted| scene.strands[index(self, parted)].clone()).collect();
+        let mut bodies = if scene.is_part { Vec::new() } else { (scene.copies)() };
+        for body in &mut bodies {
+            body.begin(h);
+            body.finish(h);
+            body.rest();
         }
-        for island in self.islands[..self.island_count].iter().filter(|island| island.failed() && !island.is_constrained()) {
-            let is_deep =
-                |joint: &Joint| !joint.deep && depth(joint, &self.strands, options.tolerance) > DEEP * options.tolerance;
-            let overlooked = island.strands.iter().any(|held| self.strands[*held as usize].overlooked);
-            if overlooked || island.ending.lost || island.joints.iter().any(is_deep) {
-                some = true;
-                for held in &island.strands {
-                    self.strands[*held as usize].takes_parts = true;
-                }
+        while self.islands[..self.island_count].iter().any(|island| island.takes_parts) {
+            for parted in parted.iter().filter(|parted| self.takes_parts(parted.held)) {
+                scene.strands[index(self, parted)].clone_from(&parted.before);
+            }
+            let mut parts = self.take_halves(scene, h, levels);
+            // Of the parts' own ends the first ones are on the way, and none knows of the others.
+            parts.told.penetration = 0.0;
+            let (left, mut some_go_back) = (self.depths(scene, &bodies), false);
+            for (k, island) in self.islands[..self.island_count].iter_mut().enumerate().filter(|(_, island)| island.takes_parts) {
+                let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
+                island.takes_parts = left[k] <= most;
+                some_go_back |= !island.takes_parts;
+                parts.told.penetration = parts.told.penetration.max(left[k]);
+            }
+            if !some_go_back {
+                return parts;
+            }
+            // The others take their parts anew: some of what they met in them ends elsewhere now.
+            for (parted, whole) in parted.iter().zip(&whole).filter(|(parted, _)| !self.takes_parts(parted.held)) {
+                scene.strands[index(self, parted)].clone_from(whole);
             }
         }
-        some
+        Parts::default()
     }
 
-    /// Takes the marked strands through the two halves of a substep of `h` seconds, which may be halved `levels` times more.
-    pub(super) fn take_parts(
-        &mut self,
-        scene: &mut Scene,
-        h: f64,
-        levels: u32,
-        tally: &mut Tally,
-        contact: &mut ContactTally,
-        wrenches: &mut [Wrench],
-    ) {
+    fn take_halves(&mut self, scene: &mut Scene, h: f64, levels: u32) -> Parts {
         let mut shorter = self.shorter.take().unwrap_or_default();
         shorter.forget();
         let mut bodies = (scene.copies)();
-        for held in self.strands[..self.count].iter_mut().filter(|held| held.takes_parts) {
-            let StrandOutcome { iterations, .. } = held.held.outcome;
-            held.held.outcome = StrandOutcome { converged: true, substeps: 0, iterations, ..StrandOutcome::default() };
-        }
-        let half = 0.5 * h;
-        let (mut told, mut found) = (ContactTally::default(), vec![Wrench::default(); wrenches.len()]);
+        let taking: Vec<usize> = (0..self.count).filter(|held| self.takes_parts(*held)).collect();
+        let begin = |held: &usize| {
+            let StrandOutcome { iterations, .. } = self.strands[*held].held.outcome;
+            StrandOutcome { converged: true, substeps: 0, iterations, ..StrandOutcome::default() }
+        };
+        let mut outcomes: Vec<StrandOutcome> = taking.iter().map(begin).collect();
+        let (half, mut told) = (0.5 * h, ContactTally::default());
+        let mut wrenches = vec![Wrench::default(); bodies.len()];
         for _ in 0..2 {
-            let mut marked = self.strands[..self.count].iter().filter(|held| held.takes_parts).map(|held| held.index).peekable();
-            for (index, strand) in scene.strands.iter_mut().enumerate() {
-                strand.held = marked.next_if_eq(&(index as u32)).is_some();
+            scene.strands.iter_mut().for_each(|strand| strand.held = false);
+            for held in &taking {
+                scene.strands[self.strands[*held].index as usize].held = true;
             }
-            found.fill(Wrench::default());
+            wrenches.fill(Wrench::default());
             bodies.iter_mut().for_each(|body| body.begin(half));
             let copies = || bodies.clone();
             let at: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.at(k as u32, half)).collect();
             // Constraints hold none of them.
-            let mut part = Scene { strands: &mut *scene.strands, constraints: &mut [], bodies: &at, copies: &copies, ..*scene };
-            shorter.take(&mut part, half, levels, &mut Tally::default(), &mut told, &mut found);
+            let (strands, constraints) = (&mut *scene.strands, &mut [][..]);
+            let mut part = Scene { strands, constraints, bodies: &at, copies: &copies, is_part: true, ..*scene };
+            let account = Account { tally: &mut Tally::default(), contact: &mut told, wrenches: &mut wrenches };
+            shorter.take(&mut part, half, levels, account);
             bodies.iter_mut().for_each(|body| body.finish(half));
-            let of_part = shorter.strands[..shorter.count].iter().map(|held| &held.held.outcome);
-            for (held, part) in self.strands[..self.count].iter_mut().filter(|held| held.takes_parts).zip(of_part) {
-                held.held.outcome.add_held_part(part);
+            for (outcome, part) in outcomes.iter_mut().zip(&shorter.strands[..shorter.count]) {
+                outcome.add_held_part(&part.held.outcome);
             }
         }
-        for held in self.strands[..self.count].iter().filter(|held| held.takes_parts) {
-            scene.strands[held.index as usize].fared = (&held.held.outcome).into();
-            tally.add(&held.held.outcome);
+        for (held, outcome) in taking.iter().zip(&outcomes) {
+            scene.strands[self.strands[*held].index as usize].fared = outcome.into();
         }
-        contact.add_parts(&told);
-        for (wrench, found) in wrenches.iter_mut().zip(&found) {
+        self.shorter = Some(shorter);
+        Parts { told, wrenches, outcomes }
+    }
+
+    /// Adds what strands came to in parts to what is told of the others.
+    pub(super) fn add_parts(&mut self, parts: &Parts, account: Account) {
+        let taking: Vec<usize> = (0..self.count).filter(|held| self.takes_parts(*held)).collect();
+        for (held, outcome) in taking.into_iter().zip(&parts.outcomes) {
+            self.strands[held].held.outcome = *outcome;
+            account.tally.add(outcome);
+        }
+        account.contact.add_parts(&parts.told);
+        for (wrench, found) in account.wrenches.iter_mut().zip(&parts.wrenches) {
             wrench.force += found.force;
             wrench.torque += found.torque;
         }
-        self.contacts.append(&mut shorter.contacts);
-        self.touching.remember_parts(&shorter.touching);
-        self.shorter = Some(shorter);
+        if let Some(shorter) = self.shorter.as_deref_mut().filter(|_| !parts.outcomes.is_empty()) {
+            self.contacts.append(&mut shorter.contacts);
+            self.touching.remember_parts(&shorter.touching);
+        }
+    }
+
+    /// Whether a strand takes the substep in parts: the end that the whole has for it is not to be.
+    pub(super) fn takes_parts(&self, held: usize) -> bool {
+        self.islands[self.strands[held].island as usize].takes_parts
+    }
+
+    /// How deep the islands in question are in what there is, m: as everything is now, whatever touches there were. Of a part of a substep
+    /// that cannot be told: other strands are elsewhere then.
+    fn depths(&self, scene: &Scene, bodies: &[Body]) -> Vec<f64> {
+        let mut depths = vec![0.0_f64; self.island_count];
+        if scene.is_part {
+            return depths;
+        }
+        let held = &self.strands[..self.count];
+        let island = |index: usize| {
+            let found = held.binary_search_by_key(&(index as u32), |held| held.index);
+            found.ok().filter(|place| self.takes_parts(*place)).map(|place| held[place].island as usize)
+        };
+        let bodies: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.still(k as u32)).collect();
+        let Scene { strands: &mut ref strands, slots, constraints: &mut ref constraints, crew, options, .. } = *scene;
+        let now = AsItIs { strands, slots, constraints, bodies: &bodies, hair: options.hair, crew };
+        for deep in now.deep_places(|index| island(index).is_some()) {
+            let (place, other) = match deep.partner {
+                // The root is where the host has put it.
+                Partner::Body { .. } if deep.place.element == 0 && deep.place.s == 0.0 => continue,
+                Partner::Body { .. } => (deep.place, None),
+                Partner::Strand(other) => (deep.place, Some(other)),
+            };
+            for island in [Some(place), other].into_iter().flatten().filter_map(|place| island(place.strand as usize)) {
+                depths[island] = depths[island].max(now.depth(&deep));
+            }
+        }
+        depths
     }
 }
 
@@ -96,7 +179,6 @@ impl ContactTally {
     /// Adds what the parts of a substep came to.
     fn add_parts(&mut self, parts: &Self) {
         self.touches += parts.touches;
-        self.roots_inside += parts.roots_inside;
         self.searches = self.searches.max(parts.searches);
         self.iterations = self.iterations.max(parts.iterations);
         self.sweeps += parts.sweeps;

@@ -1,0 +1,141 @@
+//! Where strands are in bodies and in each other as they are now, whatever a step makes of it.
+
+use super::constraints::Constraint;
+use super::id::{SlotMap, StrandId};
+use super::strand::Strand;
+use super::touching::{pair_options, tied};
+use super::workers::Crew;
+use crate::contact::body::BodyAt;
+use crate::contact::hair_pairs::{HairPairs, PairOptions};
+use crate::contact::options::StrandContact;
+use crate::contact::strand_body::{self, PathBounds, Span};
+use crate::contact::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
+use crate::contact::touches::TouchScratch;
+use crate::rod::kinematics::{ElementState, element_states};
+use crate::step::state::rotation_matrix;
+
+/// A place where two surfaces are in each other, before anything is allowed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct DeepPlace {
+    /// Where, and on which strand by its index in the solver.
+    pub place: Place,
+    /// The other strand's place, or which body it is.
+    pub partner: Partner,
+    /// Distance of the centrelines along the normal, m; of strand and body that of the surfaces, below zero.
+    pub distance: f64,
+    /// Up to which distance they would press, m: of strands the sum of their radii, less what a knot near by takes of it.
+    room: f64,
+}
+
+/// A scene as it is now.
+pub(super) struct AsItIs<'a> {
+    pub strands: &'a [Strand],
+    pub slots: &'a SlotMap<StrandId>,
+    pub constraints: &'a [Constraint],
+    /// At rest.
+    pub bodies: &'a [BodyAt<'a>],
+    /// Whether hair touches hair.
+    pub hair: bool,
+    pub crew: &'a Crew,
+}
+
+/// A strand's curve as it is now.
+#[derive(Debug, Default)]
+struct Curve {
+    elements: Vec<ElementState<f64>>,
+    /// Its overlaps with bodies.
+    deep: Vec<Touch>,
+}
+
+impl AsItIs<'_> {
+    /// How deep a place is beyond what is allowed there, m.
+    pub fn depth(&self, deep: &DeepPlace) -> f64 {
+        match deep.partner {
+            Partner::Body { .. } => -deep.distance - self.allowed(&deep.place).1,
+            Partner::Strand(other) => deep.room.min(self.wisp_radius(&deep.place) + self.wisp_radius(&other)) - deep.distance,
+        }
+    }
+
+    /// What a place has of its strand's radius among wisps, m.
+    pub fn wisp_radius(&self, place: &Place) -> f64 {
+        let contact = self.strands[place.strand as usize].contact.as_deref();
+        contact.map_or(0.0, |contact| contact.wisp_radius) * self.allowed(place).0
+    }
+
+    /// What is left of the wisp's radius at a place, and how far the strand may be in a body there.
+    fn allowed(&self, place: &Place) -> (f64, f64) {
+        let strand = &self.strands[place.strand as usize];
+        let along = || strand.model.lengths[..place.element as usize].iter().sum::<f64>() + place.s;
+        strand.allowance.as_deref().map_or((1.0, 0.0), |allowance| {
+            let along = along();
+            (allowance.wisp_share(along), allowance.sunk(along))
+        })
+    }
+
+    /// All places where surfaces of strands that are asked for are in others, as a step looks for them: by strand and arclength with bodies, then
+    /// between strands, of which one at least is asked for.
+    pub fn deep_places(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<DeepPlace> {
+        let mut curves: Vec<(usize, Curve)> = (0..self.strands.len()).map(|index| (index, Curve::default())).collect();
+        self.crew.for_each(&mut curves, |(index, curve), _| {
+            let Strand { model, state, contact, .. } = &self.strands[*index];
+            let Some(contact) = contact.as_deref() else { return };
+            element_states(rotation_matrix(&state.root), model.lengths.iter().copied(), &state.curvatures, &mut curve.elements);
+            if !asked(*index) {
+                return;
+            }
+            let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = *contact;
+            let path = path(*index as u32, state.root.origin, &curve.elements);
+            let (mut bounds, mut scratch) = (PathBounds::default(), strand_body::Scratch::default());
+            bounds.update(&path);
+            for body in self.bodies.iter().filter(|body| body.meets(groups, mask)) {
+                strand_body::touches(&path, &bounds, Span { exempt }, radius, body, 0.0, &mut scratch, &mut curve.deep);
+            }
+        });
+        let in_bodies = curves.iter().flat_map(|(_, curve)| &curve.deep);
+        let mut deep: Vec<DeepPlace> = in_bodies
+            .filter(|touch| touch.gap < 0.0)
+            .map(|touch| DeepPlace { place: touch.place, partner: touch.partner, distance: touch.gap, room: 0.0 })
+            .collect();
+        if self.hair {
+            self.deep_in_hair(&curves, &asked, &mut deep);
+        }
+        deep
+    }
+
+    fn deep_in_hair(&self, curves: &[(usize, Curve)], asked: impl Fn(usize) -> bool, deep: &mut Vec<DeepPlace>) {
+        let (mut of, mut wisps, mut paths) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, curve) in curves {
+            let Some(contact) = self.strands[*index].contact.as_deref().filter(|contact| contact.wisp_radius > 0.0) else {
+                continue;
+            };
+            of.push(*index);
+            wisps.push(contact.wisp());
+            paths.push(path(*index as u32, self.strands[*index].state.root.origin, &curve.elements));
+        }
+        // As a step looks: the touches that it takes for one are one here too.
+        let options = PairOptions { margin: 0.0, ..pair_options(&wisps) };
+        let (mut pairs, mut ties) = (HairPairs::default(), Vec::new());
+        tied(self.constraints, |id| of.binary_search(&self.slots.index(id)?).ok(), &mut ties);
+        // What could be refused was checked when it was given to the solver.
+        if pairs.set(&wisps, &options).and_then(|()| pairs.set_ties(&ties)).and_then(|()| pairs.update(&paths)).is_err() {
+            return;
+        }
+        let (mut scratch, mut touches) = (TouchScratch::default(), Vec::new());
+        for group in pairs.groups().iter().filter(|group| [group.a, group.b].iter().any(|wisp| asked(of[*wisp as usize]))) {
+            touches.clear();
+            pairs.touches(group, &paths, 0.0, &mut scratch, &mut touches);
+            for touch in touches.iter().filter(|touch| touch.gap < 0.0) {
+                let Partner::Strand(other) = touch.partner else { continue };
+                let at = |path: &StrandPath, place: &Place| path.now.position(place.element as usize, place.s);
+                let apart = at(&paths[group.a as usize], &touch.place) - at(&paths[group.b as usize], &other);
+                let distance = touch.normal.dot(&apart);
+                deep.push(DeepPlace { place: touch.place, partner: touch.partner, distance, room: distance - touch.gap });
+            }
+        }
+    }
+}
+
+fn path(index: u32, origin: nalgebra::Vector3<f64>, elements: &[ElementState<f64>]) -> StrandPath<'_> {
+    let curve = StrandCurve { origin, elements };
+    StrandPath { index, start: curve, now: curve }
+}

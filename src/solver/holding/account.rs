@@ -1,0 +1,125 @@
+//! What a held substep came to: how the strands fared, the list of touches, what bodies and constraints bear.
+
+use nalgebra::Vector3;
+
+use super::{Holding, Scene};
+use crate::chain::load::Station;
+use crate::contact::joint::JointKind;
+use crate::contact::nearest_pair::depth;
+use crate::solver::bodies::{Contact, ContactPartner};
+use crate::solver::report::Wrench;
+use crate::solver::strand::Tally;
+
+/// What contact came to in a call.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactTally {
+    /// Touches that carried a force at the end of the last substep.
+    pub touches: u32,
+    /// Searches that found touches which the one at a substep's start had not.
+    pub searches: u32,
+    /// Newton iterations of the island that took most.
+    pub iterations: u32,
+    /// Sweeps of the contact problem's solver, all islands and substeps together.
+    pub sweeps: u64,
+    /// Islands whose iteration ended elsewhere than it should.
+    pub unconverged: u32,
+    /// Largest residual of the laws, relative, see `docs/contact.md`.
+    pub residual: f64,
+    /// How deep surfaces were in each other at the end of a substep at most, m.
+    pub penetration: f64,
+    /// The largest distance of a constraint from holding at the end of a substep, m.
+    pub constraint_error: f64,
+    /// Strands whose root was in a body by more than [`ContactOptions::tolerance`] at the end of the last substep, and not exempt: it is where
+    /// the host put it, and no force parts the two. (`penetration` has how deep.)
+    pub roots_inside: u32,
+}
+
+/// Where it is told.
+#[derive(Debug)]
+pub(in crate::solver) struct Account<'a> {
+    pub tally: &'a mut Tally,
+    pub contact: &'a mut ContactTally,
+    /// On the bodies.
+    pub wrenches: &'a mut [Wrench],
+}
+
+impl Holding {
+    /// Writes down what the strands and their joints came to, but for those that have taken the substep in parts; of these only the roots, which are
+    /// where the host has put them.
+    pub(super) fn tell(&mut self, scene: &mut Scene, h: f64, account: &mut Account) {
+        let islands = &self.islands[..self.island_count];
+        let contact = &mut *account.contact;
+        (contact.touches, contact.roots_inside) = (0, 0);
+        for held in &self.strands[..self.count] {
+            if !islands[held.island as usize].takes_parts {
+                account.tally.add(&held.held.outcome);
+            }
+            contact.penetration = contact.penetration.max(-held.root_gap);
+            contact.roots_inside += u32::from(held.root_gap < -scene.options.tolerance);
+        }
+        self.contacts.clear();
+        for constraint in scene.constraints.iter_mut() {
+            constraint.begin_report();
+        }
+        let place = |held: u32, station: &Station| {
+            let strand = &self.strands[held as usize];
+            (scene.strands[strand.index as usize].id, strand.along(station))
+        };
+        for island in islands.iter().filter(|island| !island.takes_parts) {
+            contact.unconverged += u32::from(!island.ending.converged);
+            contact.residual = contact.residual.max(island.ending.residual);
+            contact.penetration = contact.penetration.max(island.left.deep);
+            let was_searched = island.failed() && !scene.options.model.is_soft();
+            for joint in &island.joints {
+                match joint.constraint() {
+                    Some(index) => {
+                        contact.constraint_error = contact.constraint_error.max(joint.gap);
+                        let strand = &self.strands[joint.first.held as usize];
+                        scene.constraints[index as usize].add_report(joint, &strand.path().now);
+                    }
+                    None => {
+                        if !was_searched {
+                            contact.penetration = contact.penetration.max(depth(joint, &self.strands, scene.options.tolerance));
+                        }
+                        if joint.force == Vector3::zeros() {
+                            continue;
+                        }
+                        contact.touches += 1;
+                        let (strand, arclength) = place(joint.first.held, &joint.first.station);
+                        let position = self.strands[joint.first.held as usize].end_state(&joint.first.station).now;
+                        let (normal, partner) = match (joint.kind, joint.second) {
+                            (JointKind::Hair { normal, .. }, Some(end)) => {
+                                let (strand, arclength) = place(end.held, &end.station);
+                                (normal, ContactPartner::Strand { strand, arclength })
+                            }
+                            (JointKind::Body { body, feature, normal, point, .. }, _) => {
+                                let origin = scene.bodies[body as usize].end.origin;
+                                let wrench = &mut account.wrenches[body as usize];
+                                wrench.force -= joint.force;
+                                wrench.torque -= (point - origin).cross(&joint.force);
+                                (normal, ContactPartner::Body { body: scene.body_ids[body as usize], feature })
+                            }
+                            _ => continue,
+                        };
+                        let slip = joint.slip - normal * normal.dot(&joint.slip);
+                        // A touch that was found elsewhere may say more than the search did.
+                        let gap = if was_searched { joint.gap.max(-island.left.deep) } else { joint.gap };
+                        let force = joint.force;
+                        self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
+                    }
+                }
+            }
+        }
+        self.touching.remember(islands.iter().filter(|island| !island.takes_parts), &self.strands);
+        for island in islands {
+            for dependent in &island.report.dependent {
+                if let Some(index) = island.joints[dependent.touch].constraint() {
+                    scene.constraints[index as usize].depends();
+                }
+            }
+        }
+        for constraint in scene.constraints.iter_mut() {
+            constraint.way.advance(h);
+        }
+    }
+}
