@@ -41,7 +41,9 @@ impl Holding {
         let deep = DEEP * scene.options.tolerance;
         for island in self.islands[..self.island_count].iter_mut() {
             let may = island.failed() && !island.is_constrained() && !scene.options.model.is_soft();
-            island.takes_parts = may && (island.strands.len() <= FEW || island.ending.lost || island.left.newly > deep);
+            // (A tangle of large ones that cannot be held takes a while each time.)
+            let large = !scene.is_part && (island.ending.lost || island.left.newly > deep);
+            island.takes_parts = may && (island.strands.len() <= FEW || large);
         }
         let strands = &self.strands;
         let taking = (0..self.count).filter(|held| self.takes_parts(*held));
