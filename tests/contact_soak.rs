@@ -202,7 +202,7 @@ struct Tally {
     rolled_back: u64,
     deepest: f64,
     deep_steps: u64,
-    /// Deep steps whose report tells of less than half of that depth.
+    /// Steps deep in bodies or hair whose report tells of less than half of that depth.
     untold: u64,
     /// How often a strand stayed inside a body.
     stayed: u64,
@@ -284,9 +284,15 @@ impl Scene {
                 let depth = self.depth();
                 tally.deepest = tally.deepest.max(depth);
                 tally.deep_steps += u64::from(depth > DEEP);
-                if depth > DEEP && report.contact.penetration < 0.5 * depth {
+                // What lies in what, by a search that knows nothing of the step's touches.
+                let overlaps = self.solver.overlaps(&self.strands).unwrap();
+                let overlap = overlaps.iter().fold(depth, |deepest, overlap| deepest.max(overlap.hair).max(overlap.bodies));
+                if overlap > DEEP && report.contact.penetration < 0.5 * overlap {
                     tally.untold += 1;
-                    println!("{name} step {step}: {depth:e} m deep in a body, told as {:e}", report.contact.penetration);
+                    println!(
+                        "{name} step {step}: {depth:e} m deep in a body, {overlap:e} m in anything, told as {:e}",
+                        report.contact.penetration
+                    );
                 }
                 lasting = if depth > DEEP { lasting + 1 } else { 0 };
                 tally.stayed += u64::from(lasting == LASTING);

@@ -74,8 +74,8 @@ pub struct StepOptions {
     /// time; 1e-12 to 1e-2. What a motion makes of an earlier error is not in it. Below 1e-11 rounding has a say.
     pub reference_tolerance: f64,
     /// How often a strand's step may be halved where it does not converge, turns non-finite or errs by more than `error_tolerance`; only
-    /// that strand takes it in parts. Strands that touches hold do so where the hard models leave them deep, and those that hang together with
-    /// them. 0 to 10; 0: never. [`Integrator::ImplicitEuler`] and [`Integrator::SecondOrder`] only.
+    /// that strand takes it in parts. Strands that touches hold do so, with those that hang together with them, where the hard models leave them
+    /// deep; twenty of them and fewer whenever they do not converge. More than twenty take halves only. 0 to 10; 0: never. [`Integrator::ImplicitEuler`] and [`Integrator::SecondOrder`] only.
     pub max_subdivisions: u32,
     /// The error that a step, or a part of it, may add to a point's position before it is halved, in units of the strand's length; at
     /// least 0. 0: errors are not looked at, and cost nothing. It is estimated from the step itself. Where the halvings do not

@@ -41,9 +41,10 @@ impl Holding {
         let deep = DEEP * scene.options.tolerance;
         for island in self.islands[..self.island_count].iter_mut() {
             let may = island.failed() && !island.is_constrained() && !scene.options.model.is_soft();
-            // (A tangle of large ones that cannot be held takes a while each time.)
+            // (A tangle of large ones that cannot be held takes a while each time. What two surfaces push into each other no part gets out.)
             let large = !scene.is_part && (island.ending.lost || island.left.newly > deep);
-            island.takes_parts = may && (island.strands.len() <= FEW || large);
+            let few = island.strands.len() <= FEW && !island.joints.iter().any(|joint| joint.deep);
+            island.takes_parts = may && (few || large);
         }
         let strands = &self.strands;
         let taking = (0..self.count).filter(|held| self.takes_parts(*held));
@@ -71,7 +72,8 @@ impl Holding {
             let (left, mut some_go_back) = (self.depths(scene, &bodies), false);
             for (k, island) in self.islands[..self.island_count].iter_mut().enumerate().filter(|(_, island)| island.takes_parts) {
                 let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
-                island.takes_parts = left[k] <= most;
+                // (Where strands had to stay as the step found them, there is nothing to go back to.)
+                island.takes_parts = left[k] <= most || island.ending.lost;
                 some_go_back |= !island.takes_parts;
                 parts.told.penetration = parts.told.penetration.max(left[k]);
             }
