@@ -94,8 +94,8 @@ pub struct shx_solver_def {
     pub tolerance: f64,
     /// How often a strand's substep may be halved where it does not converge, turns non-finite or errs by more than error_tolerance;
     /// only that strand takes it in parts. Strands that touches hold do so, with those that hang together with them, where the hard models
-    /// leave them deep; twenty of them and fewer whenever they do not converge. More than twenty take halves only. 0 to 10; default 3;
-    /// 0: never. Implicit Euler and second order only.
+    /// leave them deep; twenty of them and fewer whenever they do not converge. More than twenty take halves only. 0 to 10; default
+    /// 3; 0: never. Implicit Euler and second order only.
     pub max_subdivisions: u32,
     /// SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST. Results are the same to the bit with all of them; one that the machine
     /// lacks is SHX_ERROR_UNSUPPORTED.
