@@ -29,7 +29,7 @@ pub struct ContactTally {
     pub penetration: f64,
     /// The largest distance of a constraint from holding at the end of a substep, m.
     pub constraint_error: f64,
-    /// Strands whose root was in a body by more than [`ContactOptions::tolerance`] at the end of the last substep, and not exempt: it is where
+    /// Strands whose root was in a body by more than [`ContactOptions::tolerance`](crate::contact::options::ContactOptions::tolerance) at the end of the last substep, and not exempt: it is where
     /// the host put it, and no force parts the two. (`penetration` has how deep.)
     pub roots_inside: u32,
 }
