@@ -84,7 +84,13 @@ fn direction<const D: usize>(
     left_over.resize(count, [0.0; 3]);
     let (mut moment, mut force) = (Vec3::<f64>::zero(), Vec3::<f64>::zero());
     let mut next = loads.len();
-    for index in (0..count).rev() {
+    // Nothing comes to what lies beyond the last station that a force acts on.
+    let acts = |force: &Vec3<f64>| force.0 != [0.0; 3];
+    let reach = forces.iter().rposition(acts).map_or(0, |last| loads[last].element + 1);
+    while next > 0 && loads[next - 1].element >= reach {
+        next -= 1;
+    }
+    for index in (0..reach).rev() {
         let element = &kinematics.elements[index];
         let done = &eliminated[count - 1 - index];
         let y = &mut left_over[index];
