@@ -5,6 +5,8 @@
 mod account;
 mod formula;
 mod parts;
+#[cfg(test)]
+mod tests;
 
 pub(super) use account::Account;
 pub use account::ContactTally;
@@ -51,6 +53,9 @@ pub(super) struct Holding {
     contacts: Vec<Contact>,
     /// Takes parts of a substep, see `parts.rs`.
     shorter: Option<Box<Holding>>,
+    /// How often strands are searched for touches that are missed, if not [`MOST_SEARCHES`] times.
+    #[cfg(test)]
+    most_searches: Option<u32>,
 }
 
 /// What a held substep works on.
@@ -138,7 +143,7 @@ impl Holding {
         self.touching.find(scene, &mut self.strands[..self.count], true);
         self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
         self.hold_constraints(scene, h);
-        let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { MOST_SEARCHES };
+        let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { self.most_searches() };
         self.tie(searches > 0);
         self.foresee_pressing(scene, h);
         self.solve(scene, h, account.contact, searches);
@@ -150,6 +155,14 @@ impl Holding {
         if let Some(parts) = parts {
             self.add_parts(&parts, account);
         }
+    }
+
+    fn most_searches(&self) -> u32 {
+        #[cfg(test)]
+        if let Some(most) = self.most_searches {
+            return most;
+        }
+        MOST_SEARCHES
     }
 
     /// Newton's iterations of all islands, and `searches` for touches that the last search did not know of, at most.
