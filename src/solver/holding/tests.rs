@@ -8,12 +8,18 @@ use crate::contact::body::BodyDef;
 use crate::contact::options::{ContactModel, ContactOptions, StrandContact};
 use crate::contact::shape::Shape;
 use crate::math::frame::Frame;
+use crate::math::trigonometry::sine_cosine;
 use crate::solver::Solver;
 use crate::solver::definition::{SolverOptions, StrandDef};
 use crate::solver::id::StrandId;
 
 const BALL: f64 = 0.03;
 const H: f64 = 1.0 / 60.0;
+
+/// The same on every machine.
+fn sine(x: f64) -> f64 {
+    sine_cosine(x).0
+}
 
 /// Strands in two layers across each other, 6 mm from each other, over a ball.
 fn layers(model: ContactModel, count: usize) -> (Solver, Vec<StrandId>, Vec<StrandDef>) {
@@ -23,7 +29,7 @@ fn layers(model: ContactModel, count: usize) -> (Solver, Vec<StrandId>, Vec<Stra
         let (layer, place) = ((k % 2) as f64, (k / 2) as f64 - 0.25 * (count - 2) as f64);
         let mut def = StrandDef::straight(0.1, 5);
         def.material.youngs_modulus = 1e9;
-        def.natural = vec![[0.0, 3.0 * (1.7 * k as f64).sin(), 3.0 * (2.3 * k as f64).cos()]; 5];
+        def.natural = vec![[0.0, 3.0 * sine(1.7 * k as f64), 3.0 * sine(2.3 * k as f64 + 1.57)]; 5];
         let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * layer);
         let origin = turn * Vector3::new(-0.05, 6e-3 * place, 0.0) + Vector3::z() * (BALL + 4e-3 + 6e-3 * layer);
         def.root = Frame { origin, rotation: turn };
@@ -40,7 +46,7 @@ fn layers(model: ContactModel, count: usize) -> (Solver, Vec<StrandId>, Vec<Stra
 
 /// Moves the ball, and the roots the other way.
 fn swing(solver: &mut Solver, ids: &[StrandId], defs: &[StrandDef], step: u32) {
-    let way = 0.012 * Vector3::new((0.21 * f64::from(step)).sin(), (0.13 * f64::from(step)).sin(), 0.0);
+    let way = 0.012 * Vector3::new(sine(0.21 * f64::from(step)), sine(0.13 * f64::from(step)), 0.0);
     let roots: Vec<Frame> = defs.iter().map(|def| Frame { origin: def.root.origin - 0.5 * way, ..def.root }).collect();
     solver.set_root_frames(ids, &roots, H).unwrap();
     let ball = solver.body_ids()[0];
