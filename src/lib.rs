@@ -8,6 +8,7 @@ pub mod error;
 pub mod files;
 pub mod groom;
 pub mod math;
+pub mod meter;
 pub mod rod;
 pub mod solver;
 pub mod step;

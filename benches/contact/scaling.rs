@@ -26,7 +26,7 @@ use crate::{CALM, EXEMPT, GRAVITY, Outcome, STEP, WISP, guides, pose};
 
 /// The models, and how many iterations they may take.
 const MODELS: [(ContactModel, u32, &str); 2] =
-    [(ContactModel::Penalty, 4, "penalty, 4 iterations"), (ContactModel::Hard, 50, "hard")];
+    [(ContactModel::Penalty, 4, "penalty, 4 iterations"), (ContactModel::Coulomb, 50, "hard")];
 /// Tufts of so many by so many strands, and how far apart they are, m: out of each other's reach.
 const SIDE: usize = 4;
 const APART: f64 = 0.4;
@@ -172,7 +172,7 @@ pub fn table(head: &Arc<Shape>, quick: bool) -> Outcome<String> {
     let (rows, steps) = if quick { (1, 4) } else { (TUFTS.len(), STEPS) };
     let mut add = |scene: &Scene| -> Outcome<()> {
         for model in MODELS {
-            if scene.head.is_some() && model.0 == ContactModel::Hard && scene.defs.len() > MOST_HARD {
+            if scene.head.is_some() && model.0 == ContactModel::Coulomb && scene.defs.len() > MOST_HARD {
                 continue;
             }
             let row = row(scene, model, steps)?;

@@ -111,6 +111,10 @@ pub struct shx_solver_def {
     /// What the integrals along an element (inertia, drag, weight) may err by, relative: 1e-12 to 1e-2. Default 1e-4. It decides how
     /// many quadrature points elements get by how far they turn, and with that time and memory.
     pub quadrature_tolerance: f64,
+    /// A root that is sent to a place by a velocity change of more than this in a second, m/s^2, and by more than a quarter of its strand's length,
+    /// jumps: its strand goes along with it as it is, in one step, and swings from there; bodies that jump with it stand still for it.
+    /// The report's carried counts such strands. Above zero, or INFINITY: none jumps. Default 200.
+    pub jump_acceleration: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, pointers and nullable functions only.
@@ -141,13 +145,14 @@ unsafe impl Versioned for shx_solver_def {
             reserved: [0; 2],
             reference_tolerance: options.step.reference_tolerance,
             quadrature_tolerance: options.step.quadrature_tolerance,
+            jump_acceleration: options.jump_acceleration,
         }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_solver_def>() == 168);
+    assert!(size_of::<shx_solver_def>() == 176);
     assert!(offset_of!(shx_solver_def, parallel_for) == 56 && offset_of!(shx_solver_def, log_level) == 88);
     assert!(offset_of!(shx_solver_def, linear_solver) == 96 && offset_of!(shx_solver_def, tolerance) == 112);
 };
@@ -208,6 +213,7 @@ impl shx_solver_def {
             workers,
             instruction_set,
             contact: ContactOptions::default(),
+            jump_acceleration: self.jump_acceleration,
         };
         options.check("def")?;
         Ok(options)

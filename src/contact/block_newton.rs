@@ -13,6 +13,7 @@ use super::gauss_seidel::Report;
 use super::law::LawSolve;
 use super::law::linear::Linear;
 use super::system::System;
+use crate::meter::Meter;
 
 /// Touches that move alike to this part of their own response share a force nearly as they did before: the iteration is damped where W is
 /// next to singular, by this part of W or by the residual, whichever is less, never by less than the least.
@@ -31,9 +32,28 @@ const LARGE: usize = 100;
 /// Sweeps in the block where Newton's direction leads nowhere.
 const SWEEPS: u32 = 4;
 
+/// Nanoseconds or so: of a row's laws and what is made ready for it; of a row in another's column of K; and how many multiplications of an
+/// elimination take one.
+const WORK_A_ROW: u64 = 500;
+const WORK_A_BLOCK: u64 = 60;
+const MULTIPLICATIONS: u64 = 4;
+
+/// How far to go.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goal {
+    /// To this residual, or
+    pub tolerance: f64,
+    /// this part of the present one, or
+    pub part: f64,
+    /// until this is spent, nanoseconds or so.
+    pub most_work: u64,
+}
+
 /// The solver's memory.
 #[derive(Debug, Clone, Default)]
 pub(super) struct BlockNewton {
+    /// The work that the last solve took.
+    pub(super) work: u64,
     /// The block's rows.
     rows: Vec<u32>,
     solves: Vec<LawSolve>,
@@ -56,7 +76,7 @@ pub(super) struct BlockNewton {
 }
 
 impl BlockNewton {
-    /// Solves for the forces of `rows` to a residual of `tolerance` or a `part` of the present one, in the scales of `report`. What it
+    /// Solves for the forces of `rows` as far as `goal` says, in the scales of `report`. What it
     /// finds is for [`BlockNewton::apply`].
     #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, and when to stop")]
     pub(super) fn solve(
@@ -66,10 +86,12 @@ impl BlockNewton {
         forces: &[Vector3<f64>],
         rows: &[u32],
         report: &Report,
-        tolerance: f64,
-        part: f64,
+        goal: Goal,
+        meter: &Meter,
     ) {
+        let Goal { tolerance, part, most_work } = goal;
         self.begin(system, forces, rows);
+        self.work = WORK_A_ROW * rows.len() as u64;
         let mut worst = self.residual(space, system, report);
         self.best.clone_from(&self.forces);
         if worst <= tolerance {
@@ -91,7 +113,14 @@ impl BlockNewton {
         };
         let mut merit = linearise(space, system, &self.rows, &self.forces, &self.moved, &mut self.linear);
         for k in 0..MOST {
-            let better = self.direction(space, system, worst.clamp(LEAST_DAMPING, DAMPING))
+            let rows = m as u64;
+            let active = self.linear.iter().filter(|linear| linear.by_displacement != Matrix3::zeros()).count() as u64;
+            let next = (3 * active).pow(3) / (3 * MULTIPLICATIONS) + WORK_A_BLOCK * active * rows + WORK_A_ROW * rows;
+            if self.work + next > most_work || meter.is_halted() {
+                break;
+            }
+            self.work += next;
+            let better = self.direction(space, system, (worst / report.size).clamp(LEAST_DAMPING, DAMPING), meter)
                 && self.search(space, system, &mut merit, k < FREE);
             if !better {
                 for _ in 0..SWEEPS {
@@ -142,7 +171,7 @@ impl BlockNewton {
         let mut worst = 0.0_f64;
         for ((row, force), u) in self.rows.iter().zip(&self.forces).zip(&self.moved) {
             let law = &space.touches()[system.rows[*row as usize].touch].law;
-            worst = worst.max(law.residual(*u, *force, space.step(), report.length, report.force));
+            worst = worst.max(report.miss(law, *u, *force, space.step()));
         }
         worst
     }
@@ -169,7 +198,7 @@ impl BlockNewton {
     }
 
     /// Newton's direction, and what it displaces. False where there is none.
-    fn direction(&mut self, space: &ContactSpace, system: &System, damping: f64) -> bool {
+    fn direction(&mut self, space: &ContactSpace, system: &System, damping: f64, meter: &Meter) -> bool {
         let m = self.rows.len();
         self.direction.clear();
         self.direction.resize(m, Vector3::zeros());
@@ -217,7 +246,7 @@ impl BlockNewton {
                 }
             }
         }
-        if !dense::solve(&mut self.matrix, &mut self.rhs) {
+        if !dense::solve(&mut self.matrix, &mut self.rhs, meter) {
             return false;
         }
         for a in 0..self.active.len() {

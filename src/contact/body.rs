@@ -146,6 +146,14 @@ impl Body {
         Ok(())
     }
 
+    /// Lets a way that is to be gone at once take the coming `h` seconds.
+    pub(crate) fn ready(&mut self, h: f64) {
+        self.way.begin(h);
+        if let Some(bending) = self.bending.as_deref_mut().filter(|bending| bending.duration == 0.0) {
+            bending.duration = h;
+        }
+    }
+
     /// Readies the body for a substep of `h` seconds: a way to be gone at once takes it, a deforming mesh is brought to its start and end.
     pub fn begin(&mut self, h: f64) {
         self.way.begin(h);
@@ -193,6 +201,28 @@ impl Body {
         let BodyDef { friction, viscous_friction, group, mask, thickness, .. } = self.def;
         let pose = self.def.pose;
         BodyAt { friction, viscous_friction, group, mask, ..BodyAt::new(index, &self.def.shape, pose, pose, thickness) }
+    }
+
+    /// The farthest that something of it is from its pose's origin, m; zero of a shape without end.
+    pub(crate) fn radius(&self) -> f64 {
+        let bounds = self.def.shape.bounds();
+        let corners = || bounds.corners().map(|corner| corner.norm()).into_iter().fold(0.0, f64::max);
+        if bounds.low.x.is_finite() { corners() } else { 0.0 }
+    }
+
+    /// Brings a mesh whose vertices go further than `most` (m) in the coming `dt` seconds to where they go, at once. True if it did.
+    pub(crate) fn end_bending_where_it_jumps(&mut self, dt: f64, most: f64) -> bool {
+        let Some(bending) = &mut self.bending else { return false };
+        let left = if bending.duration > 0.0 { (bending.duration - bending.elapsed).max(0.0) } else { dt };
+        let part = if left > dt { dt / bending.duration } else { 1.0 };
+        let farthest = bending.from.iter().zip(&bending.to).map(|(from, to)| (to - from).norm_squared()).fold(0.0, f64::max);
+        if left == 0.0 || farthest.sqrt() * part <= most {
+            return false;
+        }
+        if left <= dt {
+            bending.from.clone_from(&bending.to);
+        }
+        left <= dt
     }
 
     /// Counts the `h` seconds of a substep.
@@ -271,6 +301,12 @@ impl<'a> BodyAt<'a> {
         };
         let (friction, viscous_friction, group, mask) = (1.0, 1.0, 1, u32::MAX);
         Self { index, shape, start, end, thickness, friction, viscous_friction, group, mask, bounds, turn, axes_start, axes_end }
+    }
+
+    /// The same coming from another pose.
+    pub fn coming_from(&self, start: Frame) -> Self {
+        let Self { friction, viscous_friction, group, mask, .. } = *self;
+        Self { friction, viscous_friction, group, mask, ..Self::new(self.index, self.shape, start, self.end, self.thickness) }
     }
 
     /// Its surface nearest to a point of the world at the substep's end, see [`Shape::closest`].

@@ -12,6 +12,7 @@ use super::contact_space::ContactSpace;
 use super::parts::{levels, lowest_of};
 use super::system::{Displacements, Row, Stretch, System};
 use crate::math::lane::{Kernel, Lane};
+use crate::meter::Meter;
 use crate::workers::{Crew, Team};
 
 /// The iteration's memory.
@@ -86,7 +87,9 @@ impl Conjugate {
         self.square = 0.0;
     }
 
-    /// So many accelerated sweeps, and one that is not: what the directions left outside the laws comes back. By a crew: the same bits.
+    /// So many accelerated sweeps, and one that is not: what the directions left outside the laws comes back. By a crew: the same bits. Where
+    /// `meter` halts them there are fewer.
+    #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, and who works for how long")]
     pub(super) fn sweeps<S: Default + Send>(
         &mut self,
         space: &ContactSpace,
@@ -94,6 +97,7 @@ impl Conjugate {
         forces: &mut [Vector3<f64>],
         sweeps: u32,
         crew: &Crew<S>,
+        meter: &Meter,
     ) {
         let System { rows, displacements, bonds, .. } = system;
         let (parts, bonds) = (space.parts(), &*bonds);
@@ -126,6 +130,9 @@ impl Conjugate {
         let lead = |team: &Team| {
             let mut after = AfterSweep::Nothing;
             for sweep in 0..=sweeps {
+                if meter.is_halted() {
+                    break;
+                }
                 let kept = sweep < sweeps;
                 for (level, parts) in levels(parts.lowest()).enumerate() {
                     *turn.write().unwrap_or_else(PoisonError::into_inner) = Turn { level, first: parts.start, after, kept };

@@ -1,30 +1,35 @@
 //! Small dense systems of equations.
 
 use crate::math::lane::{Kernel, Lane};
+use crate::meter::Meter;
 
 /// So many columns are eliminated before the rest of the matrix is: each of its numbers is then read and written once for all of them.
 const PANEL: usize = 8;
+/// A system of more rows than this takes a while.
+const LARGE: usize = 200;
 
 /// Solves A x = b by elimination with partial pivoting, in place: `a` is `b.len()`² numbers, row after row, and is used up; `b` becomes x.
-/// False where A is singular to the last bit; `b` is of no use then.
-pub(super) fn solve(a: &mut [f64], b: &mut [f64]) -> bool {
-    f64::call(Solve { a, b })
+/// False where A is singular to the last bit, or `meter` halts it; `b` is of no use then.
+pub(super) fn solve(a: &mut [f64], b: &mut [f64], meter: &Meter) -> bool {
+    f64::call(Solve { a, b, meter })
 }
 
 struct Solve<'a> {
     a: &'a mut [f64],
     b: &'a mut [f64],
+    meter: &'a Meter<'a>,
 }
 
 impl Kernel for Solve<'_> {
     type Output = bool;
     #[inline(always)]
     fn run(self) -> bool {
-        let Self { a, b } = self;
+        let Self { a, b, meter } = self;
         let n = b.len();
         for from in (0..n).step_by(PANEL) {
             let to = (from + PANEL).min(n);
-            if !eliminate(a, b, from, to) {
+            // (A panel of 1200 rows takes a millisecond.)
+            if n > LARGE && meter.is_halted() || !eliminate(a, b, from, to) {
                 return false;
             }
             let (done, below) = a.split_at_mut(to * n);
@@ -163,7 +168,7 @@ mod tests {
             let a: Vec<f64> = a.iter().enumerate().map(|(k, x)| x + if k % (n + 1) == 0 { 0.1 } else { 0.0 }).collect();
             let b: Vec<f64> = (0..n).map(|_| random()).collect();
             let (mut left, mut x, mut other_left, mut other) = (a.clone(), b.clone(), a.clone(), b.clone());
-            assert!(solve(&mut left, &mut x));
+            assert!(solve(&mut left, &mut x, &Meter::unlimited()));
             plain(&mut other_left, &mut other);
             assert_eq!(x, other, "{n}");
             for (row, b) in a.chunks_exact(n).zip(&b) {
@@ -178,7 +183,7 @@ mod tests {
     fn a_singular_matrix_is_told() {
         let n = 20;
         let mut a: Vec<f64> = (0..n * n).map(|k| ((k / n) % 5) as f64 + (k % n) as f64).collect();
-        assert!(!solve(&mut a, &mut vec![1.0; n]));
-        assert!(!solve(&mut [f64::NAN], &mut [1.0]));
+        assert!(!solve(&mut a, &mut vec![1.0; n], &Meter::unlimited()));
+        assert!(!solve(&mut [f64::NAN], &mut [1.0], &Meter::unlimited()));
     }
 }

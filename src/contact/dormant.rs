@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::held_strand::HeldStrand;
 use super::island::{Island, is_nearly_outside, is_outside};
-use super::joint::{Joint, Standing};
+use super::joint::{Give, Joint, Standing};
 use super::law::Law;
 use super::options::ContactOptions;
 
@@ -23,9 +23,9 @@ impl Joint {
     /// reach.
     pub(super) fn may_sleep(&mut self, law: &Law, u: &Vector3<f64>, moved: f64) {
         let Law::Contact(contact) = law else { return };
-        let free = self.force == Vector3::zeros() && !(self.deep || self.yields || self.roused);
+        let free = self.force == Vector3::zeros() && !(self.deep || self.give != Give::No || self.roused);
         if free && u.dot(&contact.normal) > ASIDE * moved {
-            (self.dormant, self.standing) = (true, self.standing.apart());
+            (self.dormant, self.standing) = (true, Standing::apart());
         }
     }
 }

@@ -5,11 +5,15 @@ use nalgebra::Vector3;
 
 use super::held_strand::HeldStrand;
 use super::island::{ENOUGH_TURN, FEW, Island, LOOKS};
-use super::joint::{Joint, Standing};
+use super::joint::{Give, Joint, Standing};
 use super::options::ContactOptions;
+use crate::meter::Stopped;
 
 /// Where forces grew beyond measure, strands with forces beyond this many times what takes a strand its own length in a step are astray.
 const LARGE: f64 = 1e2;
+
+/// How often joints are relaxed at most: of those that are astray; of their neighbours too; and once more.
+const RELAXINGS: u32 = 3;
 
 /// How an island is tried to come to an end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,7 +25,7 @@ pub enum Attempt {
     Yielding,
     /// The same from the step's start.
     YieldingAnew,
-    /// All joints give way, from the step's start.
+    /// All joints of the strands that are astray give way by more, from the step's start; then those of their neighbours too.
     Relaxed,
 }
 
@@ -49,6 +53,8 @@ pub struct Ending {
     pub good_enough: bool,
     /// Not even so: strands of it stay as the step found them, see [`Island::has_lost`].
     pub lost: bool,
+    /// Why it was ended before its end, if so.
+    pub stopped: Stopped,
     /// Largest residual of the laws at the last check, see [`Report::residual`](super::gauss_seidel::Report::residual).
     pub residual: f64,
 }
@@ -59,12 +65,27 @@ impl Island {
         (self.done && !self.is_to_be_tried_again()).then_some(self.ending)
     }
 
+    /// Ends it where it is, unless it is at its end.
+    pub fn stop(&mut self, why: Stopped) {
+        if self.done && !self.rough && !self.is_to_be_tried_again() {
+            return;
+        }
+        (self.done, self.rough) = (true, false);
+        (self.ending.converged, self.ending.stopped) = (false, why);
+    }
+
+    /// Goes on from where it is: a strand of it has been moved.
+    pub fn go_on(&mut self) {
+        (self.done, self.ending.came_to_end, self.ending.converged, self.rest) = (false, false, false, -1.0);
+        self.begin_to_count(self.iterations);
+    }
+
     /// Leaves it as it ended: made anew, it is the same, and would end there again.
     pub fn keep(&mut self, ending: Ending) {
         (self.done, self.ending) = (true, ending);
     }
 
-    /// Whether all its joints give way, since they could not be held.
+    /// Whether joints of it give way that could not be held, constraints too.
     pub fn is_relaxed(&self) -> bool {
         self.ending.attempt == Attempt::Relaxed
     }
@@ -82,13 +103,15 @@ impl Island {
 
     /// Whether there is to be another attempt, see [`Island::try_again`].
     pub fn is_to_be_tried_again(&self) -> bool {
-        self.failed() && !self.is_relaxed() && !self.ending.good_enough && !self.joints.is_empty()
+        let goes_on = self.ending.stopped == Stopped::No && !self.ending.good_enough;
+        let is_last = self.is_relaxed() && self.relaxings >= RELAXINGS;
+        self.failed() && goes_on && !is_last && !self.joints.is_empty()
     }
 
     /// Another attempt, if its joints were not to be held. First, if they are touches without springs of their own, those of strands alone give
     /// way that did not come to their end; mostly these are one to five of hundreds. It goes on from where it is, or, where forces grew beyond measure,
-    /// begins again. Then all joints give way, from the start, and touches do not rub: what contradicts itself, or is out of a strand's reach,
-    /// is drawn as near as it goes.
+    /// begins again. Then all joints of such strands give way by more, from the start, and of their neighbours where that does not do: what contradicts
+    /// itself, or is out of a strand's reach, is drawn as near as it goes. The others hold and rub as ever.
     pub fn try_again(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) -> Next {
         if !self.is_to_be_tried_again() {
             return Next::Stays;
@@ -101,22 +124,56 @@ impl Island {
             self.begin_to_count(LOOKS);
             return Next::GoesOn;
         }
+        if !forgives {
+            self.relax(strands, step);
+            self.relaxings += 1;
+        }
         self.ending.attempt = if forgives { Attempt::YieldingAnew } else { Attempt::Relaxed };
         (self.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
         self.begin_to_count(0);
-        // Made anew for what a later search finds, touches go on giving way.
-        let all_yield = !forgives && !self.is_constrained();
         for joint in &mut self.joints {
-            (joint.force, joint.yields, joint.dormant) = (Vector3::zeros(), joint.yields || all_yield, false);
-            joint.pushed = 0.0;
+            (joint.force, joint.dormant, joint.pushed) = (Vector3::zeros(), false, 0.0);
         }
         Next::BeginsAgain
     }
 
-    /// Lets the touches of strands yield that are astray: where forces grew beyond measure, those with such forces; else those too far from
-    /// their end, or with touches that are. False if none yields that did not.
+    /// Lets the touches of strands yield that are astray. False if none yields that did not.
     fn let_some_yield(&mut self, strands: &[HeldStrand], step: f64) -> bool {
-        let far = |held: &&u32| !self.beyond && strands[**held as usize].residual > ENOUGH_TURN;
+        let astray = self.astray(strands, step);
+        let mut some = false;
+        for joint in &mut self.joints {
+            if joint.give == Give::No && joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
+                (joint.give, joint.dormant, joint.standing, some) = (Give::ALittle, false, Standing::UNKNOWN, true);
+            }
+        }
+        some
+    }
+
+    /// Relaxes all joints of the strands that are astray; from the second time on, of their neighbours too.
+    fn relax(&mut self, strands: &[HeldStrand], step: f64) {
+        let mut astray = self.astray(strands, step);
+        if self.relaxings > 0 {
+            let meets = |joint: &&Joint| joint.ends().any(|end| astray.binary_search(&end.held).is_ok());
+            let mut all: Vec<u32> = self.joints.iter().filter(meets).flat_map(Joint::ends).map(|end| end.held).collect();
+            all.extend_from_slice(&astray);
+            all.sort_unstable();
+            astray = all;
+        }
+        let all = astray.is_empty();
+        for joint in &mut self.joints {
+            if all || joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
+                (joint.give, joint.standing) = (Give::Much, Standing::UNKNOWN);
+            }
+        }
+    }
+
+    /// The strands that are astray, ascending: where forces grew beyond measure, those with such forces; else those too far from
+    /// their end, or with joints that are.
+    fn astray(&self, strands: &[HeldStrand], step: f64) -> Vec<u32> {
+        let far = |held: &&u32| {
+            let residual = strands[**held as usize].residual;
+            !self.beyond && (residual > ENOUGH_TURN || residual.is_nan())
+        };
         let mut astray: Vec<u32> = self.strands.iter().filter(far).copied().collect();
         let large = LARGE * self.usual_force(strands, step);
         let off = |joint: &&Joint| if self.beyond { joint.force.norm() > large } else { !joint.standing.nearly };
@@ -124,12 +181,6 @@ impl Island {
             astray.extend(joint.ends().map(|end| end.held));
         }
         astray.sort_unstable();
-        let mut some = false;
-        for joint in &mut self.joints {
-            if !joint.yields && joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
-                (joint.yields, joint.dormant, joint.standing, some) = (true, false, Standing::UNKNOWN, true);
-            }
-        }
-        some
+        astray
     }
 }

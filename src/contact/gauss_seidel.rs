@@ -4,12 +4,14 @@
 
 use nalgebra::Vector3;
 
-use super::block_newton::BlockNewton;
+use super::block_newton::{BlockNewton, Goal};
 use super::bonds::DependentBond;
 use super::conjugate::Conjugate;
 use super::contact_space::ContactSpace;
+use super::law::Law;
 use super::patch::Patches;
 use super::system::System;
+use crate::meter::Meter;
 use crate::workers::Crew;
 
 /// When to stop.
@@ -19,13 +21,29 @@ pub struct Settings {
     pub tolerance: f64,
     /// Most sweeps over all touches.
     pub max_sweeps: u32,
-    /// The least scales of force (N) and length (m): those of a larger problem that this one is part of, else zero.
-    pub least: [f64; 2],
+    /// What residuals are measured in.
+    pub scales: Scales,
+    /// Most work, in nanoseconds or so: it ends with the round, or Newton's step, that goes beyond.
+    pub most_work: u64,
+}
+
+/// What residuals are measured in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Scales {
+    /// Forces in the largest of the problem, displacements in the largest free one.
+    OfTheProblem,
+    /// The same for every problem: a touch's force in itself, or in `force` (N) where that is more, displacements in `length` (m).
+    Fixed {
+        /// N.
+        force: f64,
+        /// m.
+        length: f64,
+    },
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { tolerance: 1e-6, max_sweeps: 2000, least: [0.0; 2] }
+        Self { tolerance: 1e-6, max_sweeps: 2000, scales: Scales::OfTheProblem, most_work: u64::MAX }
     }
 }
 
@@ -36,10 +54,14 @@ pub struct Report {
     pub sweeps: u32,
     /// The largest residual of any touch ([`super::law::Law::residual`]), forces measured in `force`, displacements in `length`.
     pub residual: f64,
-    /// The largest force of any touch, N; where all are zero, what would move the most mobile touch by `length`.
+    /// The force that residuals are measured in, N: a touch's own where that is more.
     pub force: f64,
-    /// The largest free displacement of any touch, m.
+    /// The length that they are measured in, m.
     pub length: f64,
+    /// How large the problem is in these scales, 1 or more: what is a small part of it is small though its residual may not be.
+    pub size: f64,
+    /// The work that it took, in nanoseconds or so.
+    pub work: u64,
     /// Held directions that depend on others.
     pub dependent: Vec<DependentBond>,
 }
@@ -77,16 +99,17 @@ pub struct GaussSeidel {
 impl GaussSeidel {
     /// Solves. `forces`: one a touch, where to start from, replaced by the solution.
     pub fn solve(&mut self, space: &ContactSpace, settings: &Settings, forces: &mut [Vector3<f64>]) -> Report {
-        self.solve_by(space, settings, forces, &Crew::<()>::serial())
+        self.solve_by(space, settings, forces, &Crew::<()>::serial(), &Meter::unlimited())
     }
 
-    /// The same by a crew, who sweep the problem's parts side by side: the same bits.
+    /// The same by a crew, who sweep the problem's parts side by side: the same bits. Where `meter` halts it, it is left unsolved.
     pub(crate) fn solve_by<S: Default + Send>(
         &mut self,
         space: &ContactSpace,
         settings: &Settings,
         forces: &mut [Vector3<f64>],
         crew: &Crew<S>,
+        meter: &Meter,
     ) -> Report {
         self.system.prepare(space);
         let system = &mut self.system;
@@ -98,7 +121,8 @@ impl GaussSeidel {
                 system.push(space, index, &force);
             }
         }
-        let mut report = Report::default();
+        let sweep_work = system.sweep_work();
+        let mut report = Report { work: sweep_work, ..Report::default() };
         let most = if system.blocks() == 1 { ONE_BLOCK } else { WHOLE };
         let (whole, rescue) = (system.rows.len() <= most, system.rows.len() <= most.max(RESCUE));
         let mut last = f64::INFINITY;
@@ -106,9 +130,10 @@ impl GaussSeidel {
         let (mut tried_whole, mut tries) = (false, 0_u32);
         self.conjugate.restart(system, &self.forces);
         loop {
-            scales(system, &self.forces, settings.least, &mut report);
+            settings.scales.set(system, &self.forces, &mut report);
             report.residual = residual(space, system, &self.forces, &report);
-            if report.residual <= settings.tolerance || report.sweeps >= settings.max_sweeps {
+            let spent = report.sweeps >= settings.max_sweeps || report.work >= settings.most_work;
+            if report.residual <= settings.tolerance || spent || meter.is_halted() {
                 break;
             }
             // What does not get on will not: Newton's next iteration asks again, from elsewhere.
@@ -125,14 +150,17 @@ impl GaussSeidel {
                 tries += u32::from(!system.bonds.are_there());
                 self.rows.clear();
                 self.rows.extend(0..system.rows.len() as u32);
-                self.newton.solve(space, system, &self.forces, &self.rows, &report, settings.tolerance, 0.0);
+                let goal = Goal { tolerance: settings.tolerance, part: 0.0, most_work: settings.most_work - report.work };
+                self.newton.solve(space, system, &self.forces, &self.rows, &report, goal, meter);
                 self.newton.apply(space, system, &mut self.forces);
+                report.work += self.newton.work;
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
                 continue;
             }
-            if slow && report.residual < NEAR {
-                self.patches.solve(space, system, &mut self.forces, &report, settings.tolerance, crew);
+            if slow && report.residual < NEAR * report.size {
+                let goal = Goal { tolerance: settings.tolerance, part: 0.0, most_work: settings.most_work - report.work };
+                report.work += self.patches.solve(space, system, &mut self.forces, &report, goal, crew, meter);
                 self.conjugate.restart(system, &self.forces);
                 report.sweeps += 1;
             }
@@ -141,8 +169,9 @@ impl GaussSeidel {
                 () if report.sweeps == 0 => FIRST_ROUND,
                 () => ROUND,
             };
-            self.conjugate.sweeps(space, system, &mut self.forces, round, crew);
+            self.conjugate.sweeps(space, system, &mut self.forces, round, crew, meter);
             report.sweeps += round + 1;
+            report.work += u64::from(round + 1) * sweep_work;
         }
         for (row, force) in system.rows.iter().zip(&self.forces) {
             forces[row.touch] = *force;
@@ -152,16 +181,33 @@ impl GaussSeidel {
     }
 }
 
-/// The scales of force and length, `least` at least.
-pub fn scales(system: &System, forces: &[Vector3<f64>], least: [f64; 2], report: &mut Report) {
-    report.force = forces.iter().fold(least[0], |a: f64, f| a.max(f.norm()));
-    report.length = system.rows.iter().fold(least[1], |a: f64, row| a.max(row.free.norm()));
-    if report.length == 0.0 {
-        report.length = 1.0;
+impl Scales {
+    /// Sets the scales of a report, and how large the problem is in them.
+    fn set(self, system: &System, forces: &[Vector3<f64>], report: &mut Report) {
+        let mut force = forces.iter().fold(0.0, |a: f64, f| a.max(f.norm()));
+        let mut length = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.free.norm()));
+        if let Self::Fixed { force: least_force, length: fixed } = self {
+            // A touch's force is measured in itself, so that the largest is no larger than any.
+            report.size = (length / fixed).max(1.0);
+            (report.force, report.length) = (least_force, fixed);
+            return;
+        }
+        if length == 0.0 {
+            length = 1.0;
+        }
+        if force == 0.0 {
+            let mobility = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.response.trace() / 3.0));
+            force = if mobility > 0.0 { length / mobility } else { 1.0 };
+        }
+        (report.force, report.length, report.size) = (force, length, 1.0);
     }
-    if report.force == 0.0 {
-        let mobility = system.rows.iter().fold(0.0, |a: f64, row| a.max(row.response.trace() / 3.0));
-        report.force = if mobility > 0.0 { report.length / mobility } else { 1.0 };
+}
+
+impl Report {
+    /// How far a law is from holding in the report's scales, see [`Law::residual`].
+    #[inline(always)]
+    pub fn miss(&self, law: &Law, u: Vector3<f64>, force: Vector3<f64>, step: f64) -> f64 {
+        law.residual(u, force, step, self.length, self.force.max(force.norm()))
     }
 }
 
@@ -170,7 +216,7 @@ pub fn residual(space: &ContactSpace, system: &System, forces: &[Vector3<f64>], 
     let mut worst = 0.0_f64;
     for (row, force) in system.rows.iter().zip(forces) {
         let law = &space.touches()[row.touch].law;
-        worst = worst.max(law.residual(system.relative(row), *force, space.step(), report.length, report.force));
+        worst = worst.max(report.miss(law, system.relative(row), *force, space.step()));
     }
     worst
 }
@@ -181,7 +227,6 @@ mod tests {
 
     use super::*;
     use crate::contact::contact_space::{End, SpaceTouch};
-    use crate::contact::law::Law;
     use crate::contact::law::coefficient::Coefficient;
     use crate::contact::law::contact::{Contact, Friction};
     use crate::contact::law::response::Response;
@@ -253,7 +298,7 @@ mod tests {
         space.displacements(&alone, &mut displacements);
         for (k, (touch, force)) in space.touches().iter().zip(&alone).enumerate() {
             let u = space.relative(k, &displacements);
-            let miss = touch.law.residual(u, *force, space.step(), report.length, report.force);
+            let miss = report.miss(&touch.law, u, *force, space.step());
             assert!(miss < 2e-9, "touch {k}: {miss:e}");
         }
         // Touches between parts press too.
@@ -264,7 +309,7 @@ mod tests {
         for workers in others {
             let crew = Crew::<()>::new(&workers).unwrap();
             let mut forces = zeros.clone();
-            assert_eq!(GaussSeidel::default().solve_by(&space, &settings, &mut forces, &crew), report);
+            assert_eq!(GaussSeidel::default().solve_by(&space, &settings, &mut forces, &crew, &Meter::unlimited()), report);
             assert_eq!(forces, alone, "{workers:?}");
         }
     }

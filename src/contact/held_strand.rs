@@ -3,9 +3,10 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::body::BodyAt;
+use super::contact_space::read_block;
 use super::ending::Ending;
 use super::island::Island;
 use super::joint::EndState;
@@ -13,6 +14,7 @@ use super::options::StrandContact;
 use super::strand_body::{self, PathBounds, Span};
 use super::touch::{StrandCurve, StrandPath, Touch};
 use crate::chain::load::Station;
+use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
 use crate::step::Setting;
 use crate::step::held::{Held, WorldBond};
@@ -20,6 +22,15 @@ use crate::step::members::One;
 
 /// A strand that was woken so often rests no more: two neighbours would go on waking each other in turn.
 const MOST_WAKES: u32 = 2;
+
+/// Touches that are nearer to each other along a strand than this, m, and have normals within this cosine, are one.
+const ONE_PLACE: f64 = 1e-6;
+const ONE_SIDE: f64 = 0.99;
+
+/// What half an iteration takes for an element, for a point that is touched and an element, and for two points: nanoseconds or so.
+const WORK_AN_ELEMENT: u64 = 700;
+const WORK_A_COLUMN: u64 = 60;
+const WORK_A_COUPLING: u64 = 10;
 
 /// One end of a joint on a strand.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,12 +79,18 @@ pub struct HeldStrand {
     pub left_deep: bool,
     /// Whether the last search that there was to be found some of it in something, and no joint tells of that.
     pub overlooked: bool,
+    /// Whether an iteration has been done for it: it need not stay as the step found it.
+    pub advanced: bool,
     /// How often it was woken since its island was tied.
     pub woken: u32,
     /// How far an element may be from where the iteration ends, rad.
     pub residual: f64,
     /// Whether it takes part in contact at all.
     pub touches: bool,
+    /// Where bodies stand for it when the step begins, one a body; none: where they are.
+    pub bodies_from: Vec<Frame>,
+    /// How many joints hold it, as far as they were counted last.
+    pub touches_there: usize,
     /// Touches with bodies that were found last.
     pub found: Vec<Touch>,
     /// The gap between its root and the nearest body, m; infinite where none is near, or the root touches nothing. The host puts the root
@@ -101,6 +118,12 @@ impl HeldStrand {
         self.held.begin(one, setting, h, self.first_order);
     }
 
+    /// A body as it goes for this strand.
+    pub fn met<'a>(&self, bodies: &[BodyAt<'a>], index: u32) -> BodyAt<'a> {
+        let body = bodies[index as usize];
+        self.bodies_from.get(index as usize).map_or(body, |from| body.coming_from(*from))
+    }
+
     /// Finds the touches with bodies that are nearer than `within` (m) at the present iterate.
     pub fn find_bodies(&mut self, bodies: &[BodyAt], within: f64) {
         if !self.touches {
@@ -110,7 +133,12 @@ impl HeldStrand {
         let scratch = self.scratch.get_mut().unwrap_or_else(PoisonError::into_inner);
         self.bounds.update(&path);
         let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
-        for body in bodies.iter().filter(|body| body.meets(groups, mask)) {
+        let mut other;
+        for (index, mut body) in bodies.iter().enumerate().filter(|(_, body)| body.meets(groups, mask)) {
+            if let Some(from) = self.bodies_from.get(index) {
+                other = body.coming_from(*from);
+                body = &other;
+            }
             strand_body::touches(&path, &self.bounds, Span { exempt }, radius, body, within, scratch, &mut self.found);
         }
         self.root_gap = f64::INFINITY;
@@ -119,6 +147,13 @@ impl HeldStrand {
             let at_root = touch.place.element == 0 && touch.place.s == 0.0;
             *root_gap = if at_root { root_gap.min(touch.gap) } else { *root_gap };
             !at_root
+        });
+        // Where two elements meet both may tell of one place.
+        let along = |touch: &Touch| path.now.along(touch.place.element as usize, touch.place.s);
+        self.found.dedup_by(|next, last| {
+            next.partner == last.partner
+                && (along(next) - along(last)).abs() <= ONE_PLACE
+                && next.normal.dot(&last.normal) > ONE_SIDE
         });
     }
 
@@ -159,6 +194,20 @@ impl HeldStrand {
     /// Where an attached point is.
     pub fn place(&self, point: u32) -> EndState {
         self.places[point as usize].1
+    }
+
+    /// It is elsewhere: so are its attached points.
+    pub(super) fn moved(&mut self) {
+        self.find_places(true);
+    }
+
+    /// How far an attached point is moved by a force at it, m/N, in the linear model of the last iteration; zero of one that is not in it.
+    pub(super) fn response(&self, point: u32) -> Matrix3<f64> {
+        let (point, points) = (point as usize, self.held.delassus.stations);
+        if point >= points {
+            return Matrix3::zeros();
+        }
+        read_block(&self.held.delassus.columns, 3 * points, 3 * point, 3 * point)
     }
 
     /// Finds where the attached points are that have another station than before; once the strand has `moved`, all of them.
@@ -245,6 +294,22 @@ impl HeldStrand {
         }));
     }
 
+    /// What half an iteration takes, nanoseconds or so.
+    pub fn half_work(&self) -> u64 {
+        if self.resting { 0 } else { self.half_work_with(self.modelled) }
+    }
+
+    /// How many elements it has.
+    pub fn elements(&self) -> usize {
+        self.held.now().1.len()
+    }
+
+    /// The same with so many points that are touched.
+    pub fn half_work_with(&self, points: usize) -> u64 {
+        let (elements, points) = (self.elements() as u64, points as u64);
+        elements * (WORK_AN_ELEMENT + WORK_A_COLUMN * points) + WORK_A_COUPLING * points * points
+    }
+
     /// Does the first half of the step's first iteration before it begins.
     pub fn look_ahead(&mut self, island: &Island) {
         self.linearise(island);
@@ -285,6 +350,7 @@ impl HeldStrand {
             return;
         }
         self.pull(island);
+        self.advanced = true;
         self.residual = self.held.advance(setting, &self.forces);
         self.find_places(true);
     }

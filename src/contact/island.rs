@@ -8,7 +8,7 @@ use super::contact_space::End;
 use super::ending::Ending;
 use super::gauss_seidel::Report;
 use super::held_strand::{Attachment, HeldStrand};
-use super::joint::{Joint, JointKind, SAME_SIDE, Standing};
+use super::joint::{Give, Joint, JointKind, SAME_SIDE, Standing};
 use super::law::Law;
 use super::law::coefficient::Coefficient;
 use super::law::contact::Friction;
@@ -19,14 +19,10 @@ use crate::chain::load::Station;
 
 /// How nearly a bond must hold at the end of a step, m.
 const BOND_TOLERANCE: f64 = 1e-10;
-/// The residual to which the contact problem is solved where friction need not be exact.
-const ROUGH: f64 = 1e-4;
-/// But with the exact model a strand is done when no element may be further than this from the end, rad.
-const ROUGH_TOLERANCE: f64 = 1e-4;
-/// The same two where an island is solved roughly.
-const ROUGHEST: f64 = 1e-3;
-const ROUGHEST_TOLERANCE: f64 = 1e-3;
-/// What the penalty models are content with: the residual, and rad.
+/// Where an island is solved roughly: the residual, as a part of its problem's size, and how far from its end an element may be, rad.
+const ROUGH: f64 = 1e-3;
+const ROUGH_TOLERANCE: f64 = 1e-3;
+/// What the penalty models are content with: the same two.
 const SOFT: f64 = 1e-3;
 const SOFT_TOLERANCE: f64 = 2e-3;
 /// A strand that ends further from the end than this, rad, has come to nowhere.
@@ -40,7 +36,7 @@ const CHOSEN: u32 = 10;
 /// What an island that has not come to its end may be off by and still be kept as it is: a strand, rad; a touch, in units of the tolerance
 /// of touches; a bond, m.
 pub(super) const ENOUGH_TURN: f64 = 1e-2;
-const ENOUGH_DEPTH: f64 = 10.0;
+const ENOUGH_DEPTH: f64 = 2.0;
 const ENOUGH_BOND: f64 = 1e-9;
 /// Forces of touches beyond this many times what takes a strand its own length in a step are those of a problem that has no solution.
 const NO_SOLUTION: f64 = 1e4;
@@ -68,6 +64,9 @@ const LOOK: f64 = 0.01;
 /// In how many of an island's first iterations that is done: in a crease or a mesh's notch a touch would be on one face and on another in
 /// turn for ever. What is missed so is found by the search at the step's end.
 pub(super) const LOOKS: u32 = 6;
+/// A strand that is deeper in a body than its own radius, which is this at least, m, times this is not where it belongs.
+const BEHIND: f64 = 1.0;
+const LEAST_MARGIN: f64 = 1e-5;
 /// By how much more than before a normal may point along the strand.
 const ALONG: f64 = 0.1;
 
@@ -89,6 +88,8 @@ pub struct Island {
     pub joints: Vec<Joint>,
     /// The last contact problem's report.
     pub report: Report,
+    /// What its next contact problem may take, nanoseconds or so.
+    pub most_work: u64,
     /// Sweeps so far.
     pub sweeps: u32,
     /// Newton iterations so far.
@@ -105,6 +106,10 @@ pub struct Island {
     pub takes_parts: bool,
     /// Its forces grew beyond measure.
     pub beyond: bool,
+    /// How often strands of it were bent, see `kink.rs`.
+    pub kinked: u32,
+    /// How often joints were relaxed in it.
+    pub relaxings: u32,
     /// Whether bonds that do not give way hold strands to the world in this iteration.
     pub bonded_to_world: bool,
     /// Whether strands may rest: constraints are to hold to the last digit, and few strands come to their end sooner together.
@@ -136,6 +141,7 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.ending) = (0, 0, Ending::default());
         (self.done, self.beyond, self.rest, self.rough) = (false, false, -1.0, false);
+        (self.kinked, self.relaxings) = (0, 0);
         (self.pushed, self.left, self.takes_parts) = ((f64::INFINITY, 0), Left::default(), false);
         self.begin_to_count(0);
     }
@@ -159,12 +165,12 @@ impl Island {
 
     /// How nearly the laws of touches are to hold.
     pub(super) fn asked(&self, options: &ContactOptions) -> f64 {
+        let size = self.report.size.max(1.0);
         let in_the_end = match options.model {
             ContactModel::Coulomb => options.residual,
-            ContactModel::Hard => ROUGH,
-            ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT,
+            ContactModel::Penalty | ContactModel::RegularisedPenalty => SOFT * size,
         };
-        if self.rough { in_the_end.max(ROUGHEST) } else { in_the_end }
+        if self.rough { in_the_end.max(ROUGH * size) } else { in_the_end }
     }
 
     /// Finds every joint's ends among its strands' attachments, once they are in order.
@@ -179,11 +185,19 @@ impl Island {
         }
     }
 
-    /// Whether a strand of it has come to nowhere, all that could be tried done: of touches those alone that are astray themselves, which may free the
-    /// others; with constraints all, and where not one iteration was possible.
+    /// Whether a strand of it has come to nowhere, all that could be tried done: those alone that are astray themselves, which may free the
+    /// others; all where not one iteration was possible.
     pub fn has_lost(&self, strand: &HeldStrand) -> bool {
-        let all = self.iterations <= 1 || self.is_constrained();
+        let all = self.iterations <= 1;
         self.ending.lost && (all || strand.residual > LOST || strand.residual.is_nan())
+    }
+
+    /// Whether a strand ends in a body that it was not in when the step began, or beyond it.
+    pub fn is_behind(&self, strand: &HeldStrand) -> bool {
+        let joint = |end: &Attachment| &self.joints[end.joint as usize];
+        strand.attachments.iter().map(joint).any(|joint| {
+            matches!(joint.kind, JointKind::Body { margin, .. } if !joint.deep && joint.gap < -BEHIND * margin.max(LEAST_MARGIN))
+        })
     }
 
     /// Whether strands of it touch something.
@@ -213,19 +227,18 @@ impl Island {
     pub fn holds(&self, ends: &[Attachment]) -> bool {
         let holds = |end: &Attachment| {
             let joint = &self.joints[end.joint as usize];
-            joint.standing.holds && !joint.yields
+            joint.standing.holds && joint.give == Give::No
         };
-        !self.is_relaxed() && ends.iter().all(holds)
+        ends.iter().all(holds)
     }
 
     /// Before an iteration: rings go where the strands run through them, bodies' surfaces are looked at from where their touches are.
     pub fn refresh(&mut self, strands: &[HeldStrand], bodies: &[BodyAt]) {
-        let relaxed = self.is_relaxed();
         self.bonded_to_world = false;
         self.may_rest = self.strands.len() > FEW && !self.is_constrained();
         for joint in &mut self.joints {
             let strand = &strands[joint.first.held as usize];
-            self.bonded_to_world |= !relaxed && matches!(joint.kind, JointKind::Pin { compliance: 0.0, .. });
+            self.bonded_to_world |= joint.give == Give::No && matches!(joint.kind, JointKind::Pin { compliance: 0.0, .. });
             if strand.resting || joint.dormant || joint.in_crease {
                 continue;
             }
@@ -236,7 +249,7 @@ impl Island {
                     joint.first.station = Station::on(element, s);
                 }
                 JointKind::Body { body, feature, normal, side, point, carried, .. } if self.iterations < LOOKS => {
-                    let (body, at) = (&bodies[*body as usize], strand.end_state(&joint.first.station));
+                    let (body, at) = (strand.met(bodies, *body), strand.end_state(&joint.first.station));
                     if let Some(surface) = body.closest_at_end(at.now, LOOK) {
                         let new = body.to_world(&surface.normal);
                         // Another side of an edge or a sheet is another surface, and so is a face beside the edge that the strand lies across.
@@ -259,15 +272,15 @@ impl Island {
         options: &ContactOptions,
         step: f64,
     ) -> (Law, Vector3<f64>) {
-        let relaxed = self.is_relaxed();
         let ends = &self.ends[joint];
         let joint = &mut self.joints[joint];
+        let relaxed = joint.give == Give::Much;
         let first = &strands[joint.first.held as usize];
         let second = joint.second.map_or(first, |end| &strands[end.held as usize]);
         let a = first.place(ends[0].point);
         let b = joint.second.map_or(a, |_| second.place(ends[1].point));
         let (mut law, mut u) = joint.evaluate([a, b], [&first.contact, &second.contact], options, step);
-        if relaxed || joint.deep || joint.yields {
+        if relaxed || joint.deep || joint.give == Give::ALittle {
             let part = if relaxed || joint.deep { RELAXED } else { YIELDS };
             let compliance = part * step * step / first.mass.min(second.mass);
             match &mut law {
@@ -284,7 +297,7 @@ impl Island {
                             *stiffness = stiffness.min(most);
                         }
                     }
-                    if relaxed || joint.yields {
+                    if joint.give != Give::No {
                         contact.friction = Friction::None;
                     }
                     joint.off = -u.dot(&contact.normal);
@@ -328,20 +341,19 @@ impl Island {
     /// After the second half: whether the iteration has ended, by the strands' residuals and by how far the laws are from holding where
     /// the strands are now.
     pub fn check(&mut self, strands: &[HeldStrand], options: &ContactOptions, tolerance: f64, step: f64) {
-        let soft = options.model.is_soft() || self.is_relaxed();
-        let exact = options.model == ContactModel::Coulomb && !self.rough || !self.has_touches();
+        let soft = options.model.is_soft();
         let enough_for_touches = match () {
+            () if !self.has_touches() => 0.0,
             () if options.model.is_soft() => SOFT_TOLERANCE,
-            () if self.rough => ROUGHEST_TOLERANCE,
-            () => ROUGH_TOLERANCE,
+            () if self.rough => ROUGH_TOLERANCE,
+            () => 0.0,
         };
         let tolerance_asked = tolerance;
-        let tolerance = if exact { tolerance } else { tolerance.max(enough_for_touches) };
+        let tolerance = tolerance.max(enough_for_touches);
         let residual = self.strands.iter().map(|held| strands[*held as usize].residual).fold(0.0, f64::max);
         let mut good = residual <= tolerance;
         let mut enough = residual <= ENOUGH_TURN;
         let (mut rested, mut wakes_some) = (0.0_f64, false);
-        let (length, force) = (self.report.length.max(1e-12), self.report.force.max(1e-30));
         let asked = self.asked(options);
         (self.rest, self.rest_miss) = (REST * tolerance, asked);
         self.ending.residual = 0.0;
@@ -359,7 +371,7 @@ impl Island {
             let (law, u) = self.evaluate(index, strands, options, step);
             let joint = &self.joints[index];
             let moved = (joint.gap - before).abs();
-            let miss = law.residual(u, joint.force, step, length, force);
+            let miss = self.report.miss(&law, u, joint.force, step);
             self.ending.residual = self.ending.residual.max(miss);
             let (holds, nearly) = match law {
                 Law::Bond(bond) => {
@@ -369,8 +381,8 @@ impl Island {
                 }
                 Law::Ring(_) => (joint.gap <= BOND_TOLERANCE, joint.gap <= ENOUGH_BOND),
                 Law::Contact(contact) => {
-                    let gap = if soft || joint.deep || joint.yields { 0.0 } else { u.dot(&contact.normal) };
-                    let exact = soft || options.model != ContactModel::Coulomb && !self.rough || miss <= asked;
+                    let gap = if soft || joint.deep || joint.give != Give::No { 0.0 } else { u.dot(&contact.normal) };
+                    let exact = soft || joint.give == Give::Much || miss <= asked;
                     let outside = self.rough || is_outside(gap, options);
                     (outside && exact, is_nearly_outside(gap, options))
                 }
@@ -380,8 +392,7 @@ impl Island {
             let wakes = ways.map(|way| way > if holds { REST * tolerance } else { 0.0 });
             // What rests is within that of its end, and moved by no more it is no further from it than it may be.
             let waits = ways.iter().any(|way| *way > (1.0 - REST) * tolerance);
-            let free = self.joints[index].standing.free;
-            self.joints[index].standing = Standing { miss, holds, nearly, free, wakes };
+            self.joints[index].standing = Standing { miss, holds, nearly, wakes };
             self.joints[index].may_sleep(&law, &u, moved);
             (good, enough, wakes_some) = (good && holds, enough && nearly, wakes_some || waits);
         }
@@ -403,13 +414,14 @@ impl Island {
         let usual = self.usual_force(strands, step);
         self.beyond = largest(true) > NO_SOLUTION * usual
             || self.is_constrained() && largest(false) > CANNOT_HOLD * (usual + self.bending_force(strands));
-        let idle = !options.model.is_soft() && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS);
+        let idle = !options.model.is_soft()
+            && (residual <= STILL * tolerance_asked || self.report.residual > HOPELESS * self.report.size);
         self.idle = if idle { self.idle + 1 } else { 0 };
         // Constraints may turn a strand right round, a little in every iteration. What only waits for resting strands gets on: these are woken
         // twice at most.
         let waits_only = good && wakes_some;
         let got_on = self.best.1.max(self.fewest.1);
-        let large = self.strands.len() > FEW && !soft;
+        let large = self.strands.len() > FEW && !soft && !self.is_relaxed();
         let patience = PATIENCE[if enough { 0 } else { 2 - usize::from(large) }];
         let slow = !waits_only && !self.is_constrained() && self.iterations >= got_on + patience;
         let stuck = slow || self.beyond || self.is_constrained() && self.idle > IDLE;
@@ -419,9 +431,10 @@ impl Island {
         let good = good && !self.push_on(strands, options, step);
         // What has given way holds not, whatever it came to.
         self.ending.came_to_end = good;
-        self.ending.converged = good && !self.is_relaxed() && !self.joints.iter().any(|joint| joint.yields);
-        self.done = good || lost || stuck || self.iterations >= options.max_iterations;
+        // So many iterations are what the host chose to pay for.
         let chosen = options.model.is_soft() && options.max_iterations <= CHOSEN && self.iterations >= options.max_iterations;
+        self.ending.converged = (good || chosen) && self.joints.iter().all(|joint| joint.give == Give::No);
+        self.done = good || lost || stuck || self.iterations >= options.max_iterations;
         self.ending.good_enough = self.done && (enough || chosen);
         self.ending.lost =
             self.done && self.is_relaxed() && self.strands.iter().any(|held| strands[*held as usize].residual > LOST);

@@ -3,13 +3,14 @@
 use nalgebra::Vector3;
 
 use super::contact_space::{ContactSpace, End, SpaceTouch};
-use super::gauss_seidel::{GaussSeidel, Settings};
+use super::gauss_seidel::{GaussSeidel, Scales, Settings};
 use super::held_strand::HeldStrand;
 use super::island::Island;
 use super::joint::JointKind;
-use super::options::{ContactModel, ContactOptions};
+use super::options::{ContactModel, ContactOptions, GRAVITY, SPEED};
 use super::partition::Partition;
 use crate::error::Result;
+use crate::meter::Meter;
 use crate::workers::Crew;
 
 /// The residual of an island's first contact problem, and of later ones as a part of what the laws are off after the iteration before.
@@ -17,8 +18,9 @@ const FIRST: f64 = 1e-2;
 const FORCING: f64 = 0.1;
 /// The residual where constraints have a part, which are to hold to the last digit.
 const CONSTRAINED: f64 = 1e-8;
-/// In how many of an island's first iterations a touch that presses begins to rub (viscous friction): one that its friction lifts off would
-/// come and go for ever.
+/// Viscous friction is whole from a force on that is this part of the lightest strand's weight.
+const RUBS_FULLY: f64 = 0.1;
+/// In how many of an island's first iterations it may grow with the force: a touch that its friction lifts off would come and go for ever.
 const ASKED: u32 = 3;
 
 /// The memory of contact problems, of one island's after another's: a worker's, in whose caches it stays.
@@ -31,7 +33,8 @@ pub struct ProblemScratch {
 }
 
 impl Island {
-    /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution.
+    /// Solves the contact problem of an iteration whose first half the strands have done; the joints' forces are its solution, unless `meter`
+    /// halts it. It takes [`Island::most_work`] at most.
     ///
     /// # Errors
     /// Where a number has turned non-finite.
@@ -42,7 +45,11 @@ impl Island {
         step: f64,
         scratch: &mut ProblemScratch,
         crew: &Crew<S>,
+        meter: &Meter,
     ) -> Result<()> {
+        if meter.is_halted() {
+            return Ok(());
+        }
         let ProblemScratch { space, solver, forces, partition } = scratch;
         self.iterations += 1;
         space.reset(step)?;
@@ -57,10 +64,12 @@ impl Island {
             space.add_strand(operator.stations).copy_from_slice(&operator.columns);
         }
         forces.clear();
+        let lightest = self.strands.iter().map(|held| strands[*held as usize].mass).fold(f64::INFINITY, f64::min);
         for index in 0..self.parts.len() {
             let joint = self.parts[index] as usize;
-            let presses = self.joints[joint].presses();
-            self.joints[joint].rubs = presses && (self.iterations <= ASKED || self.joints[joint].rubs);
+            let rubs = (self.joints[joint].pressure() / (RUBS_FULLY * lightest * GRAVITY)).min(1.0);
+            let before = if self.iterations <= ASKED { 1.0 } else { self.joints[joint].rubs };
+            self.joints[joint].rubs = rubs.min(before);
             let (law, mut free) = self.evaluate(joint, strands, options, step);
             let [first, second] = self.ends[joint];
             let at = |end: End| {
@@ -76,20 +85,25 @@ impl Island {
             if let Some(end) = second {
                 free -= at(end);
             }
-            self.joints[joint].standing.free = free.norm();
             let placed = |end: End| End { strand: partition.place[end.strand as usize], ..end };
             space.add_touch(SpaceTouch { first: placed(first), second: second.map(placed), law, free })?;
             forces.push(self.joints[joint].force);
         }
         space.part(&partition.strand_ends, &partition.touch_ends);
+        let scales = Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step };
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
-        let deserved = if self.iterations == 1 { FIRST } else { FIRST.min(FORCING * self.ending.residual) };
+        let size = self.report.size.max(1.0);
+        let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
-        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, least: self.scales_of_the_rest() };
-        self.report = solver.solve_by(space, &settings, forces, crew);
+        let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, most_work: self.most_work };
+        self.report = solver.solve_by(space, &settings, forces, crew, meter);
         self.sweeps += self.report.sweeps;
+        meter.spend(self.report.work);
+        if meter.is_halted() {
+            return Ok(());
+        }
         for (joint, force) in self.parts.iter().zip(&*forces) {
             let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
             joint.force = *force;
@@ -132,11 +146,5 @@ impl Island {
         });
         partition.update(roots, touches, may);
         partition.put_in_order(parts);
-    }
-
-    /// The largest force and free displacement of the joints that have no part.
-    fn scales_of_the_rest(&self) -> [f64; 2] {
-        let rest = self.joints.iter().zip(&self.has_part).filter(|(_, has_part)| !**has_part);
-        rest.fold([0.0; 2], |[force, free], (joint, _)| [force.max(joint.force.norm()), free.max(joint.standing.free)])
     }
 }

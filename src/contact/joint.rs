@@ -110,20 +110,30 @@ pub struct Standing {
     pub holds: bool,
     /// Whether it holds nearly enough for an island that does not get on.
     pub nearly: bool,
-    /// Its free displacement in the last contact problem that it had a part in, m.
-    pub free: f64,
     /// Whether its force has changed so much that the strand at either end cannot stay where it is.
     pub wakes: [bool; 2],
 }
 
 impl Standing {
     /// Before the first look.
-    pub const UNKNOWN: Self = Self { miss: f64::INFINITY, holds: false, nearly: false, free: 0.0, wakes: [true; 2] };
+    pub const UNKNOWN: Self = Self { miss: f64::INFINITY, holds: false, nearly: false, wakes: [true; 2] };
 
     /// Where surfaces are apart and nothing presses them.
-    pub fn apart(self) -> Self {
-        Self { miss: 0.0, holds: true, nearly: true, free: self.free, wakes: [false; 2] }
+    pub fn apart() -> Self {
+        Self { miss: 0.0, holds: true, nearly: true, wakes: [false; 2] }
     }
+}
+
+/// Whether a joint gives way where it cannot be held. One that does does not rub.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Give {
+    /// It holds.
+    #[default]
+    No,
+    /// A touch gives way a little.
+    ALittle,
+    /// Touches and constraints give way by more, until their strands come to an end.
+    Much,
 }
 
 /// A joint of the present step.
@@ -137,16 +147,17 @@ pub struct Joint {
     pub kind: JointKind,
     /// The force, N, world axes: the last iteration's.
     pub force: Vector3<f64>,
-    /// Whether it rubs, in the models with viscous friction: whether it pressed when that was last asked.
-    pub rubs: bool,
+    /// How much of its viscous friction there is, in the models that have it, 0 to 1: friction begins with the force that presses, so that what is all but
+    /// apart is nearly as what is apart.
+    pub rubs: f64,
     /// Displacement over the step at the last evaluation.
     pub slip: Vector3<f64>,
     /// Gap at the last evaluation (touches), m, or how far a constraint was from holding.
     pub gap: f64,
     /// The surfaces were in each other when the step began: they part, but give way to each other meanwhile (the hard models).
     pub deep: bool,
-    /// It could not be held, or held a strand that did not come to its end: it gives way and does not rub (`ending.rs`).
-    pub yields: bool,
+    /// How it gives way, if it could not be held, or held a strand that did not come to its end (`ending.rs`).
+    pub give: Give,
     /// How far it is from where it is to be, m, and by how much more than that its spring pushes: zero or above; of what gives way (`pushing.rs`).
     pub off: f64,
     /// See `off`.
@@ -171,11 +182,11 @@ impl Joint {
             second,
             kind,
             force,
-            rubs: false,
+            rubs: 0.0,
             slip: Vector3::zeros(),
             gap: 0.0,
             deep: false,
-            yields: false,
+            give: Give::No,
             off: 0.0,
             pushed: 0.0,
             in_crease: false,
@@ -193,9 +204,14 @@ impl Joint {
 
     /// Whether the surfaces press each other under the present force.
     pub fn presses(&self) -> bool {
+        self.pressure() > 0.0
+    }
+
+    /// How hard the surfaces press each other under the present force, N; zero where they draw, and of a constraint.
+    pub fn pressure(&self) -> f64 {
         match self.kind {
-            JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } => self.force.dot(&normal) > 0.0,
-            JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => false,
+            JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } => self.force.dot(&normal).max(0.0),
+            JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => 0.0,
         }
     }
 
@@ -329,6 +345,9 @@ impl Joint {
     /// What it holds to the world without giving way, with its first end at `now`.
     pub fn world_bond(&self, now: &Vector3<f64>) -> Option<WorldBond> {
         let JointKind::Pin { target, axes, compliance: 0.0, .. } = self.kind else { return None };
+        if self.give != Give::No {
+            return None;
+        }
         let u = now - target;
         let bond = Bond { axes: self.pinned(axes, &u), compliance: 0.0 };
         let (mut held, mut off) = (Matrix3::zeros(), Vector3::zeros());
@@ -342,11 +361,11 @@ impl Joint {
     /// Viscous friction of a touch that rubs. The coefficient is that of the way it slides at the present iterate: which way that is hardly
     /// depends on it, so that Newton's iteration finds both at once, and the law is linear meanwhile.
     fn viscous(&self, coefficient: Coefficient, normal: Vector3<f64>, slip: Vector3<f64>) -> Friction {
-        if !self.rubs {
+        if self.rubs == 0.0 {
             return Friction::None;
         }
         let way = (slip - normal * normal.dot(&slip)).try_normalize(0.0);
-        Friction::Viscous(Coefficient::uniform(way.map_or(coefficient.mean, |way| coefficient.at(&way))))
+        Friction::Viscous(Coefficient::uniform(self.rubs * way.map_or(coefficient.mean, |way| coefficient.at(&way))))
     }
 
     #[allow(clippy::too_many_arguments, reason = "the parts of one law")]
@@ -372,10 +391,8 @@ impl Joint {
             }
             // What is in each other at the start is parted at a limited speed. (Of other touches `start_gap` says nothing: along a curved
             // surface it is that of the start's place under the tangent plane at the end.)
-            ContactModel::Hard | ContactModel::Coulomb if self.deep => {
-                (Response::Hard, (start_gap + options.separation_speed * step).min(0.0))
-            }
-            ContactModel::Hard | ContactModel::Coulomb => (Response::Hard, 0.0),
+            ContactModel::Coulomb if self.deep => (Response::Hard, (start_gap + options.separation_speed * step).min(0.0)),
+            ContactModel::Coulomb => (Response::Hard, 0.0),
         };
         let u = normal * (gap - allowed) + (slip - normal * normal.dot(&slip));
         (Law::Contact(Contact { normal, response, friction }), u)

@@ -22,6 +22,7 @@ pub mod helix_distance;
 pub mod island;
 pub mod island_problem;
 pub mod joint;
+pub mod kink;
 pub mod law;
 pub mod nearest;
 pub mod nearest_pair;

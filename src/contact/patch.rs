@@ -4,10 +4,11 @@
 
 use nalgebra::Vector3;
 
-use super::block_newton::BlockNewton;
+use super::block_newton::{BlockNewton, Goal};
 use super::contact_space::ContactSpace;
 use super::gauss_seidel::Report;
 use super::system::System;
+use crate::meter::Meter;
 use crate::workers::Crew;
 
 /// Most patches at a time, and most rows of one.
@@ -40,17 +41,21 @@ struct Patch {
 }
 
 impl Patches {
-    /// Finds the patches around the touches that miss their laws most, and solves them for what is asked of the problem, `tolerance`, or part of
-    /// what they miss it by.
+    /// Finds the patches around the touches that miss their laws most, and solves them for what is asked of the problem, or part of
+    /// what they miss it by. Gives the work that it took.
+    #[allow(clippy::too_many_arguments, reason = "the problem, where it stands, when to stop and who works")]
     pub(super) fn solve<S: Default + Send>(
         &mut self,
         space: &ContactSpace,
         system: &mut System,
         forces: &mut [Vector3<f64>],
         report: &Report,
-        tolerance: f64,
+        goal: Goal,
         crew: &Crew<S>,
-    ) {
+        meter: &Meter,
+    ) -> u64 {
+        let tolerance = goal.tolerance;
+        let aim = Goal { tolerance: AIM * tolerance, part: PART, most_work: goal.most_work / MOST as u64 };
         self.begin(space, system, forces, report);
         let mut patches = std::mem::take(&mut self.patches);
         patches.resize_with(MOST, Patch::default);
@@ -64,7 +69,7 @@ impl Patches {
             let (shared, all) = (&*system, &*forces);
             crew.for_each_task(now, 1, 1, |patches, _| {
                 for Patch { rows, newton, .. } in patches {
-                    newton.solve(space, shared, all, rows, report, AIM * tolerance, PART);
+                    newton.solve(space, shared, all, rows, report, aim, meter);
                 }
             });
             for patch in now {
@@ -72,7 +77,9 @@ impl Patches {
             }
             rest = later;
         }
+        let work = patches[..found].iter().map(|patch| patch.newton.work).sum();
         self.patches = patches;
+        work
     }
 
     /// Looks at all rows.
@@ -84,7 +91,7 @@ impl Patches {
         self.misses.clear();
         self.misses.extend(system.rows.iter().zip(forces).map(|(row, force)| {
             let law = &space.touches()[row.touch].law;
-            law.residual(system.relative(row), *force, space.step(), report.length, report.force)
+            report.miss(law, system.relative(row), *force, space.step())
         }));
     }
 

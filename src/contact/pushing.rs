@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::held_strand::HeldStrand;
 use super::island::Island;
-use super::joint::{Joint, JointEnd};
+use super::joint::{Give, Joint, JointEnd};
 use super::options::ContactOptions;
 
 /// Touches are pushed on as long as that leaves the deepest at this part of its depth, and so often at most between two searches for touches.
@@ -19,7 +19,7 @@ const STRENGTH: f64 = 1.0;
 
 impl Joint {
     fn is_pushed(&self, strands: &[HeldStrand], step: f64) -> bool {
-        if !(self.yields || self.deep) || !self.is_touch() || self.force == Vector3::zeros() && self.off <= 0.0 {
+        if !(self.give != Give::No || self.deep) || !self.is_touch() || self.force == Vector3::zeros() && self.off <= 0.0 {
             return false;
         }
         let usual = |end: JointEnd| strands[end.held as usize].usual_force(step);

@@ -55,6 +55,10 @@ pub struct System {
     members: Vec<(usize, u32)>,
 }
 
+/// What a sweep takes for a row, and for each coordinate that its force displaces, nanoseconds or so.
+const SWEEP_A_ROW: u64 = 150;
+const SWEEP_A_COORDINATE: u64 = 2;
+
 /// A touch whose points bonds have fixed to this part of their own response is fixed.
 const FIXED: f64 = 1e-12;
 
@@ -113,6 +117,12 @@ impl System {
             self.block_rows.push(*row);
         }
         self.blocks.push(self.block_rows.len() as u32);
+    }
+
+    /// What a sweep over all rows takes, in nanoseconds or so.
+    pub fn sweep_work(&self) -> u64 {
+        let of = |row: &Row| row.first.size + row.second.map_or(0, |second| second.size);
+        self.rows.iter().map(|row| SWEEP_A_ROW + SWEEP_A_COORDINATE * of(row) as u64).sum()
     }
 
     /// How many blocks have rows.

@@ -24,6 +24,10 @@ pub struct SolverOptions {
     pub instruction_set: Option<InstructionSet>,
     /// How contact is answered; costs nothing where nothing touches.
     pub contact: ContactOptions,
+    /// A root that is sent to a place by a velocity change of more than this in a second, m/s², and by more than a quarter of its strand's
+    /// length, *jumps*: hair could not follow. Its strand goes along with it as it is, in one step, and swings from there. Above zero; infinite:
+    /// no root does. Default 200, twenty times what weighs on hair at rest: heads do less.
+    pub jump_acceleration: f64,
 }
 
 impl Default for SolverOptions {
@@ -35,6 +39,7 @@ impl Default for SolverOptions {
             workers: Workers::default(),
             instruction_set: None,
             contact: ContactOptions::default(),
+            jump_acceleration: 200.0,
         }
     }
 }
@@ -52,6 +57,7 @@ impl SolverOptions {
         self.step.check(argument)?;
         self.contact.check(&format!("{argument}.contact"))?;
         self.workers.check(argument)?;
+        check_jump_acceleration(&format!("{argument}.jump_acceleration"), self.jump_acceleration)?;
         if let Some(set) = self.instruction_set
             && set > InstructionSet::detected()
         {
@@ -63,4 +69,8 @@ impl SolverOptions {
         }
         Ok(())
     }
+}
+
+pub(super) fn check_jump_acceleration(argument: &str, value: f64) -> Result<()> {
+    if value > 0.0 { Ok(()) } else { Err(Error::invalid(argument, value, "above 0, or infinite")) }
 }

@@ -3,6 +3,7 @@
 //! which changes no result.
 
 mod account;
+mod crowd;
 mod formula;
 mod parts;
 #[cfg(test)]
@@ -10,6 +11,8 @@ mod tests;
 
 pub(super) use account::Account;
 pub use account::ContactTally;
+
+use std::time::Instant;
 
 use nalgebra::Vector3;
 
@@ -26,6 +29,7 @@ use crate::contact::island::Island;
 use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
 use crate::contact::shape::Bounds;
+use crate::meter::{Meter, Stopped};
 use crate::step::Setting;
 use crate::step::options::Integrator;
 
@@ -35,6 +39,9 @@ const MOST_SEARCHES: u32 = 16;
 /// not wait for the rest to be exact. (Sooner, touches would be kept that only a first guess has: a soak's energy rose.)
 const EARLY: u32 = 2;
 const EARLY_ITERATIONS: u32 = 2;
+
+/// What a search takes for a joint that it finds, nanoseconds or so.
+const WORK_A_JOINT: u64 = 3000;
 
 /// Islands of so many joints are solved by all threads together.
 const LARGE: usize = 1000;
@@ -51,6 +58,8 @@ pub(super) struct Holding {
     parents: Vec<u32>,
     touching: Touching,
     contacts: Vec<Contact>,
+    /// What the last substep took from the end of its iterations on, s.
+    end_seconds: f64,
     /// Takes parts of a substep, see `parts.rs`.
     shorter: Option<Box<Holding>>,
     /// How often strands are searched for touches that are missed, if not [`MOST_SEARCHES`] times.
@@ -70,6 +79,10 @@ pub(super) struct Scene<'a> {
     pub options: &'a ContactOptions,
     pub setting: &'a Setting<'a>,
     pub crew: &'a Crew,
+    /// What the substep may cost.
+    pub meter: &'a Meter<'a>,
+    /// Whether it is the last of its call: how deep penalties leave surfaces is told of that.
+    pub is_last: bool,
     /// Whether the substep is a part of one: strands that it does not hold are at the end of the whole.
     pub is_part: bool,
 }
@@ -78,6 +91,11 @@ impl Holding {
     /// The touches that carried a force at the end of the last substep.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
+    }
+
+    /// What a substep takes when its iterations are over, s, as far as that is known.
+    pub fn end_seconds(&self) -> f64 {
+        self.end_seconds
     }
 
     /// Forgets who touched whom: strands or bodies have other indices now.
@@ -111,21 +129,27 @@ impl Holding {
     pub fn mark(scene: &mut Scene, h: f64) {
         let hair = scene.options.hair;
         for strand in scene.strands.iter_mut() {
-            strand.held = strand.contact.as_deref().is_some_and(|contact| {
-                if hair && contact.wisp_radius > 0.0 {
-                    return true;
-                }
-                let reach = Vector3::repeat(strand.model.length() + contact.radius);
-                let end = strand::root_after(&strand.root_move, &strand.state.root, h).origin;
-                let around = Bounds::around(strand.state.root.origin, reach).union(&Bounds::around(end, reach));
-                let near = |body: &BodyAt| body.bounds.grown(body.thickness).meets(&around);
-                scene.bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && near(body))
-            });
+            strand.held = !strand.is_returning()
+                && strand.contact.as_deref().is_some_and(|contact| {
+                    if !strand.bodies_from().is_empty() {
+                        // What went past it while it was not there it is to meet.
+                        return true;
+                    }
+                    if hair && contact.wisp_radius > 0.0 {
+                        return true;
+                    }
+                    let reach = Vector3::repeat(strand.model.length() + contact.radius);
+                    let end = strand::root_after(&strand.root_move, &strand.state.root, h).origin;
+                    let around = Bounds::around(strand.state.root.origin, reach).union(&Bounds::around(end, reach));
+                    let near = |body: &BodyAt| body.bounds.grown(body.thickness).meets(&around);
+                    scene.bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && near(body))
+                });
         }
         for constraint in scene.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
             let ends = [Some(constraint.def.strand), constraint.other()];
             for index in ends.into_iter().flatten().filter_map(|id| scene.slots.index(id)) {
-                scene.strands[index].held = true;
+                let strand = &mut scene.strands[index];
+                strand.held = !strand.is_returning();
             }
         }
     }
@@ -142,16 +166,25 @@ impl Holding {
         self.touching.begin_step();
         self.touching.find(scene, &mut self.strands[..self.count], true);
         self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
+        crowd::thin_out(&mut self.joints, &mut self.strands[..self.count], scene.meter.left());
         self.hold_constraints(scene, h);
+        scene.meter.spend(self.joints.len() as u64 * WORK_A_JOINT);
         let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { self.most_searches() };
         self.tie(searches > 0);
         self.foresee_pressing(scene, h);
         self.solve(scene, h, account.contact, searches);
-        self.look_at_failures(scene);
-        let parted = if levels > 0 { self.choose_parts(scene) } else { Vec::new() };
+        if !scene.meter.is_halted() {
+            self.look_at_failures(scene);
+        }
+        let ends = Instant::now();
+        let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
+        let parted = if goes_on { self.choose_parts(scene) } else { Vec::new() };
         self.finish(scene, h);
         let parts = (!parted.is_empty()).then(|| self.take_parts(scene, h, levels - 1, &parted));
         self.tell(scene, h, &mut account);
+        if parts.is_none() {
+            self.end_seconds = ends.elapsed().as_secs_f64();
+        }
         if let Some(parts) = parts {
             self.add_parts(&parts, account);
         }
@@ -171,10 +204,14 @@ impl Holding {
         let mut rough = searches > 0;
         for search in 0..searches {
             self.iterate(scene, h, contact, if search < EARLY { EARLY_ITERATIONS } else { u32::MAX });
+            if scene.meter.stopped() != Stopped::No {
+                return;
+            }
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             self.touching.find(scene, strands, false);
             if self.touching.add_missed(scene, strands, islands, &mut self.joints, h) {
                 contact.searches += 1;
+                crowd::thin_out(&mut self.joints, &mut self.strands[..self.count], scene.meter.left());
                 self.tie(rough);
             } else if islands.iter().all(|island| island.done && !island.is_to_be_tried_again()) {
                 if !(rough && self.refine()) {
@@ -187,7 +224,7 @@ impl Holding {
         if rough && self.refine() {
             self.iterate(scene, h, contact, u32::MAX);
         }
-        if searches > 0 {
+        if searches > 0 && !scene.meter.is_halted() {
             // No more is looked for, and what there is told.
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             self.touching.find(scene, strands, false);
@@ -195,16 +232,18 @@ impl Holding {
         }
     }
 
-    /// How deep islands are left that have not come to their end, and what no joint holds: it was no longer added to them, and would not be told. What
+    /// How deep islands are left that have not come to their end, or that springs hold apart, and what no joint holds: it was no longer added to them, and would not be told. What
     /// their joints say of that is of where the touches were found.
     fn look_at_failures(&mut self, scene: &Scene) {
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
         let is_looked_at = |held: &HeldStrand| held.left_deep || islands[held.island as usize].failed();
-        if scene.options.model.is_soft() || !self.touching.is_possible(scene) || !strands.iter().any(is_looked_at) {
+        // Penalties were searched for at the start only.
+        let all = scene.options.model.is_soft();
+        if !self.touching.is_possible(scene) || (all && !scene.is_last) || !(all || strands.iter().any(is_looked_at)) {
             return;
         }
         for held in strands.iter_mut() {
-            held.held.gone = if is_looked_at(held) { f64::INFINITY } else { 0.0 };
+            held.held.gone = if all || is_looked_at(held) { f64::INFINITY } else { 0.0 };
         }
         self.touching.find(scene, strands, false);
         self.touching.tell_depths(scene, strands, islands);
@@ -233,20 +272,34 @@ impl Holding {
     fn finish(&mut self, scene: &mut Scene, h: f64) {
         let islands = &self.islands[..self.island_count];
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
-        let setting = scene.setting;
+        let (setting, bodies) = (scene.setting, scene.bodies);
+        let cancelled = scene.meter.stopped() == Stopped::Cancelled;
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
             let island = &islands[held.island as usize];
-            // In an island that has not come to its end most strands may have.
+            let left = island.ending.stopped != Stopped::No;
+            if cancelled || !held.advanced {
+                held.held.outcome = strand.carry_along(h, bodies);
+                return;
+            }
+            let root = strand.state.root;
             let at_end = held.resting || island.ending.came_to_end;
             held.held.outcome.converged =
                 !held.overlooked && (island.ending.converged || (at_end && island.holds(&held.attachments)));
+            held.held.outcome.left = left && !held.held.outcome.converged;
             held.held.outcome.quarantined |= island.has_lost(held);
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;
             let most_elastic = strand.energies.elastic + held.mass * speed * speed;
             strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.step.rule));
             let outcome = held.held.outcome;
-            strand.ended(outcome, setting, h, &mut scratch.step);
+            // Where it is in something, or behind it, its side of that is kept.
+            let behind = !outcome.converged && !outcome.quarantined && island.is_behind(held);
+            let astray = strand.astray.take_if(|_| behind);
+            strand.ended(outcome, setting, h, bodies, &mut scratch.step);
+            if behind {
+                strand.astray = astray;
+                strand.stay_before(&root, h, bodies);
+            }
             strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
         });
     }
@@ -260,14 +313,20 @@ impl Holding {
             held.bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
+            held.bodies_from.clear();
+            if strand.bodies_from().len() == scene.bodies.len() {
+                held.bodies_from.extend_from_slice(strand.bodies_from());
+            }
             (held.first_order, held.begins_again, held.ended, held.resting) = (strand.touched, false, None, false);
             (held.left_deep, held.overlooked) = (false, false);
-            (held.root_gap, held.looked_ahead) = (f64::INFINITY, false);
+            (held.root_gap, held.looked_ahead, held.advanced) = (f64::INFINITY, false, false);
+            held.found.clear();
         }
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
             strand.begin_root_way(h);
             strand.with_one(|one| held.begin(one, scene.setting, h));
+            scene.meter.spend(held.half_work());
         });
     }
 
@@ -284,7 +343,11 @@ impl Holding {
                 continue;
             }
             let Some(first) = find(constraint.def.strand) else { continue };
-            let second = constraint.other().and_then(find);
+            let other = constraint.other();
+            let second = other.and_then(find);
+            if other.is_some() && second.is_none() {
+                continue;
+            }
             constraint.joints(k as u32, h, first, second, |joint| joints.push(joint));
         }
     }
@@ -358,11 +421,22 @@ impl Holding {
 
     /// Newton's iterations of all islands, `most` of them at most.
     fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
-        let (setting, options) = (scene.setting, scene.options);
+        let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
         let Self { strands, islands, count, island_count, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         for _ in 0..most {
-            for island in islands.iter_mut().filter(|island| island.done) {
+            let stopped = scene.meter.stopped();
+            if stopped != Stopped::No {
+                islands.iter_mut().for_each(|island| island.stop(stopped));
+                break;
+            }
+            for island in islands.iter_mut().filter(|island| island.done && island.ending.stopped == Stopped::No) {
+                let kinks = island.kinks(strands, options);
+                if !kinks.is_empty() {
+                    kinks.iter().for_each(|kink| strands[kink.held as usize].bend(kink, setting));
+                    island.go_on();
+                    continue;
+                }
                 if island.try_again(strands, options, h) == Next::BeginsAgain {
                     for held in &island.strands {
                         strands[*held as usize].begins_again = true;
@@ -380,10 +454,12 @@ impl Holding {
             });
             scene.crew.for_each(strands, |held, _| {
                 let island = &islands[held.island as usize];
-                if !island.done {
+                if !island.done && !meter.is_halted() {
                     held.linearise(island);
+                    meter.spend(held.half_work());
                 }
             });
+            share_out(islands, meter.left());
             // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
             let mut to_solve: Vec<&mut Island> = islands.iter_mut().filter(|island| !island.done).collect();
             to_solve.sort_by_key(|island| std::cmp::Reverse(island.joints.len()));
@@ -392,8 +468,9 @@ impl Holding {
             let solve = |island: &mut Island, scratch: &mut Scratch, crew: &Crew| {
                 island.find_ends(strands);
                 // A number that is not finite: the strand that it comes from is told apart at the end.
-                if island.solve(strands, options, h, &mut scratch.problem, crew).is_err() {
+                if island.solve(strands, options, h, &mut scratch.problem, crew, meter).is_err() {
                     (island.done, island.ending.lost) = (true, island.is_relaxed());
+                    island.ending.good_enough = false;
                 }
             };
             for island in large {
@@ -412,10 +489,15 @@ impl Holding {
             }
             scene.crew.for_each(strands, |held, _| {
                 let island = &islands[held.island as usize];
-                if !island.done {
+                // (Where the contact problem was left there are no forces to go by.)
+                if !island.done && !meter.is_halted() {
                     held.advance(setting, island);
+                    meter.spend(held.half_work());
                 }
             });
+            if meter.is_halted() {
+                continue;
+            }
             scene.crew.for_each(islands, |island, _| {
                 if !island.done {
                     island.check(strands, options, setting.options.tolerance, h);
@@ -427,6 +509,15 @@ impl Holding {
             contact.iterations = contact.iterations.max(island.iterations);
             contact.sweeps += u64::from(std::mem::take(&mut island.sweeps));
         }
+    }
+}
+
+/// Shares out what is `left` to work among the islands that go on, by their joints.
+fn share_out(islands: &mut [Island], left: u64) {
+    let weight = |island: &Island| (island.joints.len() + 1) as f64;
+    let all: f64 = islands.iter().filter(|island| !island.done).map(weight).sum();
+    for island in islands.iter_mut().filter(|island| !island.done) {
+        island.most_work = (left as f64 * (weight(island) / all)) as u64;
     }
 }
 

@@ -88,5 +88,6 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         touched: false,
         contact: contact.clone(),
         allowance: allowance.clone(),
+        astray: None,
     }
 }

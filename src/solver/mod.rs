@@ -1,13 +1,16 @@
 //! The scene: strands, their roots, the step, and everything a host reads back.
 
+mod astray;
 pub mod bodies;
 mod bulk_sampling;
 pub mod constraints;
 mod deep_places;
 pub mod definition;
 mod editing;
+mod fast_bodies;
 mod holding;
 pub mod id;
+mod jumps;
 mod level_of_detail;
 mod materials;
 mod mirroring;

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 pub use super::holding::ContactTally;
 pub use crate::energy::Energies;
+pub use crate::meter::Stopped;
 
 /// What happened in a call of [`Solver::step`](super::Solver::step), all its substeps together.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -31,6 +32,16 @@ pub struct StepReport {
     pub energies: Energies,
     /// What contact and constraints came to.
     pub contact: ContactTally,
+    /// Why it was ended before all strands were at their end, if it was, see [`StepLimits`](crate::meter::StepLimits).
+    pub stopped: Stopped,
+    /// Strand-substeps that were left for that: part of `unconverged`.
+    pub left: u32,
+    /// Work on strands in contact or held by constraints, in units of [`StepLimits::work`](crate::meter::StepLimits::work); all substeps together.
+    pub work: u64,
+    /// Strands whose root jumped: they went along with it as they were, see [`SolverOptions::jump_acceleration`](super::definition::SolverOptions::jump_acceleration).
+    pub carried: u32,
+    /// The most parts that a substep was taken in, since a body went far among strands in it; 1: none was.
+    pub parts: u32,
     /// Wall-clock time of the call, s.
     pub seconds: f64,
 }

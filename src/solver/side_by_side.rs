@@ -8,6 +8,7 @@ use crate::math::frame::Frame;
 use crate::math::lane::MAX_LANES;
 use crate::math::lanes::InstructionSet;
 use crate::math::prefetch::prefetch;
+use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
 use crate::step::members::{Kind, Members};
 use crate::step::options::Integrator;
@@ -18,7 +19,8 @@ use crate::step::{self, Setting, packs, subdivision};
 /// The most strands of a task: so many fill packs where kinds are mixed, and their states stay in a core's cache between substeps.
 pub(super) const MAX_TASK: usize = 256;
 
-/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; those that are held go another way (`holding`).
+/// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; those that are held go another way (`holding`). Where `meter` has halted it
+/// before, they go along with their roots.
 pub(super) fn take(
     strands: &mut [Strand],
     setting: &Setting,
@@ -26,7 +28,36 @@ pub(super) fn take(
     set: InstructionSet,
     tally: &mut Tally,
     scratch: &mut Scratch,
+    meter: &Meter,
 ) {
+    // Nothing else is done for these in this substep.
+    let returning: Vec<usize> = (0..strands.len()).filter(|index| strands[*index].is_returning()).collect();
+    for index in &returning {
+        tally.add(&strands[*index].go_back(h, setting.rules));
+        strands[*index].held = true;
+    }
+    take_present(strands, setting, h, set, tally, scratch, meter);
+    for index in &returning {
+        strands[*index].held = false;
+    }
+}
+
+/// The same of those that are not on their way back.
+fn take_present(
+    strands: &mut [Strand],
+    setting: &Setting,
+    h: f64,
+    set: InstructionSet,
+    tally: &mut Tally,
+    scratch: &mut Scratch,
+    meter: &Meter,
+) {
+    if meter.is_halted() {
+        for strand in strands.iter_mut().filter(|strand| !strand.held) {
+            tally.add(&strand.carry_along(h, &[]));
+        }
+        return;
+    }
     let width = packs::width(setting.options.precision, set);
     for strand in strands.iter_mut().filter(|strand| !strand.held) {
         strand.begin_root_way(h);
@@ -99,14 +130,14 @@ fn take_pack(
         let strand = &mut strands[*index];
         let outcome = strand.with_one(|one| step::finish(setting, one, h, outcome, scratch));
         tally.add(&outcome);
-        strand.ended(outcome, setting, h, scratch);
+        strand.ended(outcome, setting, h, &[], scratch);
     }
 }
 
 fn take_one(strand: &mut Strand, setting: &Setting, h: f64, tally: &mut Tally, scratch: &mut Scratch) {
     let outcome = strand.with_one(|one| step::take(setting, one, h, scratch));
     tally.add(&outcome);
-    strand.ended(outcome, setting, h, scratch);
+    strand.ended(outcome, setting, h, &[], scratch);
 }
 
 /// Strands picked from a task's.

@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 use super::Solver;
 use super::bodies::SceneBody;
 use super::constraints::Constraint;
-use super::definition::SolverOptions;
+use super::definition::{SolverOptions, check_jump_acceleration};
 use super::holding::Holding;
 use super::id::{BodyId, ConstraintId, SlotMap, StrandId};
 use super::sections::Sections;
@@ -31,7 +31,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use bytes::{Reader, Writer, bad, of_part};
 
 /// Changes whenever an image of an older version could not be read.
-pub const SNAPSHOT_VERSION: u32 = 5;
+pub const SNAPSHOT_VERSION: u32 = 6;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -40,6 +40,7 @@ struct Image {
     gravity: Vector3<f64>,
     wind: Vector3<f64>,
     step: StepOptions,
+    jump_acceleration: f64,
     contact: ContactOptions,
     slots: SlotMap<StrandId>,
     body_slots: SlotMap<BodyId>,
@@ -93,7 +94,7 @@ fn unwrap(image: &[u8]) -> Result<&[u8]> {
 impl Writer {
     /// What acts on results but is not a strand.
     fn options(&mut self, options: &SolverOptions) {
-        let SolverOptions { gravity, wind, step, .. } = options;
+        let SolverOptions { gravity, wind, step, jump_acceleration, .. } = options;
         self.vector(*gravity);
         self.vector(*wind);
         self.u32(step.integrator as u32);
@@ -109,6 +110,7 @@ impl Writer {
             Precision::F32 => 2,
         });
         self.f64(step.quadrature_tolerance);
+        self.f64(*jump_acceleration);
     }
 }
 
@@ -141,6 +143,8 @@ fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         quadrature_tolerance: reader.f64()?,
     };
     step.check("step").map_err(|error| of_part("its options", &error))?;
+    let jump_acceleration = reader.f64()?;
+    check_jump_acceleration("jump_acceleration", jump_acceleration).map_err(|error| of_part("its options", &error))?;
     let contact = reader.contact_options()?;
     let slots: SlotMap<StrandId> = reader.slots()?;
     let (body_slots, constraint_slots) = (reader.slots()?, reader.slots()?);
@@ -170,6 +174,7 @@ fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         gravity,
         wind,
         step,
+        jump_acceleration,
         contact,
         slots,
         body_slots,
@@ -227,6 +232,7 @@ impl Solver {
     pub fn restore(&mut self, image: &[u8]) -> Result<()> {
         let image = read(image, &self.rules)?;
         self.options.gravity = image.gravity;
+        self.options.jump_acceleration = image.jump_acceleration;
         self.options.wind = image.wind;
         self.options.step = image.step;
         self.options.contact = image.contact;

@@ -1,7 +1,7 @@
 //! Time: all strands through a step, and what came of it.
 
 use std::sync::{Mutex, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::Solver;
 use super::constraints::ConstraintStatus;
@@ -13,11 +13,59 @@ use super::strand::Tally;
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
+use crate::meter::{Meter, StepLimits, Stopped, usual_work};
 use crate::step::options::Integrator;
 use crate::step::{Setting, Surroundings, packs, subdivision};
 
 /// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
 pub const SHORTEST_STEP: f64 = 1e-9;
+
+/// What the substeps of a call may cost.
+struct Clock<'a> {
+    limits: &'a StepLimits<'a>,
+    end: Option<Instant>,
+    substeps: u32,
+    /// The work of a substep where the limits say nothing.
+    usual: u64,
+}
+
+impl<'a> Clock<'a> {
+    fn new(limits: &'a StepLimits<'a>, started: Instant, substeps: u32, elements: usize) -> Self {
+        let end = limits.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+        Self { limits, end: end.and_then(|seconds| started.checked_add(seconds)), substeps, usual: usual_work(elements) }
+    }
+
+    /// The meter of one of a substep's `parts`, which begins now and shares what time there is with those after it; `left`: how many substeps are left, with it;
+    /// `end_seconds`: what its end takes.
+    fn meter(&self, parts: f64, left: f64, end_seconds: f64) -> Meter<'a> {
+        let now = Instant::now();
+        let deadline = self.end.map(|end| {
+            let share = end.saturating_duration_since(now).as_secs_f64() / (left * parts);
+            now + Duration::from_secs_f64((share - end_seconds).max(0.0))
+        });
+        let work = self.limits.work.unwrap_or(self.usual) as f64 / parts;
+        Meter::new(work as u64, deadline, self.limits.cancel)
+    }
+}
+
+/// What substeps have taken, and why they were ended before all strands were at their end.
+#[derive(Debug, Clone, Copy, Default)]
+struct Spent {
+    work: u64,
+    stopped: Stopped,
+    /// The most parts that a substep was taken in.
+    parts: u32,
+}
+
+impl Spent {
+    /// Counts a substep; `left`: whether something was left in it.
+    fn add(&mut self, meter: &Meter, left: bool) {
+        self.work += meter.units();
+        if left {
+            self.stopped = self.stopped.max(meter.stopped());
+        }
+    }
+}
 
 impl Solver {
     /// Takes all strands through `dt` seconds in `substeps` equal parts.
@@ -30,7 +78,20 @@ impl Solver {
     /// [`Error::Unsupported`] where strands may touch something or constraints hold them and the integrator is
     /// [`Integrator::Reference`], which steps free strands only.
     pub fn step(&mut self, dt: f64, substeps: u32) -> Result<StepReport> {
+        self.step_within(dt, substeps, &StepLimits::default())
+    }
+
+    /// The same within limits of work or time, or until it is called off. What has not converged by then stays as the iteration has left it, whole and
+    /// finite, or, where none was done for it and where the step was called off, keeps its shape and goes along with its root; it counts as unconverged,
+    /// and the report says why. Roots and bodies are where the host has sent them in any case.
+    ///
+    /// # Errors
+    /// As [`Solver::step`]; [`Error::InvalidArgument`] for seconds that are not finite and above zero.
+    pub fn step_within(&mut self, dt: f64, substeps: u32, limits: &StepLimits) -> Result<StepReport> {
         let started = Instant::now();
+        if let Some(seconds) = limits.seconds {
+            check_positive(|| "limits.seconds".into(), seconds)?;
+        }
         check_positive(|| "dt".into(), dt)?;
         if substeps == 0 {
             return Err(Error::invalid("substeps", substeps, "1 or more"));
@@ -40,26 +101,38 @@ impl Solver {
             return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP} s or more")));
         }
         self.check_integrator()?;
+        let elements = self.strands.iter().map(|strand| strand.model.element_count()).sum();
+        let clock = Clock::new(limits, started, substeps, elements);
+        let jumped = self.carry_over_jumps(dt);
         let total = Mutex::new(Tally::default());
-        if self.holds_strands() {
-            let contact = self.step_holding(h, substeps, &total);
-            let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
-            return Ok(StepReport { contact, ..self.report(&total, substeps, started) });
-        }
-        self.holding.forget_contacts();
+        let (contact, spent) = if self.holds_strands() {
+            self.step_holding(h, &clock, &total)
+        } else {
+            self.holding.forget_contacts();
+            (ContactTally::default(), self.step_free(h, &clock, &total))
+        };
+        let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let Spent { work, stopped, parts } = spent;
+        Ok(StepReport { contact, work, stopped, carried: jumped, parts: parts.max(1), ..self.report(&total, substeps, started) })
+    }
+
+    /// The substeps of a scene in which nothing can hold strands: each task takes its own through all of them.
+    fn step_free(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> Spent {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
+        let meter = clock.meter(1.0, 1.0, 0.0);
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
-            for _ in 0..substeps {
-                side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step);
+            for _ in 0..clock.substeps {
+                side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step, &meter);
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
-        let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
-        Ok(self.report(&total, substeps, started))
+        // What was done in time does not tell that time was up afterwards.
+        let late = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
+        Spent { stopped: if late { meter.stopped() } else { Stopped::No }, ..Spent::default() }
     }
 
     /// Whether something may hold strands. Bodies and constraints are on their ways whether they do or not.
@@ -93,56 +166,74 @@ impl Solver {
         })
     }
 
-    /// The substeps of a scene in which something may hold strands: all strands go through each before any begins the next.
-    fn step_holding(&mut self, h: f64, substeps: u32, total: &Mutex<Tally>) -> ContactTally {
-        let set = self.instruction_set();
-        let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
-        let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
-        let width = packs::width(self.options.step.precision, set);
-        let mut contact = ContactTally::default();
+    /// The substeps of a scene in which something may hold strands: all strands go through each before any begins the next. One in which a body goes
+    /// far among them is taken in parts.
+    fn step_holding(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> (ContactTally, Spent) {
+        let (mut contact, mut spent) = (ContactTally::default(), Spent::default());
         for body in &mut self.bodies {
             body.wrench = Wrench::default();
         }
-        for _ in 0..substeps {
-            for scene_body in &mut self.bodies {
-                scene_body.body.begin(h);
-            }
-            let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
-            let body_ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
-            let copies = || -> Vec<Body> { self.bodies.iter().map(|body| body.body.clone()).collect() };
-            let mut wrenches = vec![Wrench::default(); bodies.len()];
-            let mut scene = Scene {
-                strands: &mut self.strands,
-                slots: &self.slots,
-                constraints: &mut self.constraints,
-                bodies: &bodies,
-                copies: &copies,
-                body_ids: &body_ids,
-                options: &self.options.contact,
-                setting: &setting,
-                crew: &self.crew,
-                is_part: false,
-            };
-            Holding::mark(&mut scene, h);
-            self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
-                let mut tally = Tally::default();
-                side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step);
-                total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
-            });
-            let mut tally = Tally::default();
-            let account = Account { tally: &mut tally, contact: &mut contact, wrenches: &mut wrenches };
-            self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), account);
-            total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
-            for (body, wrench) in self.bodies.iter_mut().zip(wrenches) {
-                body.wrench = wrench;
-                body.body.finish(h);
+        for substep in 0..clock.substeps {
+            self.ready_ways(h);
+            let parts = self.parts_of_substep(h);
+            spent.parts = spent.parts.max(parts);
+            for part in 0..parts {
+                let left = f64::from(clock.substeps - substep) - f64::from(part) / f64::from(parts);
+                let meter = clock.meter(f64::from(parts), left, self.holding.end_seconds());
+                let is_last = substep + 1 == clock.substeps && part + 1 == parts;
+                self.take_substep(h / f64::from(parts), &meter, &mut contact, total, is_last);
+                let left = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
+                spent.add(&meter, left);
             }
         }
         // Where nothing holds strands any more the next step looks for none.
         for strand in &mut self.strands {
             strand.held = false;
         }
-        contact
+        (contact, spent)
+    }
+
+    /// A substep of `h` seconds, or a part of one.
+    fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, is_last: bool) {
+        let set = self.instruction_set();
+        let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
+        let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
+        let width = packs::width(self.options.step.precision, set);
+        for scene_body in &mut self.bodies {
+            scene_body.body.begin(h);
+        }
+        let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
+        let body_ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
+        let copies = || -> Vec<Body> { self.bodies.iter().map(|body| body.body.clone()).collect() };
+        let mut wrenches = vec![Wrench::default(); bodies.len()];
+        let mut scene = Scene {
+            strands: &mut self.strands,
+            slots: &self.slots,
+            constraints: &mut self.constraints,
+            bodies: &bodies,
+            copies: &copies,
+            body_ids: &body_ids,
+            options: &self.options.contact,
+            setting: &setting,
+            crew: &self.crew,
+            meter,
+            is_last,
+            is_part: false,
+        };
+        Holding::mark(&mut scene, h);
+        self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
+            let mut tally = Tally::default();
+            side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step, meter);
+            total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
+        });
+        let mut tally = Tally::default();
+        let account = Account { tally: &mut tally, contact, wrenches: &mut wrenches };
+        self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), account);
+        total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
+        for (body, wrench) in self.bodies.iter_mut().zip(wrenches) {
+            body.wrench = wrench;
+            body.body.finish(h);
+        }
     }
 
     fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {
@@ -155,6 +246,7 @@ impl Solver {
             max_condition: tally.condition,
             subdivided: tally.subdivided,
             max_error: tally.error,
+            left: tally.left,
             ..StepReport::default()
         };
         // In the strands' order, so that the sums are the same to the bit for any number of threads.

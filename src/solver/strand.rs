@@ -4,11 +4,13 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use super::astray::Astray;
 use super::definition::StrandDef;
 use super::id::StrandId;
 use super::report::{Energies, StrandStatus};
 use super::sections;
 use crate::contact::allowance::Allowance;
+use crate::contact::body::BodyAt;
 use crate::contact::options::StrandContact;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
@@ -46,6 +48,8 @@ pub(super) struct Strand {
     pub contact: Option<Box<StrandContact>>,
     /// What it may overlap; none: nothing.
     pub allowance: Option<Box<Allowance>>,
+    /// What is kept of it where a substep has not brought it through.
+    pub astray: Option<Box<Astray>>,
 }
 
 /// What is kept of how a substep went; the rest goes into the call's [`Tally`].
@@ -87,6 +91,8 @@ pub(super) struct Tally {
     pub condition: f64,
     pub subdivided: u32,
     pub error: f64,
+    /// Of those that did not converge: left before their end, by what the substep might cost.
+    pub left: u32,
 }
 
 impl Tally {
@@ -100,6 +106,7 @@ impl Tally {
         self.condition = self.condition.max(outcome.condition);
         self.subdivided += u32::from(outcome.substeps > 1);
         self.error = self.error.max(outcome.error);
+        self.left += u32::from(outcome.left);
     }
 
     /// Counts other strands' substeps.
@@ -112,6 +119,7 @@ impl Tally {
         self.condition = self.condition.max(other.condition);
         self.subdivided += other.subdivided;
         self.error = self.error.max(other.error);
+        self.left += other.left;
     }
 }
 
@@ -148,6 +156,7 @@ impl Strand {
             touched: false,
             contact: None,
             allowance: None,
+            astray: None,
         }
     }
 
@@ -186,7 +195,7 @@ impl Strand {
     }
 
     /// The root's velocity where the last move left it: that of the move's end if it was finished.
-    fn instant_velocity(&self) -> Vector3<f64> {
+    pub(super) fn instant_velocity(&self) -> Vector3<f64> {
         match self.root_move.as_deref() {
             Some((root_move, elapsed)) if root_move.duration > 0.0 && *elapsed >= root_move.duration => {
                 root_move.final_velocity()
@@ -195,7 +204,7 @@ impl Strand {
         }
     }
 
-    fn instant_angular_velocity(&self) -> Vector3<f64> {
+    pub(super) fn instant_angular_velocity(&self) -> Vector3<f64> {
         match self.root_move.as_deref() {
             Some((root_move, elapsed)) if root_move.duration > 0.0 && *elapsed >= root_move.duration => {
                 self.state.root.rotation * root_move.final_angular_velocity()
@@ -235,9 +244,14 @@ impl Strand {
         work(&mut One { model, state, root_at: &root_at })
     }
 
-    /// Writes down how a substep of `h` seconds went.
-    pub fn ended(&mut self, outcome: StrandOutcome, setting: &Setting, h: f64, scratch: &mut Scratch) {
+    /// Writes down how a substep of `h` seconds went, in which it was to meet `bodies`.
+    pub fn ended(&mut self, outcome: StrandOutcome, setting: &Setting, h: f64, bodies: &[BodyAt], scratch: &mut Scratch) {
         self.fared = (&outcome).into();
+        if outcome.quarantined {
+            self.lose(h, bodies);
+        } else if self.astray.is_some() {
+            self.come_through();
+        }
         self.advance_root(h);
         if outcome.quarantined || setting.options.integrator == Integrator::Reference {
             let kinematics = &mut scratch.one.workspace.iterate.kinematics;

@@ -14,7 +14,7 @@ use crate::chain::load::Station;
 use crate::contact::hair_pairs::{HairPairs, PairOptions, Tie};
 use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
-use crate::contact::joint::{Joint, JointEnd, JointKind, SAME_SIDE};
+use crate::contact::joint::{Give, Joint, JointEnd, JointKind, SAME_SIDE};
 use crate::contact::law::Law;
 use crate::contact::nearest_pair::depth;
 use crate::contact::pieces::Wisp;
@@ -27,7 +27,7 @@ const NEAR_HAIR: f64 = 0.1;
 /// Pairs of strands are searched anew when one has moved by this share of the largest wisp's radius.
 const MARGIN: f64 = 0.5;
 /// Surfaces are in each other when a step begins where they are so many tolerances deep: more than a step's end leaves.
-const DEEP: f64 = 10.0;
+const DEEP: f64 = 2.0;
 /// How deep in a body a strand is looked for at a substep's start, m.
 const DEEPEST: f64 = 0.1;
 /// A strand that has gone less than this part of the touches' tolerance since it was searched is not searched again.
@@ -244,7 +244,7 @@ impl Touching {
         match (kind, second) {
             (JointKind::Body { body, .. }, _) => {
                 let radius = allowances::radius(scene.strands, strand, &first.station);
-                radius + scene.bodies[body as usize].depth_at_start(at, DEEPEST) > allowed
+                radius + strand.met(scene.bodies, body).depth_at_start(at, DEEPEST) > allowed
             }
             (JointKind::Hair { margin, .. }, Some(end)) => {
                 let apart = (at - strands[end.held as usize].end_state(&end.station).start).norm();
@@ -344,11 +344,11 @@ impl Touching {
         let mut known_of = KnownOf::new(strands.len());
         for joint in missed {
             known_of.take_in(joints);
-            let (mut yields, mut nearest) = (false, None);
+            let (mut give, mut nearest) = (Give::No, None);
             let known = known_of.strand(joint.first.held).map(|index| (index, &joints[index]));
             for (index, known) in known.filter(|(_, known)| known.is_with(&joint)) {
                 // What yields does so all along.
-                yields |= known.yields;
+                give = give.max(known.give);
                 let apart = apart(known, &joint, strands);
                 let turned = known.turned(&joint);
                 let same = !known.deep && turned < 1.0 - SAME_SIDE && apart <= SAME_PLACE * joint.margin();
@@ -359,7 +359,7 @@ impl Touching {
                 }
             }
             // One that is known moves to where it is deepest; any other is new, beside one that only gives way too.
-            let joint = Joint { yields, ..joint };
+            let joint = Joint { give, ..joint };
             match nearest {
                 Some((known, _)) if joints[known].has_left(&joint) => joints.push(Joint { in_crease: true, ..joint }),
                 Some((known, _)) => {
@@ -374,8 +374,10 @@ impl Touching {
 
     /// Tells the islands how deep what the last search found is.
     pub fn tell_depths(&self, scene: &Scene, strands: &[HeldStrand], islands: &mut [Island]) {
+        // What springs hold apart has no depth that it may have.
+        let may = if scene.options.model.is_soft() { 0.0 } else { scene.options.tolerance };
         for (held, touch) in self.found(strands) {
-            if touch.gap >= -scene.options.tolerance {
+            if touch.gap >= -may {
                 continue;
             }
             let joint = self.joint(scene, strands, held, touch);
@@ -462,7 +464,7 @@ fn is_told(joint: &Joint, strands: &[HeldStrand], islands: &[Island], tolerance:
     let known = strand.attachments.iter().map(|end| &islands[strand.island as usize].joints[end.joint as usize]);
     let beside = |known: &Joint| apart(known, joint, strands) <= SAME_PLACE * joint.margin();
     let mut as_deep = known.filter(|known| known.is_with(joint) && !known.deep && known.gap <= joint.gap + tolerance);
-    as_deep.any(|known| known.yields || beside(known))
+    as_deep.any(|known| known.give != Give::No || beside(known))
 }
 
 /// How far two touches of a strand with the same partner are apart along the strand, or its partner, at most, m.

@@ -291,6 +291,33 @@ impl Held {
         self.outcome.residual
     }
 
+    /// Bends all elements by so much more, 1/m about n1 and n2: the iteration goes on from there. (Of freedoms that are held none.)
+    pub fn bend(&mut self, curvature: [f64; 2], setting: &Setting) {
+        let super::workspace::Workspace { loaded, iterate, .. } = &mut self.bench.workspace;
+        let axes = self.freedoms.axes();
+        let axes = &axes[..self.freedoms.count()];
+        let size = (curvature[0] * curvature[0] + curvature[1] * curvature[1]).sqrt();
+        let change = match (self.freedoms.contains(1), self.freedoms.contains(2)) {
+            (true, true) => [0.0, curvature[0], curvature[1]],
+            (true, false) => [0.0, size, 0.0],
+            (false, true) => [0.0, 0.0, size],
+            (false, false) => return,
+        };
+        iterate.trial_curvatures.clone_from(&iterate.curvatures);
+        for row in &mut iterate.trial_curvatures {
+            for axis in 0..3 {
+                row[axis] += change[axis];
+            }
+        }
+        let rule = setting.rules.rule(self.rule);
+        let problem = Problem { root: &self.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
+        self.potential = place_trial(&problem, iterate);
+        self.gone += farthest(&iterate.kinematics.elements, &iterate.trial.elements);
+        std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
+        std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
+        self.before = None;
+    }
+
     /// Ends the step: its end becomes the strand's state, unless it is not finite, or has not converged and is bent by more than
     /// `most_elastic` (J): it is then come to nowhere.
     pub fn end(

@@ -67,6 +67,8 @@ pub struct StrandOutcome {
     pub converged: bool,
     /// A number turned non-finite; the state is that of the step's start.
     pub quarantined: bool,
+    /// It was left before it came to its end, by what the step might cost.
+    pub left: bool,
     /// How far an element may still be from where the iteration would end, rad.
     pub residual: f64,
     /// Condition number of the last matrix (dense singular values only).
@@ -85,6 +87,7 @@ impl Default for StrandOutcome {
             substeps: 1,
             converged: false,
             quarantined: false,
+            left: false,
             residual: 0.0,
             condition: 0.0,
             error: 0.0,

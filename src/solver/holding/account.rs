@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::{Holding, Scene};
 use crate::chain::load::Station;
-use crate::contact::joint::JointKind;
+use crate::contact::joint::{Joint, JointEnd, JointKind};
 use crate::contact::nearest_pair::depth;
 use crate::solver::bodies::{Contact, ContactPartner};
 use crate::solver::report::Wrench;
@@ -29,10 +29,17 @@ pub struct ContactTally {
     pub penetration: f64,
     /// The largest distance of a constraint from holding at the end of a substep, m.
     pub constraint_error: f64,
+    /// Touches whose force is told as no more than hair can do, at the end of the last substep: what takes the strand its own length in the substep and
+    /// bends its elements by a radian; twenty times that where the touch's island is solved. What the laws ask for where there is no room, as in a root that stands in a
+    /// mesh, is no force.
+    pub capped: u32,
     /// Strands whose root was in a body by more than [`ContactOptions::tolerance`](crate::contact::options::ContactOptions::tolerance) at the end of the last substep, and not exempt: it is where
     /// the host put it, and no force parts the two. (`penetration` has how deep.)
     pub roots_inside: u32,
 }
+
+/// Where all laws hold forces may be so many times what takes a strand its own length in a substep and bends its elements by a radian.
+const SOLVED: f64 = 20.0;
 
 /// Where it is told.
 #[derive(Debug)]
@@ -44,12 +51,18 @@ pub(in crate::solver) struct Account<'a> {
 }
 
 impl Holding {
+    /// What the strands at a touch can press with, N.
+    fn most_force(&self, joint: &Joint, h: f64) -> f64 {
+        let of = |end: JointEnd| self.strands[end.held as usize].usual_force(h) + self.strands[end.held as usize].bending;
+        joint.ends().map(of).fold(f64::INFINITY, f64::min)
+    }
+
     /// Writes down what the strands and their joints came to, but for those that have taken the substep in parts; of these only the roots, which are
     /// where the host has put them.
     pub(super) fn tell(&mut self, scene: &mut Scene, h: f64, account: &mut Account) {
         let islands = &self.islands[..self.island_count];
         let contact = &mut *account.contact;
-        (contact.touches, contact.roots_inside) = (0, 0);
+        (contact.touches, contact.roots_inside, contact.capped) = (0, 0, 0);
         for held in &self.strands[..self.count] {
             if !islands[held.island as usize].takes_parts {
                 account.tally.add(&held.held.outcome);
@@ -69,7 +82,7 @@ impl Holding {
             contact.unconverged += u32::from(!island.ending.converged);
             contact.residual = contact.residual.max(island.ending.residual);
             contact.penetration = contact.penetration.max(island.left.deep);
-            let was_searched = island.failed() && !scene.options.model.is_soft();
+            let was_searched = if scene.options.model.is_soft() { scene.is_last } else { island.failed() };
             for joint in &island.joints {
                 match joint.constraint() {
                     Some(index) => {
@@ -87,6 +100,10 @@ impl Holding {
                         contact.touches += 1;
                         let (strand, arclength) = place(joint.first.held, &joint.first.station);
                         let position = self.strands[joint.first.held as usize].end_state(&joint.first.station).now;
+                        let most = self.most_force(joint, h) * if island.ending.converged { SOLVED } else { 1.0 };
+                        let size = joint.force.norm();
+                        let force = if size > most { joint.force * (most / size) } else { joint.force };
+                        contact.capped += u32::from(size > most);
                         let (normal, partner) = match (joint.kind, joint.second) {
                             (JointKind::Hair { normal, .. }, Some(end)) => {
                                 let (strand, arclength) = place(end.held, &end.station);
@@ -95,8 +112,8 @@ impl Holding {
                             (JointKind::Body { body, feature, normal, point, .. }, _) => {
                                 let origin = scene.bodies[body as usize].end.origin;
                                 let wrench = &mut account.wrenches[body as usize];
-                                wrench.force -= joint.force;
-                                wrench.torque -= (point - origin).cross(&joint.force);
+                                wrench.force -= force;
+                                wrench.torque -= (point - origin).cross(&force);
                                 (normal, ContactPartner::Body { body: scene.body_ids[body as usize], feature })
                             }
                             _ => continue,
@@ -104,7 +121,6 @@ impl Holding {
                         let slip = joint.slip - normal * normal.dot(&joint.slip);
                         // A touch that was found elsewhere may say more than the search did.
                         let gap = if was_searched { joint.gap.max(-island.left.deep) } else { joint.gap };
-                        let force = joint.force;
                         self.contacts.push(Contact { strand, arclength, partner, position, normal, force, gap, slip });
                     }
                 }

@@ -8,13 +8,14 @@ use super::{Holding, Scene};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::island::FEW;
 use crate::contact::touch::Partner;
+use crate::meter::Stopped;
 use crate::solver::deep_places::AsItIs;
 use crate::solver::report::Wrench;
 use crate::solver::strand::{Strand, Tally};
 use crate::step::StrandOutcome;
 
 /// Surfaces that are so many tolerances in each other are deep.
-const DEEP: f64 = 10.0;
+const DEEP: f64 = 2.0;
 
 /// A strand that is to take the substep in parts.
 #[derive(Debug)]
@@ -67,6 +68,14 @@ impl Holding {
                 scene.strands[index(self, parted)].clone_from(&parted.before);
             }
             let mut parts = self.take_halves(scene, h, levels);
+            if scene.meter.stopped() != Stopped::No {
+                // Some are in the middle of it.
+                for (parted, whole) in parted.iter().zip(&whole) {
+                    scene.strands[index(self, parted)].clone_from(whole);
+                }
+                self.islands[..self.island_count].iter_mut().for_each(|island| island.takes_parts = false);
+                return Parts::default();
+            }
             // Of the parts' own ends the first ones are on the way, and none knows of the others.
             parts.told.penetration = 0.0;
             let (left, mut some_go_back) = (self.depths(scene, &bodies), false);

@@ -61,7 +61,7 @@ fn deepest(solver: &mut Solver, ids: &[StrandId]) -> f64 {
 /// What the last search finds, and nothing holds any more, is told: as a step that is not solved, and as deep as it is.
 #[test]
 fn what_searches_that_are_spent_leave_is_told() {
-    for model in [ContactModel::Hard, ContactModel::Coulomb] {
+    for model in [ContactModel::Coulomb] {
         let (mut solver, ids, defs) = layers(model, 12);
         solver.options.step.max_subdivisions = 0;
         let (mut left, mut most, mut before) = (0, 0.0_f64, 0.0);
@@ -93,7 +93,7 @@ fn what_searches_that_are_spent_leave_is_told() {
 #[test]
 fn parts_leave_nothing_deeper_than_the_whole_did() {
     let (mut deeper, mut better, mut parted) = (Vec::new(), 0, 0);
-    let (mut solver, ids, defs) = layers(ContactModel::Hard, 40);
+    let (mut solver, ids, defs) = layers(ContactModel::Coulomb, 40);
     for step in 0..60 {
         swing(&mut solver, &ids, &defs, 3 * step);
         let before = solver.snapshot();

@@ -7,6 +7,7 @@ use crate::math::vector::Vec3;
 use crate::rod::freedoms::Freedoms;
 use crate::rod::material::Material;
 use crate::rod::strand::StrandModel;
+use crate::solver::astray::{Astray, Whereabouts};
 use crate::solver::id::StrandId;
 use crate::solver::report::Energies;
 use crate::solver::sections::Sections;
@@ -21,6 +22,28 @@ impl Writer {
             authored.lengths.iter().for_each(|length| self.f64(*length));
             self.rows(&authored.natural);
         }
+    }
+
+    /// What is kept of a strand that a substep did not bring through.
+    fn astray(&mut self, astray: Option<&Astray>) {
+        let Some(Astray { bodies, state }) = astray else { return self.u32(0) };
+        match state {
+            Whereabouts::Carried { seconds } => {
+                self.u32(1);
+                self.f64(*seconds);
+            }
+            Whereabouts::Lost { seconds } => {
+                self.u32(2);
+                self.f64(*seconds);
+            }
+            Whereabouts::Returning { seconds, from } => {
+                self.u32(3);
+                self.f64(*seconds);
+                self.rows(from);
+            }
+        }
+        self.u64(bodies.len() as u64);
+        bodies.iter().for_each(|body| self.frame(body));
     }
 
     /// A strand's constants and state; the identifier stands apart.
@@ -63,6 +86,7 @@ impl Writer {
         self.u32(strand.fared.iterations);
         self.u32(u32::from(strand.fared.converged));
         self.u32(u32::from(strand.fared.quarantined));
+        self.astray(strand.astray.as_deref());
         self.f64(strand.energies.kinetic);
         self.f64(strand.energies.elastic);
         self.f64(strand.energies.gravity);
@@ -70,6 +94,26 @@ impl Writer {
 }
 
 impl Reader<'_> {
+    fn astray(&mut self, elements: usize) -> Result<Option<Box<Astray>>> {
+        let state = match self.u32()? {
+            0 => return Ok(None),
+            1 => Whereabouts::Carried { seconds: self.finite("how long a strand is carried along")? },
+            2 => Whereabouts::Lost { seconds: self.finite("how long a strand is rolled back")? },
+            3 => {
+                let seconds = self.finite("how long a strand is on its way back")?;
+                let from = self.rows(elements)?;
+                if !from.iter().flatten().all(|x| x.is_finite()) {
+                    return Err(bad("a strand comes back from a shape that is not finite"));
+                }
+                Whereabouts::Returning { seconds, from: from.into() }
+            }
+            other => return Err(bad(format!("a strand is in a state {other}"))),
+        };
+        let count = self.count(8 * 7)?;
+        let bodies = (0..count).map(|_| self.finite_frame("where a body stands for a strand")).collect::<Result<Vec<_>>>()?;
+        Ok(Some(Box::new(Astray { bodies, state })))
+    }
+
     fn past(&mut self, elements: usize, points: usize) -> Result<Past> {
         let step = self.f64()?;
         if step == 0.0 {
@@ -150,6 +194,7 @@ impl Reader<'_> {
         }
         let root_move = self.way()?.map(Box::new);
         let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
+        let astray = self.astray(count)?;
         let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
         let model = StrandModel::of_section(lengths, natural, sections.of(&material, freedoms));
         let mut strand = Strand {
@@ -165,6 +210,7 @@ impl Reader<'_> {
             touched: false,
             contact: None,
             allowance: None,
+            astray,
         };
         strand.shrink();
         Ok(strand)

@@ -10,7 +10,7 @@ use crate::json::{Complaint, Entries, Node};
 pub const MODELS: [(&str, ContactModel); 4] = [
     ("penalty", ContactModel::Penalty),
     ("regularised", ContactModel::RegularisedPenalty),
-    ("hard", ContactModel::Hard),
+    ("hard", ContactModel::Coulomb),
     ("coulomb", ContactModel::Coulomb),
 ];
 

@@ -1,0 +1,99 @@
+//! Strands that lie exactly along what presses them. A straight strand that is pushed along itself cannot give way in the linear model: no force along it
+//! moves the place that it acts at, J H⁻¹ Jᵀ is singular there, and the contact problem finds none that helps. It is on the top of a hill, on
+//! which Newton's iteration may rest, though every way leads down. Such a strand is bent a little, as far as takes its end out of what it is in, and to a side
+//! that its number tells: the same each time.
+
+use nalgebra::Vector3;
+
+use super::held_strand::HeldStrand;
+use super::island::Island;
+use super::joint::{JointEnd, JointKind};
+use super::options::ContactOptions;
+use crate::math::trigonometry::sine_cosine;
+use crate::step::Setting;
+
+/// A place cannot give way along a direction in which its response is less than this part of all of it.
+const STUCK: f64 = 1e-9;
+/// How often in a step an island's strands are bent so.
+const MOST: u32 = 3;
+/// A strand is bent by no more than this, rad.
+const MOST_TURN: f64 = 1.0;
+/// From strand to strand the side turns by this, rad: the golden angle.
+const SIDES: f64 = 2.399_963_229_728_653;
+/// What constraints are off by is looked at from here on, m.
+const OFF: f64 = 1e-8;
+
+/// A strand that is to be bent: which of the held ones, and by what turn in all, rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kink {
+    /// Index among the held strands.
+    pub held: u32,
+    /// rad.
+    pub turn: f64,
+}
+
+impl Island {
+    /// At its end: the strands that cannot give way along themselves, and have to.
+    pub fn kinks(&mut self, strands: &[HeldStrand], options: &ContactOptions) -> Vec<Kink> {
+        let mut kinks: Vec<Kink> = Vec::new();
+        if self.kinked >= MOST {
+            return kinks;
+        }
+        for (joint, ends) in self.joints.iter().zip(&self.ends) {
+            // Which way its first end has to go, and how far.
+            let (way, far) = match joint.kind {
+                JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } if joint.gap < -0.5 * options.tolerance => {
+                    (normal, -joint.gap)
+                }
+                JointKind::Pin { target, .. } if joint.gap > OFF => {
+                    let off = target - strands[joint.first.held as usize].end_state(&joint.first.station).now;
+                    (off / off.norm().max(f64::MIN_POSITIVE), joint.gap)
+                }
+                JointKind::Tie { .. } if joint.gap > OFF => {
+                    let at = |end: &JointEnd| strands[end.held as usize].end_state(&end.station).now;
+                    let off = joint.second.as_ref().map_or(Vector3::zeros(), |second| at(second) - at(&joint.first));
+                    (off / off.norm().max(f64::MIN_POSITIVE), joint.gap)
+                }
+                _ => continue,
+            };
+            let all = [Some((joint.first, ends[0].point, way)), joint.second.map(|second| (second, ends[1].point, -way))];
+            let all = || all.iter().flatten();
+            if !all().all(|(end, point, way)| strands[end.held as usize].is_stuck(*point, way)) {
+                continue;
+            }
+            for (end, _, way) in all() {
+                let strand = &strands[end.held as usize];
+                // Only towards the root can it give way by bending.
+                let (root, _) = strand.held.now();
+                let from_root = strand.end_state(&end.station).now - root;
+                let length = strand.along(&end.station);
+                if way.dot(&from_root) < 0.0 && !kinks.iter().any(|kink| kink.held == end.held) {
+                    // An arc of the angle θ is shorter than its length by θ²/24 of it.
+                    let turn = (24.0 * far / length.max(f64::MIN_POSITIVE)).sqrt().min(MOST_TURN);
+                    kinks.push(Kink { held: end.held, turn });
+                }
+            }
+        }
+        if !kinks.is_empty() {
+            self.kinked += 1;
+        }
+        kinks
+    }
+}
+
+impl HeldStrand {
+    /// Whether no force along a direction moves an attached point along it.
+    fn is_stuck(&self, point: u32, way: &Vector3<f64>) -> bool {
+        let response = self.response(point);
+        response.trace() > 0.0 && way.dot(&(response * way)) < STUCK * response.trace()
+    }
+
+    /// Bends it so.
+    pub fn bend(&mut self, kink: &Kink, setting: &Setting) {
+        let (sine, cosine) = sine_cosine(SIDES * f64::from(self.index));
+        let curvature = kink.turn / self.length();
+        self.held.bend([curvature * cosine, curvature * sine], setting);
+        (self.residual, self.resting) = (f64::INFINITY, false);
+        self.moved();
+    }
+}

@@ -1,0 +1,164 @@
+//! Strands that a substep did not bring through: left before an iteration, carried over a jump of their root, or rolled back and brought back.
+//!
+//! Such a strand keeps its shape and goes along with its root. Bodies go on meanwhile: what one went past in a substep that the strand was
+//! not part of it is to meet in the next, so that the side that the strand is on is never forgotten.
+
+use nalgebra::Vector3;
+
+use super::strand::{self, Strand};
+use crate::contact::body::BodyAt;
+use crate::math::frame::Frame;
+use crate::math::quadrature::Rules;
+use crate::math::rotation::rotation_vector;
+use crate::step::StrandOutcome;
+
+/// A strand that is rolled back for so many seconds on end is brought back: from the shape that it had to its natural one, in so many.
+const LOST_FOR: f64 = 0.1;
+const RETURNS_IN: f64 = 0.25;
+
+/// What is kept of a strand that is not where a substep would have brought it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Astray {
+    /// Where bodies stand for it when the coming substep begins: where they were at the last one that it came through, as seen from its root; or, when
+    /// that has jumped, where they jump to. One a body, or none: where they are.
+    pub bodies: Vec<Frame>,
+    pub state: Whereabouts,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Whereabouts {
+    /// It was carried along in the last substeps, for so many seconds on end, and goes on.
+    Carried { seconds: f64 },
+    /// It was rolled back in the last substeps, for so many seconds on end.
+    Lost { seconds: f64 },
+    /// It is on its way from this shape to its natural one, for so many seconds, and touches nothing.
+    Returning { seconds: f64, from: Box<[[f64; 3]]> },
+}
+
+impl Strand {
+    /// Where bodies stand for it when the coming substep begins, if not where they are.
+    pub fn bodies_from(&self) -> &[Frame] {
+        self.astray.as_deref().map_or(&[], |astray| &astray.bodies)
+    }
+
+    /// Whether it is on its way back, and no part of the scene until it is there.
+    pub fn is_returning(&self) -> bool {
+        self.astray.as_deref().is_some_and(|astray| matches!(astray.state, Whereabouts::Returning { .. }))
+    }
+
+    /// Its root jumps: it goes there at once. `bodies` are to be told.
+    pub fn jump_to(&mut self, root: Frame) {
+        self.state.teleport(root);
+        self.root_move = None;
+        self.astray = Some(Box::new(Astray { bodies: Vec::new(), state: Whereabouts::Carried { seconds: 0.0 } }));
+    }
+
+    /// Takes it through a substep of `h` seconds as its root goes, its shape kept: nothing else is done for it. `bodies`: those that it did not meet so.
+    pub fn carry_along(&mut self, h: f64, bodies: &[BodyAt]) -> StrandOutcome {
+        self.begin_root_way(h);
+        let seconds = self.carried_for() + h;
+        self.go_along(h, bodies, Whereabouts::Carried { seconds });
+        self.forget_what_is_out_of_reach(seconds);
+        self.advance_root(h);
+        let outcome = StrandOutcome { converged: false, left: true, energies: self.energies, ..StrandOutcome::default() };
+        self.fared = (&outcome).into();
+        outcome
+    }
+
+    /// A substep of `h` seconds took it through, but left it in a body, or behind one: the next is to see what went past it. `before`: its root when the
+    /// substep began.
+    pub fn stay_before(&mut self, before: &Frame, h: f64, bodies: &[BodyAt]) {
+        let (to, seconds) = (self.state.root, self.carried_for() + h);
+        let astray = self
+            .astray
+            .get_or_insert_with(|| Box::new(Astray { bodies: Vec::new(), state: Whereabouts::Carried { seconds: 0.0 } }));
+        astray.state = Whereabouts::Carried { seconds };
+        if astray.bodies.len() != bodies.len() {
+            astray.bodies = bodies.iter().map(|body| body.start).collect();
+        }
+        take_along(&mut astray.bodies, before, &to);
+        self.forget_what_is_out_of_reach(seconds);
+    }
+
+    fn carried_for(&self) -> f64 {
+        match self.astray.as_deref() {
+            Some(Astray { state: Whereabouts::Carried { seconds }, .. }) => *seconds,
+            _ => 0.0,
+        }
+    }
+
+    /// What went past it so long ago may be where it can never come to.
+    fn forget_what_is_out_of_reach(&mut self, seconds: f64) {
+        if seconds >= LOST_FOR * (1.0 - 1e-12) {
+            self.astray = None;
+        }
+    }
+
+    /// It was rolled back in a substep of `h` seconds: it goes along with its root, and after a while is brought back.
+    pub fn lose(&mut self, h: f64, bodies: &[BodyAt]) {
+        let before = match self.astray.as_deref() {
+            Some(Astray { state: Whereabouts::Lost { seconds }, .. }) => *seconds,
+            _ => 0.0,
+        };
+        let seconds = before + h;
+        let returns = seconds >= LOST_FOR * (1.0 - 1e-12);
+        let from = || self.state.curvatures.clone().into_boxed_slice();
+        let state = if returns { Whereabouts::Returning { seconds: 0.0, from: from() } } else { Whereabouts::Lost { seconds } };
+        self.go_along(h, bodies, state);
+    }
+
+    /// A substep brought it through.
+    pub fn come_through(&mut self) {
+        self.astray = None;
+    }
+
+    fn go_along(&mut self, h: f64, bodies: &[BodyAt], state: Whereabouts) {
+        let (from, to) = (self.state.root, strand::root_after(&self.root_move, &self.state.root, h));
+        let astray = self
+            .astray
+            .get_or_insert_with(|| Box::new(Astray { bodies: Vec::new(), state: Whereabouts::Carried { seconds: 0.0 } }));
+        astray.state = state;
+        if self.contact.is_some() && astray.bodies.len() != bodies.len() {
+            astray.bodies = bodies.iter().map(|body| body.start).collect();
+        }
+        take_along(&mut astray.bodies, &from, &to);
+        self.state.teleport(to);
+    }
+
+    /// A substep of `h` seconds on its way back: from shape to shape, with its root.
+    pub fn go_back(&mut self, h: f64, rules: &Rules) -> StrandOutcome {
+        self.begin_root_way(h);
+        let (from_root, to) = (self.state.root, strand::root_after(&self.root_move, &self.state.root, h));
+        let outcome = StrandOutcome { converged: false, quarantined: true, energies: self.energies, ..StrandOutcome::default() };
+        let Some(Astray { state: Whereabouts::Returning { seconds, from }, .. }) = self.astray.as_deref_mut() else {
+            return outcome;
+        };
+        *seconds += h;
+        let x = (*seconds / RETURNS_IN).min(1.0);
+        let part = x * x * (3.0 - 2.0 * x);
+        for ((now, from), natural) in self.state.curvatures.iter_mut().zip(from.iter()).zip(self.model.natural.iter()) {
+            *now = std::array::from_fn(|axis| from[axis] + part * (natural[axis] - from[axis]));
+        }
+        let is_back = *seconds >= RETURNS_IN * (1.0 - 1e-12);
+        self.state.teleport(to);
+        self.state.rates.fill([0.0; 3]);
+        self.state.root_velocity = (to.origin - from_root.origin) / h;
+        self.state.root_angular_velocity = rotation_vector(&(to.rotation * from_root.rotation.inverse())) / h;
+        self.state.velocities_from_rates(&self.model, rules);
+        (self.state.wrench_force, self.state.wrench_torque) = (Vector3::zeros().into(), Vector3::zeros().into());
+        self.advance_root(h);
+        self.fared = (&outcome).into();
+        if is_back {
+            self.astray = None;
+        }
+        outcome
+    }
+}
+
+/// Takes frames along as a root goes from place to place.
+fn take_along(frames: &mut [Frame], from: &Frame, to: &Frame) {
+    let turn = to.rotation * from.rotation.inverse();
+    for frame in frames {
+        *frame = Frame { origin: to.origin + turn * (frame.origin - from.origin), rotation: turn * frame.rotation };
+    }
+}
