@@ -1,5 +1,5 @@
 //! Contact that is off is free: the same instructions (counted by callgrind), no allocation and not a byte more than in a scene that never
-//! heard of it. Bits: `what_touches_nothing_moves_as_without_contact` in `contact_hair.rs`.
+//! heard of it. Bits: `what_touches_nothing_moves_as_without_contact` in `contact/hair_on_hair.rs`.
 #![cfg(target_os = "linux")]
 #![allow(unsafe_code)]
 
