@@ -33,8 +33,8 @@ soak: ## strands from the whole space for a million strand-seconds (docs/extreme
 	EXTREMES_CASES=$${EXTREMES_CASES:-12000} EXTREMES_LONG=$${EXTREMES_LONG:-7500} EXTREMES_CSV="$(CURDIR)/docs/figures" \
 	  cargo test --locked --profile demo --test extremes -- --nocapture
 	CONTACT_SOAK_STEPS=$${CONTACT_SOAK_STEPS:-100000} cargo test --locked --profile demo --test contact_soak -- --nocapture
-	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features \
-	  --test kernel_mathematics --test math_pose_spline --test files_fuzz --test hard_cases -- --nocapture
+	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features --test kernels --test files_fuzz --test integrators -- \
+	  kernel_mathematics:: pose_spline:: readers_survive_anything_and_ask_for_little hard_cases:: --nocapture
 
 bench: ## what the engine costs: every table of docs/performance.md, the costs that were asked for first (under 10 minutes)
 	@scripts/setup.sh build figures

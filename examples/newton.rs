@@ -16,7 +16,7 @@ use superhelix::step::options::Integrator;
 /// Seconds simulated.
 const DURATION: f64 = 3.0;
 
-/// The follicle's pose, y up: 9 cm to the side of the head's axis. When shaken, as in tests/hard_cases.rs, the strand leaves upwards
+/// The follicle's pose, y up: 9 cm to the side of the head's axis. When shaken, as in tests/integrators/hard_cases.rs, the strand leaves upwards
 /// and falls over, and the head sways to where it turns; when walking, the strand leaves downwards.
 fn root(walk: Option<&Motion>, t: f64) -> Frame {
     let up = if walk.is_some() { -0.5 } else { 0.5 };

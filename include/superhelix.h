@@ -1,7 +1,7 @@
 // superhelix: a hair engine to build into other programs. Strands are Super-Helices: inextensible rods made of helical elements,
 // with bending, twist and every inertial term, simulated robustly at large time steps.
 //
-// Generated from src/capi by `SHX_BLESS=1 cargo test --test header`: do not edit. C99 and C++17.
+// Generated from src/capi by `SHX_BLESS=1 cargo test --test capi header`: do not edit. C99 and C++17.
 //
 // The order of calls: shx_solver_def_init, shx_solver_create; shx_strand_def_init, shx_solver_add_strands; then each frame
 // shx_solver_set_root_frames, shx_solver_step, shx_solver_sample_strands; at the end shx_solver_destroy.

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Builds the C library: build/lib/libsuperhelix.so.X.Y.Z with its links, build/lib/libsuperhelix.a, build/lib/pkgconfig/superhelix.pc,
 # build/include/superhelix.h. Environment:
-#   SHX_PROFILE     cargo profile, default release (dev compiles in a third of the time and runs slower)
+#   SHX_PROFILE     cargo profile, default release (dev compiles in a third of the time and runs slower); test links what `cargo test`
+#                   has compiled, with all features, and compiles nothing itself
 #   SHX_BUILD_DIR   where to, default build
 #   SHX_PREFIX      the prefix that superhelix.pc states, default the absolute SHX_BUILD_DIR
 #
@@ -16,32 +17,32 @@ version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
 major=${version%%.*}
 soname=libsuperhelix.so.$major
 target=${CARGO_TARGET_DIR:-target}
+what=(--lib --profile "$profile")
+output=$target/$profile/libsuperhelix
 case $profile in
-  dev) output=$target/debug ;;
-  *) output=$target/$profile ;;
+  dev) output=$target/debug/libsuperhelix ;;
+  test)
+    what=(--example c_library --all-features --profile dev)
+    output=$target/debug/examples/libc_library
+    ;;
 esac
 
 messages=$(mktemp)
 trap 'rm -f "$messages"' EXIT
-build_type() {
-  cargo rustc --quiet --locked --lib --profile "$profile" --crate-type "$1" -- "${@:2}" 2>"$messages" \
-    || { cat "$messages" >&2; exit 1; }
-}
-
-build_type cdylib -C "link-arg=-Wl,-soname,$soname"
-mkdir -p "$build/lib/pkgconfig" "$build/include"
-install -m 755 "$output/libsuperhelix.so" "$build/lib/libsuperhelix.so.$version"
-ln -sf "libsuperhelix.so.$version" "$build/lib/$soname"
-ln -sf "$soname" "$build/lib/libsuperhelix.so"
-
-build_type staticlib --print native-static-libs
+cargo rustc --quiet --locked "${what[@]}" --crate-type cdylib,staticlib -- \
+  -C "link-arg=-Wl,-soname,$soname" --print native-static-libs 2>"$messages" || { cat "$messages" >&2; exit 1; }
 # What a program that links the static library needs beside it, as rustc says.
 libraries=$(sed -n 's/^note: native-static-libs: //p' "$messages" | tail -n 1)
 if [ -z "$libraries" ]; then
   echo "build_lib.sh: rustc did not say which libraries the static one needs" >&2
   exit 1
 fi
-install -m 644 "$output/libsuperhelix.a" "$build/lib/libsuperhelix.a"
+
+mkdir -p "$build/lib/pkgconfig" "$build/include"
+install -m 755 "$output.so" "$build/lib/libsuperhelix.so.$version"
+ln -sf "libsuperhelix.so.$version" "$build/lib/$soname"
+ln -sf "$soname" "$build/lib/libsuperhelix.so"
+install -m 644 "$output.a" "$build/lib/libsuperhelix.a"
 install -m 644 include/superhelix.h "$build/include/superhelix.h"
 
 prefix=${SHX_PREFIX:-$(cd "$build" && pwd)}

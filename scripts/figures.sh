@@ -19,8 +19,7 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo run --quiet --locked --profile demo --example single_precision -- docs/figures/single_precision.csv
   mkdir -p out
   cargo run --quiet --locked --profile demo --example hair_types -- docs/figures out/hair_types_points.csv
-  VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test validation_statics --test validation_vibration \
-    --test validation_dynamics --test validation_whirl
+  VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test physics -- statics:: vibration:: dynamics:: whirl::
   cargo run --quiet --locked --profile demo --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
   scripts/demo.sh
   "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \

@@ -12,7 +12,7 @@ import numpy as np
 from judge import record_times
 
 REFERENCE = Path(__file__).resolve().parents[2] / "tests" / "data" / "reference" / "physics.json"
-# Agreed upon by three codes to 0.02, 0.03, 0.02 mm (tests/peer_case.rs).
+# Agreed upon by three codes to 0.02, 0.03, 0.02 mm (tests/integrators/peer_case.rs).
 PUBLISHED = {"curl": np.array([0.17246, -0.00663, -0.05098])}
 FINE = {"curl": (64, 128), "coil": (160, 320)}
 PEERS_FINE = {"curl": (30, 60), "coil": (120, 240)}

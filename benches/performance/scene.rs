@@ -20,7 +20,7 @@ const KINDS: usize = 97;
 pub enum Scene {
     /// 0.2 m of gently bent hair that hangs at rest by its natural shape; the root sways by ±1 cm at ½ Hz.
     Sway,
-    /// 0.25 m of nearly straight hair on a head shaken by ±46° of yaw and ±8 cm at 2 Hz (as in `tests/hard_cases.rs`).
+    /// 0.25 m of nearly straight hair on a head shaken by ±46° of yaw and ±8 cm at 2 Hz (as in `tests/integrators/hard_cases.rs`).
     Shake,
     /// 0.25 m of wavy hair all over the scalp of a head on a recorded walk (`tests/data/grooms/walk_figure8_head.csv`).
     Walk,

@@ -6,11 +6,11 @@ use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::step::options::StepOptions;
 
-use crate::path::{Distance, FRAMES, POINTS, Path};
-use crate::reference::Truth;
-use crate::scene::{DURATION, GRAVITY, Scene};
-use crate::setting::Setting;
-use crate::walk::Walk;
+use super::path::{Distance, FRAMES, POINTS, Path};
+use super::reference::Truth;
+use super::scene::{DURATION, GRAVITY, Scene};
+use super::setting::Setting;
+use super::walk::Walk;
 
 /// Strands that are stepped side by side, on one thread, for what a call costs to be shared as in a groom: one where a step costs enough
 /// itself.

@@ -17,10 +17,10 @@ use superhelix::step::scratch::Scratch;
 use superhelix::step::state::{StrandState, rotation_matrix};
 use superhelix::step::{self, Setting, Surroundings};
 
-use crate::hair::Hair;
-use crate::path::{Distance, FRAMES, POINTS, Path, Shape};
-use crate::scene::{DURATION, GRAVITY, Scene};
-use crate::walk::Walk;
+use super::hair::Hair;
+use super::path::{Distance, FRAMES, POINTS, Path, Shape};
+use super::scene::{DURATION, GRAVITY, Scene};
+use super::walk::Walk;
 
 /// Steps a second of the coarser of two runs.
 pub const RATE: u32 = 1920;

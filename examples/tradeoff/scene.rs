@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::math::frame::Frame;
 
-use crate::walk::Walk;
+use super::walk::Walk;
 
 /// Seconds simulated.
 pub const DURATION: f64 = 2.0;

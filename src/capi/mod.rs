@@ -1,6 +1,6 @@
 //! The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
 //!
-//! `include/superhelix.h` is generated from this floor (`tests/header.rs`), so the comments here are written for the C
+//! `include/superhelix.h` is generated from this floor (`tests/capi/header.rs`), so the comments here are written for the C
 //! programmer who reads it there. Nothing here is process-wide: no table of solvers, no logger, no pool, no panic hook, and the
 //! only thread-local variables (the last error's text, the host's floating-point mode) have no destructor, since one would keep
 //! the library mapped after `dlclose`.

@@ -1,4 +1,4 @@
-//! Plain data that crosses the border. Layouts are frozen: sizes and offsets are asserted here, in `tests/capi_layout.rs` and in
+//! Plain data that crosses the border. Layouts are frozen: sizes and offsets are asserted here, in `tests/capi/layout.rs` and in
 //! `tests/c/layout.c`.
 
 use std::ffi::c_void;

@@ -54,7 +54,7 @@ static uint64_t play(uint32_t threads) {
   return hash;
 }
 
-/* How many elements: the cantilever of tests/element_suggestions.rs, a tight coil, a motion; and the warning when such strands are added. */
+/* How many elements: the cantilever of tests/physics/element_suggestions.rs, a tight coil, a motion; and the warning when such strands are added. */
 static int warnings = 0;
 
 static void log_message(void *user, uint32_t level, const char *message) {

@@ -1,4 +1,4 @@
-"""Static planar strands held at both ends, by collocation (scipy's solve_bvp, tolerance 1e-9): the reference for tests/constraints.rs.
+"""Static planar strands held at both ends, by collocation (scipy's solve_bvp, tolerance 1e-9): the reference for tests/constraints/pins_clamps_rings.rs.
 
 The strand leaves the origin along x (clamped) and its tip is hinged at a point (X, Z); weight w a metre along -z. With theta the tangent's
 angle, N the force that what lies beyond a point exerts on it, N = F - w (L - s) z, F the hinge's force: EI theta'' = sin(theta) N_x - cos(theta) N_z.

@@ -1,4 +1,4 @@
-"""Makes tests/data/friction/: recorded curves of the oracle, with noise, from which friction is fitted (tests/friction_fit.rs).
+"""Makes tests/data/friction/: recorded curves of the oracle, with noise, from which friction is fitted (tests/groom/friction_fit.rs).
 
 usage: python make_friction_curves.py [NAME ...]      (numpy, scipy; about a quarter of an hour for all)
 

@@ -1,4 +1,4 @@
-"""Reference numbers for tests/files_usda.rs by Pixar's own library (pip install usd-core, 26.11) and numpy: run it in tests/data/usd; it
+"""Reference numbers for tests/files/usda.rs by Pixar's own library (pip install usd-core, 26.11) and numpy: run it in tests/data/usd; it
 writes reference.json there.
 
 World points of control points by UsdGeom.Xformable; points of cubic curves by the basis matrices of the USD documentation; NURBS by scipy."""

@@ -1,0 +1,19 @@
+//! The command line: every subcommand, good and bad scene files.
+#![cfg(feature = "cli")]
+
+mod bench;
+mod contact;
+mod convert;
+mod fit;
+mod fit_friction;
+mod info_and_picture;
+mod interpolate;
+mod posing;
+mod run;
+mod scene_errors;
+mod scene_follicles;
+mod scene_grooms;
+mod scene_render_hair;
+mod settings;
+mod simulate;
+mod support;

@@ -1,0 +1,27 @@
+//! Contact of strands with bodies and with each other: detection, laws, solver, whole scenes.
+
+mod comb_through_rooted_hair;
+mod contact_space_solver;
+mod deforming_meshes;
+mod delassus_operator;
+mod determinism;
+mod distance_grids;
+mod drawn_grooms_at_rest;
+mod friction_laws;
+mod hair_on_hair;
+mod hair_pair_detection;
+mod independent_islands;
+mod moving_bodies;
+mod near_without_touching;
+mod nearest_points_of_shapes;
+#[path = "../numbers/mod.rs"]
+mod numbers;
+mod penetration_tolerance;
+mod random_bodies;
+mod rest_slide_capstan;
+mod roots_inside_bodies;
+mod snapshots;
+mod strands_against_bodies;
+mod tied_wisps;
+mod tip_in_a_crease;
+mod tunnelling;

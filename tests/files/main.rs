@@ -1,0 +1,11 @@
+//! Files of grooms, meshes, motions and caches, good and bad ones.
+
+mod hair;
+mod motion;
+mod obj;
+mod obj_mesh;
+mod sequence;
+mod strand_data;
+mod tfx;
+mod usd_mesh;
+mod usda;

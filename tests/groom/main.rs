@@ -1,0 +1,13 @@
+//! From curves to strands and from guides to render hair: fits, rest shapes, kinds of hair, posing, scalps.
+
+mod fit_curves;
+mod fit_polylines;
+#[path = "../friction_cases/mod.rs"]
+mod friction_cases;
+mod friction_fit;
+mod hair_types;
+mod posing;
+mod posing_living;
+mod render_hair;
+mod rest_shapes;
+mod scalp;

@@ -1,0 +1,5 @@
+//! The mathematics under the engine, formula by formula.
+
+mod kernel_mathematics;
+mod pose_spline;
+mod quadrature;
