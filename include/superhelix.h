@@ -201,6 +201,18 @@
 // The strand may bend about n2.
 #define SHX_FREE_BEND2 4
 
+// The step went to its end.
+#define SHX_STOPPED_NO 0
+
+// Its work was spent.
+#define SHX_STOPPED_WORK 1
+
+// Its time was up.
+#define SHX_STOPPED_TIME 2
+
+// It was cancelled.
+#define SHX_STOPPED_CANCELLED 3
+
 // Strands are made stiffer by Young's modulus, Poisson's ratio as it is.
 #define SHX_STIFFEN_YOUNGS_MODULUS 1
 
@@ -256,10 +268,11 @@
 // The same with a spring that begins softly, down to regularisation_depth.
 #define SHX_CONTACT_REGULARISED_PENALTY 2
 
-// Surfaces that do not pass through each other, to tolerance at the end of every step; Coulomb friction, not iterated to the last digit.
+// The former name of the same law as SHX_CONTACT_COULOMB; read back as that.
 #define SHX_CONTACT_HARD 3
 
-// Exact Coulomb friction, to residual.
+// Signorini's and Coulomb's laws: surfaces do not pass through each other, to tolerance at the end of every step, and friction is Coulomb's; both solved to
+// residual.
 #define SHX_CONTACT_COULOMB 4
 
 // ---- What a strand met ---------------------------------------------------------------------------------------------
@@ -559,6 +572,10 @@ typedef struct shx_solver_def {
   // What the integrals along an element (inertia, drag, weight) may err by, relative: 1e-12 to 1e-2. Default 1e-4. It decides how
   // many quadrature points elements get by how far they turn, and with that time and memory.
   double quadrature_tolerance;
+  // A root that is sent to a place by a velocity change of more than this in a second, m/s^2, and by more than a quarter of its strand's length,
+  // jumps: its strand goes along with it as it is, in one step, and swings from there; bodies that jump with it stand still for it.
+  // The report's carried counts such strands. Above zero, or INFINITY: none jumps. Default 200.
+  double jump_acceleration;
 } shx_solver_def;
 
 // A right-handed pose in the world: where a root or a cross-section sits and how it is turned.
@@ -619,6 +636,23 @@ typedef struct shx_strand_def {
   uint64_t reserved[4];
 } shx_strand_def;
 
+// What a step may cost. Fill with shx_step_options_init.
+typedef struct shx_step_options {
+  // Set by shx_step_options_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // Most work on strands in contact or held by constraints, in each substep, in units that each take about a microsecond of one core: counted, not measured, so
+  // that the result is the same to the bit on every machine and for any number of threads. 0 (default): as much as keeps a host going whatever happens, a
+  // quarter of a second of one core or so for 2280 elements and for fewer, in proportion for more.
+  uint64_t work;
+  // Seconds that the call may take; the result's bits are then the clock's. 0 (default): any. A step's end takes a while after the last iteration, which is
+  // learned from step to step and reserved.
+  double seconds;
+  // Null (default), or a number that another thread sets to anything but 0 to cancel the step. It is looked at many times a millisecond.
+  const uint32_t *cancel;
+} shx_step_options;
+
 // What a step tells, all its substeps together. Fill with shx_step_report_init once; each step overwrites it.
 typedef struct shx_step_report {
   // Set by shx_step_report_init.
@@ -661,7 +695,7 @@ typedef struct shx_step_report {
   uint32_t contact_unconverged;
   // Sweeps of the contact problem's solver, all of them together.
   uint64_t contact_sweeps;
-  // Largest residual of the laws of contact and friction, relative.
+  // Largest residual of the laws of contact and friction: see residual of shx_contact_options.
   double contact_residual;
   // How deep surfaces were in each other at the end of a substep at most, m.
   double max_penetration;
@@ -670,6 +704,19 @@ typedef struct shx_step_report {
   // Strands whose root was in a body by more than the contact options' tolerance at the end of the last substep, and not exempt: it is where
   // the host put it, and no force parts the two. max_penetration has how deep.
   uint64_t roots_inside;
+  // Why the step was ended before all strands were at their end: SHX_STOPPED_. SHX_STOPPED_NO if it was not.
+  uint32_t stopped;
+  // Strand-substeps that were left for that: part of unconverged.
+  uint32_t left;
+  // Work on strands in contact or held by constraints, all substeps together, in the units of shx_step_options.
+  uint64_t work;
+  // Strands whose root jumped, and that went along with it as they were: see jump_acceleration of shx_solver_def.
+  uint32_t carried;
+  // The most parts that a substep was taken in, since a body went far among strands in it; 1: none was. See max_subdivisions of shx_solver_def.
+  uint32_t parts;
+  // Contacts whose force is told as no more than hair can do: what takes the strand its own length in the substep and bends its elements by a radian; four
+  // times that where all laws hold.
+  uint64_t forces_capped;
 } shx_step_report;
 
 // Names a strand of one solver: a slot and a generation. Zero bits is the null id. The id of a removed strand never names
@@ -899,14 +946,13 @@ typedef struct shx_body_def {
 typedef struct shx_contact_options {
   // Set by shx_contact_options_init.
   uint32_t struct_size;
-  // SHX_CONTACT_. Default SHX_CONTACT_HARD.
+  // SHX_CONTACT_. Default SHX_CONTACT_COULOMB.
   uint32_t model;
   // 1: strands that have a wisp_radius touch each other. 0 (default): only bodies, and costs nothing.
   uint32_t hair;
   // Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models up to
-  // ten are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and strands that
-  // were not at the end are told as unconverged. More, and with the others any, are a limit: what has not ended by then is taken
-  // again, giving way.
+  // ten are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and nothing is reported for it. More, and
+  // with SHX_CONTACT_COULOMB any, are a limit: what has not converged by then is tried again with touches that give way.
   uint32_t max_iterations;
   // Sweeps of the contact problem's solver in each of them, 1 to 1000000. Default 500.
   uint32_t max_sweeps;
@@ -918,11 +964,13 @@ typedef struct shx_contact_options {
   double damping;
   // Regularised penalty: m; above zero. Default 1e-4.
   double regularisation_depth;
-  // Hard, Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero. Default 1e-5.
+  // Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero. Default 5e-5.
   double tolerance;
-  // Coulomb: what the laws of contact and friction may err by, relative; 1e-12 to 1. Default 1e-6.
+  // Coulomb: what the laws of contact and friction may err by in a converged step, 1e-12 to 1: at every contact they hold exactly for a force within residual
+  // times the force (or the lightest strand's weight, where that is more) of the one that acts, and a sliding speed within residual times 0.01 m/s of the one that
+  // there is. Default 1e-4: a ten-thousandth of the force, and a micrometre a second.
   double residual;
-  // Hard, Coulomb: how fast surfaces that are in each other when a step begins are parted, m/s; above zero. Default 0.1.
+  // Coulomb: how fast surfaces that are in each other when a step begins are parted, m/s; above zero. Default 0.1.
   double separation_speed;
 } shx_contact_options;
 
@@ -1632,6 +1680,10 @@ SHX_API shx_result shx_solver_def_init(shx_solver_def *def, size_t size);
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 SHX_API shx_result shx_strand_def_init(shx_strand_def *def, size_t size);
 
+// Fills options with the defaults. size is sizeof(shx_step_options).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_step_options_init(shx_step_options *options, size_t size);
+
 // ---- Solver --------------------------------------------------------------------------------------------------------
 
 // Prepares a report. size is sizeof(shx_step_report).
@@ -1665,6 +1717,15 @@ SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3])
 // (SHX_INTEGRATOR_REFERENCE where strands may touch something or constraints hold them: it steps free strands only).
 // Alone with the solver.
 SHX_API shx_result shx_solver_step(shx_solver *solver, double dt, uint32_t substeps, shx_step_report *report);
+
+// The same within limits: a budget of work, which gives the same bits on every machine; a budget of seconds, whose bits are the clock's; a flag by which
+// another thread cancels the step. What has not converged by then stays where the iteration has left it; strands for which none was done, and all that touch
+// something where the step was cancelled, keep their shape and go along with their roots. Every strand is whole and finite, roots and bodies are where they were sent,
+// and the report says what was left and why. SHX_OK is returned whichever limit ended it.
+// Errors: as shx_solver_step; SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (options). Alone with the solver; *cancel may be written
+// by any thread meanwhile.
+SHX_API shx_result shx_solver_step_within(shx_solver *solver, double dt, uint32_t substeps,
+    const shx_step_options *options, shx_step_report *report);
 
 // Bytes of memory that the solver holds, all its strands, bodies and constraints included, as it asked the allocator for them. Not in it:
 // what the allocator adds of its own, the stacks of the solver's threads, each thread's scratch memory for a step, which grows with the

@@ -13,5 +13,6 @@ if [ "${CONTACT_QUICK:-no}" = yes ]; then
 fi
 mkdir -p "$into"
 cargo bench --locked --profile "${BENCH_PROFILE:-demo}" --bench contact -- --csv "$PWD/$into" ${options[@]+"${options[@]}"}
+cargo bench --locked --profile "${BENCH_PROFILE:-demo}" --bench contact -- --csv "$PWD/$into" --jumps-only --random "${CONTACT_RANDOM:-1000}" ${options[@]+"${options[@]}"}
 scripts/python_env.sh
 build/venv/bin/python docs/figures/plot_contact.py "$into"

@@ -163,7 +163,7 @@ fn largest_island(solver: &Solver, strands: &[StrandId]) -> usize {
 }
 
 fn scene(dice: &mut Dice, many: bool) -> Scene {
-    let model = dice.pick(&[ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Hard, ContactModel::Coulomb]);
+    let model = dice.pick(&[ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Coulomb]);
     let mut options = SolverOptions::default();
     options.step.integrator = dice.pick(&[Integrator::ImplicitEuler, Integrator::SecondOrder]);
     options.contact.model = model;
@@ -238,7 +238,7 @@ impl Scene {
     }
 
     fn run(&mut self, name: &str, tally: &mut Tally) {
-        let hard = matches!(self.model, ContactModel::Hard | ContactModel::Coulomb);
+        let hard = matches!(self.model, ContactModel::Coulomb);
         let mut lasting = 0;
         let (thrown, calm) = if self.many { (THROWN_THROUGH_MANY, CALM_OF_MANY) } else { (THROWN, CALM) };
         for step in 0..thrown {
@@ -319,7 +319,7 @@ impl Scene {
                     ContactModel::Penalty => 0.5 * stiffness * depth * depth,
                     ContactModel::RegularisedPenalty if depth < soft => stiffness * depth.powi(3) / (6.0 * soft),
                     ContactModel::RegularisedPenalty => stiffness * (0.5 * depth * (depth - soft) + soft * soft / 6.0),
-                    ContactModel::Hard | ContactModel::Coulomb => 0.0,
+                    ContactModel::Coulomb => 0.0,
                 }
             };
             let stored: f64 = if many { solver.contacts().iter().map(spring).sum() } else { 0.0 };

@@ -1,7 +1,8 @@
 //! What contact costs: a thousand guides on Sintel's bust, shaken, hair against hair and bust, by each model; and what each model errs by
 //! for what it costs (`price.rs`); and what a touch costs as they grow in number (`scaling.rs`).
-//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only]`.
+//! `cargo bench --bench contact -- --csv FOLDER [--steps N] [--threads N] [--guides N] [--quick] [--scaling-only] [--jumps-only [--random N]]`.
 
+mod jumps;
 mod price;
 mod scaling;
 
@@ -36,14 +37,14 @@ const DEEP: f64 = 1e-4;
 /// Steps before the head begins to shake.
 const CALM: usize = 30;
 /// The models, how many iterations they may take, and their names in tables.
-const MODELS: [(ContactModel, u32, &str); 7] = [
-    (ContactModel::Penalty, 1, "penalty, 1 iteration"),
-    (ContactModel::Penalty, 2, "penalty, 2 iterations"),
-    (ContactModel::Penalty, 4, "penalty, 4 iterations"),
-    (ContactModel::Penalty, 50, "penalty"),
-    (ContactModel::RegularisedPenalty, 50, "regularised penalty"),
-    (ContactModel::Hard, 50, "hard"),
-    (ContactModel::Coulomb, 50, "coulomb"),
+const MODELS: [(ContactModel, u32, f64, &str); 7] = [
+    (ContactModel::Penalty, 1, 1e-4, "penalty, 1 iteration"),
+    (ContactModel::Penalty, 2, 1e-4, "penalty, 2 iterations"),
+    (ContactModel::Penalty, 4, 1e-4, "penalty, 4 iterations"),
+    (ContactModel::Penalty, 50, 1e-4, "penalty"),
+    (ContactModel::RegularisedPenalty, 50, 1e-4, "regularised penalty"),
+    (ContactModel::Coulomb, 50, 1e-4, "coulomb"),
+    (ContactModel::Coulomb, 50, 1e-6, "coulomb, residual 1e-6"),
 ];
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
@@ -113,11 +114,11 @@ struct Shaken {
 fn shake(
     defs: &[StrandDef],
     head: &Arc<Shape>,
-    (model, max_iterations, name): (ContactModel, u32, &'static str),
+    (model, max_iterations, residual, name): (ContactModel, u32, f64, &'static str),
     steps: usize,
     threads: usize,
 ) -> Outcome<Shaken> {
-    let contact = ContactOptions { model, max_iterations, hair: true, ..ContactOptions::default() };
+    let contact = ContactOptions { model, max_iterations, residual, hair: true, ..ContactOptions::default() };
     let workers = if threads > 1 { Workers::Pool(threads) } else { Workers::Serial };
     let mut solver = Solver::new(SolverOptions { gravity: GRAVITY, contact, workers, ..SolverOptions::default() })?;
     let ids = solver.add_strands(defs)?;
@@ -184,6 +185,13 @@ fn main() -> Outcome<()> {
     let mesh = Shape::new_mesh(vertices, bust.triangles.clone(), Sides::Front { depth: 0.02 })?;
     let baked = mesh.mesh().map(|mesh| DistanceGrid::bake(mesh, CELL, BAND)).transpose()?;
     let head = Arc::new(baked.map_or(mesh, Shape::new_grid));
+    if arguments.iter().any(|argument| argument == "--jumps-only") {
+        let random = option("--random").map_or(Ok(if quick { 100 } else { 10_000 }), |text| text.parse())?;
+        let jumps = jumps::table(random)?;
+        let [median, most] = jumps::cancelled(if quick { 20 } else { 200 })?;
+        println!("cancelled: {median:.3} ms, at most {most:.3} ms");
+        return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_jumps.csv"), jumps))?);
+    }
     if arguments.iter().any(|argument| argument == "--scaling-only") {
         let scaling = scaling::table(&head, quick)?;
         return Ok(folder.map_or(Ok(()), |folder| std::fs::write(folder.join("contact_scaling.csv"), scaling))?);
@@ -197,7 +205,7 @@ fn main() -> Outcome<()> {
         defs.len(),
         bust.triangles.len()
     );
-    for model in MODELS.into_iter().filter(|model| only.is_none_or(|only| only == model.2)) {
+    for model in MODELS.into_iter().filter(|model| only.is_none_or(|only| only == model.3)) {
         let out = shake(&defs, &head, model, steps, threads)?;
         let at = |share: f64| out.milliseconds[((out.milliseconds.len() - 1) as f64 * share) as usize];
         let row = format!(

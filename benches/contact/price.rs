@@ -124,9 +124,9 @@ pub fn prices(quick: bool) -> Outcome<String> {
     let (fine, steps) = if quick { (240.0, &[60.0][..]) } else { (FINE, &[60.0, 120.0, 240.0][..]) };
     for (case, rough) in CASES {
         let (truth, _) = fall(reference(), 1.0 / fine, rough)?;
-        for (model, max_iterations, name) in MODELS {
+        for (model, max_iterations, residual, name) in MODELS {
             for parts in steps {
-                let contact = ContactOptions { model, max_iterations, ..ContactOptions::default() };
+                let contact = ContactOptions { model, max_iterations, residual, ..ContactOptions::default() };
                 let (way, seconds) = fall(contact, 1.0 / parts, rough)?;
                 let error = root_mean_square(&way, &truth);
                 let row = format!("{case},\"{name}\",{:.6},{error:.3e},{:.3}", 1.0 / parts, seconds * 1e3);
@@ -143,8 +143,8 @@ pub fn at_rest() -> Outcome<String> {
     let mut csv = String::from("model,tip_error_m,force_error,deepest_m\n");
     let truth = rest(reference())?;
     let weight = truth.borne.iter().map(Vector3::norm).sum::<f64>() / STRANDS as f64;
-    for (model, max_iterations, name) in MODELS {
-        let at = rest(ContactOptions { model, max_iterations, ..ContactOptions::default() })?;
+    for (model, max_iterations, residual, name) in MODELS {
+        let at = rest(ContactOptions { model, max_iterations, residual, ..ContactOptions::default() })?;
         let (tip, force) = (root_mean_square(&at.tips, &truth.tips), root_mean_square(&at.borne, &truth.borne) / weight);
         let row = format!("\"{name}\",{tip:.3e},{force:.3e},{:.3e}", at.deepest);
         println!("{row}");

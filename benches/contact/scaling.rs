@@ -26,7 +26,7 @@ use crate::{CALM, EXEMPT, GRAVITY, Outcome, STEP, WISP, guides, pose};
 
 /// The models, and how many iterations they may take.
 const MODELS: [(ContactModel, u32, &str); 2] =
-    [(ContactModel::Penalty, 4, "penalty, 4 iterations"), (ContactModel::Coulomb, 50, "hard")];
+    [(ContactModel::Penalty, 4, "penalty, 4 iterations"), (ContactModel::Coulomb, 50, "coulomb")];
 /// Tufts of so many by so many strands, and how far apart they are, m: out of each other's reach.
 const SIDE: usize = 4;
 const APART: f64 = 0.4;

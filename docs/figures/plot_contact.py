@@ -60,8 +60,17 @@ def scaling():
                 "µs a touch found"), lines), "scaling", "contact.md")
 
 
+def jumps():
+    lines = [(row["model"], row["what"], row["budget_ms"] if float(row["budget_ms"]) else "none", row["calm_ms"], row["dearest_ms"], row["p999_ms"],
+              row["left"], row["lost_after"], row["deepest_after_m"])
+             for row in rows("contact_jumps.csv")]
+    show(table(("model", "the head goes", "budget, ms", "ms a calm step (at random: the median)", "dearest", "99.9 of 100", "strand steps left", "lost a second later",
+                "deepest then, m"), lines), "jumps", "contact.md")
+
+
 if __name__ == "__main__":
     shake()
+    jumps()
     price()
     rest()
     scaling()

@@ -17,9 +17,10 @@ use crate::solver::id::StrandId;
 pub const SHX_CONTACT_PENALTY: u32 = 1;
 /// The same with a spring that begins softly, down to regularisation_depth.
 pub const SHX_CONTACT_REGULARISED_PENALTY: u32 = 2;
-/// Surfaces that do not pass through each other, to tolerance at the end of every step; Coulomb friction, not iterated to the last digit.
+/// The former name of the same law as SHX_CONTACT_COULOMB; read back as that.
 pub const SHX_CONTACT_HARD: u32 = 3;
-/// Exact Coulomb friction, to residual.
+/// Signorini's and Coulomb's laws: surfaces do not pass through each other, to tolerance at the end of every step, and friction is Coulomb's; both solved to
+/// residual.
 pub const SHX_CONTACT_COULOMB: u32 = 4;
 
 /// How contact is answered in a solver. Fill with shx_contact_options_init.
@@ -28,14 +29,13 @@ pub const SHX_CONTACT_COULOMB: u32 = 4;
 pub struct shx_contact_options {
     /// Set by shx_contact_options_init.
     pub struct_size: u32,
-    /// SHX_CONTACT_. Default SHX_CONTACT_HARD.
+    /// SHX_CONTACT_. Default SHX_CONTACT_COULOMB.
     pub model: u32,
     /// 1: strands that have a wisp_radius touch each other. 0 (default): only bodies, and costs nothing.
     pub hair: u32,
     /// Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models up to
-    /// ten are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and strands that
-    /// were not at the end are told as unconverged. More, and with the others any, are a limit: what has not ended by then is taken
-    /// again, giving way.
+    /// ten are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and nothing is reported for it. More, and
+    /// with SHX_CONTACT_COULOMB any, are a limit: what has not converged by then is tried again with touches that give way.
     pub max_iterations: u32,
     /// Sweeps of the contact problem's solver in each of them, 1 to 1000000. Default 500.
     pub max_sweeps: u32,
@@ -47,11 +47,13 @@ pub struct shx_contact_options {
     pub damping: f64,
     /// Regularised penalty: m; above zero. Default 1e-4.
     pub regularisation_depth: f64,
-    /// Hard, Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero. Default 1e-5.
+    /// Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero. Default 5e-5.
     pub tolerance: f64,
-    /// Coulomb: what the laws of contact and friction may err by, relative; 1e-12 to 1. Default 1e-6.
+    /// Coulomb: what the laws of contact and friction may err by in a converged step, 1e-12 to 1: at every contact they hold exactly for a force within residual
+    /// times the force (or the lightest strand's weight, where that is more) of the one that acts, and a sliding speed within residual times 0.01 m/s of the one that
+    /// there is. Default 1e-4: a ten-thousandth of the force, and a micrometre a second.
     pub residual: f64,
-    /// Hard, Coulomb: how fast surfaces that are in each other when a step begins are parted, m/s; above zero. Default 0.1.
+    /// Coulomb: how fast surfaces that are in each other when a step begins are parted, m/s; above zero. Default 0.1.
     pub separation_speed: f64,
 }
 

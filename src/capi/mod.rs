@@ -51,6 +51,7 @@ pub mod solver;
 pub mod solver_def;
 pub mod spline;
 pub mod state;
+pub mod step_options;
 pub mod strand_def;
 pub mod strands;
 pub mod suggest;

@@ -9,9 +9,11 @@ use super::errors::shx_result;
 use super::guard::{call, destroy, read, shx_solver, write};
 use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_INFO, SHX_LOG_WARN};
 use super::solver_def::shx_solver_def;
+use super::step_options::shx_step_options;
 use super::thread::on_own_thread;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::Result;
+use crate::meter::StepLimits;
 use crate::solver::Solver;
 use crate::solver::definition::Workers;
 use crate::solver::report::StepReport;
@@ -61,7 +63,7 @@ pub struct shx_step_report {
     pub contact_unconverged: u32,
     /// Sweeps of the contact problem's solver, all of them together.
     pub contact_sweeps: u64,
-    /// Largest residual of the laws of contact and friction, relative.
+    /// Largest residual of the laws of contact and friction: see residual of shx_contact_options.
     pub contact_residual: f64,
     /// How deep surfaces were in each other at the end of a substep at most, m.
     pub max_penetration: f64,
@@ -70,6 +72,19 @@ pub struct shx_step_report {
     /// Strands whose root was in a body by more than the contact options' tolerance at the end of the last substep, and not exempt: it is where
     /// the host put it, and no force parts the two. max_penetration has how deep.
     pub roots_inside: u64,
+    /// Why the step was ended before all strands were at their end: SHX_STOPPED_. SHX_STOPPED_NO if it was not.
+    pub stopped: u32,
+    /// Strand-substeps that were left for that: part of unconverged.
+    pub left: u32,
+    /// Work on strands in contact or held by constraints, all substeps together, in the units of shx_step_options.
+    pub work: u64,
+    /// Strands whose root jumped, and that went along with it as they were: see jump_acceleration of shx_solver_def.
+    pub carried: u32,
+    /// The most parts that a substep was taken in, since a body went far among strands in it; 1: none was. See max_subdivisions of shx_solver_def.
+    pub parts: u32,
+    /// Contacts whose force is told as no more than hair can do: what takes the strand its own length in the substep and bends its elements by a radian; four
+    /// times that where all laws hold.
+    pub forces_capped: u64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -82,7 +97,7 @@ unsafe impl Versioned for shx_step_report {
 }
 
 const _: () = {
-    assert!(size_of::<shx_step_report>() == 144 && offset_of!(shx_step_report, max_residual) == 16);
+    assert!(size_of::<shx_step_report>() == 176 && offset_of!(shx_step_report, max_residual) == 16);
     assert!(offset_of!(shx_step_report, substeps) == 56 && offset_of!(shx_step_report, contacts) == 88);
 };
 
@@ -112,6 +127,12 @@ impl shx_step_report {
             max_penetration: report.contact.penetration,
             max_constraint_error: report.contact.constraint_error,
             roots_inside: u64::from(report.contact.roots_inside),
+            stopped: report.stopped as u32,
+            left: report.left,
+            work: report.work,
+            carried: report.carried,
+            parts: report.parts,
+            forces_capped: u64::from(report.contact.capped),
         }
     }
 }
@@ -187,13 +208,13 @@ pub unsafe extern "C" fn shx_solver_set_wind(solver: *mut shx_solver, wind: *con
 }
 
 /// Steps where the kernels leave nothing behind on the host's thread, which does its share of a pool's work.
-fn step(core: &mut Solver, dt: f64, substeps: u32) -> Result<StepReport> {
+fn step(core: &mut Solver, dt: f64, substeps: u32, limits: &StepLimits) -> Result<StepReport> {
     let options = core.options();
     let dense = options.step.linear_solver != LinearSolver::LinearTime;
     if dense && !matches!(options.workers, Workers::Host(_)) {
-        on_own_thread(|| core.step(dt, substeps))
+        on_own_thread(|| core.step_within(dt, substeps, limits))
     } else {
-        core.step(dt, substeps)
+        core.step_within(dt, substeps, limits)
     }
 }
 
@@ -253,22 +274,57 @@ pub unsafe extern "C" fn shx_solver_step(
     substeps: u32,
     report: *mut shx_step_report,
 ) -> shx_result {
-    let body = |core: &mut Solver, log: &LogSink| {
-        let output = if report.is_null() {
-            None
-        } else {
-            // SAFETY: the caller's structure, of the size that it states.
-            Some(unsafe { VersionedOutput::new("report", report)? })
-        };
-        let told = step(core, dt, substeps)?;
-        tell(log, &told);
-        if let Some(output) = output {
-            output.write(&shx_step_report::from_report(&told));
-        }
-        Ok(())
+    // SAFETY: the caller's handle, null or alive, and its report, null or of the size that it states.
+    unsafe {
+        write("shx_solver_step", solver, |core, log| step_and_tell(core, log, dt, substeps, &StepLimits::default(), report))
+    }
+}
+
+/// The same within limits: a budget of work, which gives the same bits on every machine; a budget of seconds, whose bits are the clock's; a flag by which
+/// another thread cancels the step. What has not converged by then stays where the iteration has left it; strands for which none was done, and all that touch
+/// something where the step was cancelled, keep their shape and go along with their roots. Every strand is whole and finite, roots and bodies are where they were sent,
+/// and the report says what was left and why. SHX_OK is returned whichever limit ended it.
+/// Errors: as shx_solver_step; SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (options). Alone with the solver; *cancel may be written
+/// by any thread meanwhile.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_step_within(
+    solver: *mut shx_solver,
+    dt: f64,
+    substeps: u32,
+    options: *const shx_step_options,
+    report: *mut shx_step_report,
+) -> shx_result {
+    // SAFETY: the caller's handle, null or alive, and its structures, of the sizes that they state; cancel lives as long as the call.
+    unsafe {
+        write("shx_solver_step_within", solver, |core, log| {
+            let options = read_versioned("options", options)?;
+            step_and_tell(core, log, dt, substeps, &options.limits()?, report)
+        })
+    }
+}
+
+/// # Safety
+/// `report` is null or a structure of the size that it states.
+unsafe fn step_and_tell(
+    core: &mut Solver,
+    log: &LogSink,
+    dt: f64,
+    substeps: u32,
+    limits: &StepLimits,
+    report: *mut shx_step_report,
+) -> Result<()> {
+    let output = if report.is_null() {
+        None
+    } else {
+        // SAFETY: the caller's structure, of the size that it states.
+        Some(unsafe { VersionedOutput::new("report", report)? })
     };
-    // SAFETY: the caller's handle, null or alive.
-    unsafe { write("shx_solver_step", solver, body) }
+    let told = step(core, dt, substeps, limits)?;
+    tell(log, &told);
+    if let Some(output) = output {
+        output.write(&shx_step_report::from_report(&told));
+    }
+    Ok(())
 }
 
 /// Bytes of memory that the solver holds, all its strands, bodies and constraints included, as it asked the allocator for them. Not in it:

@@ -12,8 +12,8 @@ use crate::meter::Stopped;
 /// Where forces grew beyond measure, strands with forces beyond this many times what takes a strand its own length in a step are astray.
 const LARGE: f64 = 1e2;
 
-/// How often joints are relaxed at most: of those that are astray; of their neighbours too; and once more.
-const RELAXINGS: u32 = 3;
+/// How often joints are relaxed at most: of strands that are astray; and of their neighbours too. (Penalties relax all at once.)
+const RELAXINGS: u32 = 2;
 
 /// How an island is tried to come to an end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -125,8 +125,8 @@ impl Island {
             return Next::GoesOn;
         }
         if !forgives {
-            self.relax(strands, step);
-            self.relaxings += 1;
+            self.relax(strands, options, step);
+            self.relaxings = if options.model.is_soft() { RELAXINGS } else { self.relaxings + 1 };
         }
         self.ending.attempt = if forgives { Attempt::YieldingAnew } else { Attempt::Relaxed };
         (self.iterations, self.done, self.rough) = (0, false, forgives && self.rough);
@@ -150,7 +150,7 @@ impl Island {
     }
 
     /// Relaxes all joints of the strands that are astray; from the second time on, of their neighbours too.
-    fn relax(&mut self, strands: &[HeldStrand], step: f64) {
+    fn relax(&mut self, strands: &[HeldStrand], options: &ContactOptions, step: f64) {
         let mut astray = self.astray(strands, step);
         if self.relaxings > 0 {
             let meets = |joint: &&Joint| joint.ends().any(|end| astray.binary_search(&end.held).is_ok());
@@ -159,7 +159,7 @@ impl Island {
             all.sort_unstable();
             astray = all;
         }
-        let all = astray.is_empty();
+        let all = astray.is_empty() || options.model.is_soft();
         for joint in &mut self.joints {
             if all || joint.ends().any(|end| astray.binary_search(&end.held).is_ok()) {
                 (joint.give, joint.standing) = (Give::Much, Standing::UNKNOWN);

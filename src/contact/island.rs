@@ -141,7 +141,7 @@ impl Island {
         self.joints.clear();
         (self.sweeps, self.iterations, self.ending) = (0, 0, Ending::default());
         (self.done, self.beyond, self.rest, self.rough) = (false, false, -1.0, false);
-        (self.kinked, self.relaxings) = (0, 0);
+        (self.kinked, self.relaxings, self.report) = (0, 0, Report::default());
         (self.pushed, self.left, self.takes_parts) = ((f64::INFINITY, 0), Left::default(), false);
         self.begin_to_count(0);
     }

@@ -89,12 +89,15 @@ impl Island {
             space.add_touch(SpaceTouch { first: placed(first), second: second.map(placed), law, free })?;
             forces.push(self.joints[joint].force);
         }
+        // How large the problem is, for what is a small part of it.
+        let longest = space.touches().iter().map(|touch| touch.free.norm()).fold(0.0, f64::max);
+        self.report.size = (longest / (SPEED * step)).max(1.0);
         space.part(&partition.strand_ends, &partition.touch_ends);
         let scales = Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step };
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
-        let size = self.report.size.max(1.0);
+        let size = self.report.size;
         let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
         let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, most_work: self.most_work };
@@ -107,6 +110,10 @@ impl Island {
         for (joint, force) in self.parts.iter().zip(&*forces) {
             let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
             joint.force = *force;
+            if options.model.is_soft() && joint.is_touch() && joint.pressure() == 0.0 {
+                // What pressed, and was to rub, and is apart now.
+                (joint.force, joint.rubs) = (Vector3::zeros(), 0.0);
+            }
             if matches!(joint.kind, JointKind::Pin { .. }) {
                 let strand = &strands[self.strands[first.strand as usize] as usize];
                 joint.force += Vector3::from(strand.held.pulled(first.point as usize));

@@ -1,6 +1,8 @@
 //! Bodies that go far among strands within a substep. A strand that is swept along turns as it goes, and the place where it is touched slides along it: in one
 //! step the touch that it began with says little of where it ends, and thin things came out behind it. Such a substep is taken in parts, by all.
 
+use std::f64::consts::PI;
+
 use nalgebra::Vector3;
 
 use super::Solver;
@@ -56,40 +58,37 @@ impl Solver {
             let turn = rotation_vector(&(at.end.rotation * at.start.rotation.inverse())).norm();
             Passing { at, radius, limit, travel: (at.end.origin - at.start.origin).norm() + radius * turn }
         };
-        let bodies: Vec<Passing> = (0..self.bodies.len()).map(passing).filter(|body| body.limit.is_finite()).collect();
-        if bodies.is_empty() {
-            return 1;
-        }
-        let most = self.strands.iter().map(|strand| strand.parts(&bodies, h)).fold(1.0, f64::max);
+        let bodies = (0..self.bodies.len()).map(passing).filter(|body| body.limit.is_finite());
+        let most = bodies.fold(1.0, |most, body| self.strands.iter().map(|strand| strand.parts(&body, h)).fold(most, f64::max));
         most.ceil().min(f64::from(MOST)) as u32
     }
 }
 
 impl Strand {
-    fn parts(&self, bodies: &[Passing], h: f64) -> f64 {
+    fn parts(&self, Passing { at, radius, limit, travel }: &Passing, h: f64) -> f64 {
         let Some(contact) = self.contact.as_deref() else { return 1.0 };
+        if *travel == 0.0 && self.root_move.is_none() && self.astray.is_none() {
+            return 1.0;
+        }
         let length = self.model.length();
         let (from, to) = (self.state.root, strand::root_after(&self.root_move, &self.state.root, h));
         let turn = to.rotation * from.rotation.inverse();
-        let own = (to.origin - from.origin).norm() + length * rotation_vector(&turn).norm();
-        let mut most = 1.0_f64;
-        for Passing { at, radius, limit, travel } in bodies {
-            let limit = limit.max(PART_OF_LENGTH * length);
-            if travel + own <= limit || !at.meets(contact.groups, contact.mask) {
-                continue;
-            }
-            let reach = Vector3::repeat(length + contact.radius);
-            let around = Bounds::around(from.origin, reach).union(&Bounds::around(to.origin, reach));
-            if !at.bounds.grown(at.thickness).meets(&around) {
-                continue;
-            }
-            let start = self.bodies_from().get(at.index as usize).unwrap_or(&at.start);
-            // Where it would be if it went along with the root.
-            let along = Frame { origin: to.origin + turn * (start.origin - from.origin), rotation: turn * start.rotation };
-            let turned = rotation_vector(&(at.end.rotation * along.rotation.inverse())).norm();
-            let arm = radius.min((from.origin - start.origin).norm() + length);
-            most = most.max(((at.end.origin - along.origin).norm() + arm * turned) / limit);
+        // (An angle is at most π times its half's sine.)
+        let own = (to.origin - from.origin).norm() + length * PI * turn.quaternion().imag().norm();
+        let limit = limit.max(PART_OF_LENGTH * length);
+        if travel + own <= limit || !at.meets(contact.groups, contact.mask) {
+            return 1.0;
         }
-        most
+        let reach = Vector3::repeat(length + contact.radius);
+        let around = Bounds::around(from.origin, reach).union(&Bounds::around(to.origin, reach));
+        if !at.bounds.grown(at.thickness).meets(&around) {
+            return 1.0;
+        }
+        let start = self.bodies_from().get(at.index as usize).unwrap_or(&at.start);
+        // Where it would be if it went along with the root.
+        let along = Frame { origin: to.origin + turn * (start.origin - from.origin), rotation: turn * start.rotation };
+        let turned = rotation_vector(&(at.end.rotation * along.rotation.inverse())).norm();
+        let arm = radius.min((from.origin - start.origin).norm() + length);
+        ((at.end.origin - along.origin).norm() + arm * turned) / limit
     }
 }

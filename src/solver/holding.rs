@@ -273,11 +273,11 @@ impl Holding {
         let islands = &self.islands[..self.island_count];
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let (setting, bodies) = (scene.setting, scene.bodies);
-        let cancelled = scene.meter.stopped() == Stopped::Cancelled;
+        let stopped = scene.meter.stopped();
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
             let island = &islands[held.island as usize];
             let left = island.ending.stopped != Stopped::No;
-            if cancelled || !held.advanced {
+            if stopped == Stopped::Cancelled || stopped != Stopped::No && !held.advanced {
                 held.held.outcome = strand.carry_along(h, bodies);
                 return;
             }

@@ -2,13 +2,15 @@
 //! elsewhere between two frames. Such a strand goes along with its root, its shape and its velocities in the root's axes kept, and the
 //! bodies that jump meanwhile are for it where they end: nothing is flung about that a dearer step would only have to put in order again.
 
-use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::PI;
+
+use nalgebra::Vector3;
 
 use super::Solver;
 use super::astray::Whereabouts;
 use super::strand::{self, Strand};
 use crate::math::frame::Frame;
-use crate::math::rotation::rotation_vector;
+use crate::math::rotation::{from_rotation_vector, rotation_vector};
 
 /// A root jumps that comes, in units of its strand's length, further than this from where its velocity would have taken it.
 const PART: f64 = 0.25;
@@ -17,7 +19,7 @@ const LEAST: f64 = 0.01;
 
 /// How far something at `radius` from a frame's origin is, at most, from where the frame would have come to at its velocities.
 fn surprise(from: &Frame, to: &Frame, velocity: Vector3<f64>, spin: Vector3<f64>, dt: f64, radius: f64) -> f64 {
-    let foreseen = UnitQuaternion::from_scaled_axis(spin * dt) * from.rotation;
+    let foreseen = from_rotation_vector(spin * dt) * from.rotation;
     let turn = rotation_vector(&(to.rotation * foreseen.inverse())).norm();
     (to.origin - from.origin - velocity * dt).norm() + radius * turn
 }
@@ -29,8 +31,14 @@ impl Strand {
         let (from, to) = (&self.state.root, strand::root_after(&self.root_move, &self.state.root, dt));
         let (velocity, spin) = (self.instant_velocity(), self.instant_angular_velocity());
         let length = self.model.length();
+        let most = (PART * length).max(most * dt * dt);
+        // An angle is at most π times its half's sine: nearly all roots are told so without trigonometry.
+        let half_sine = (to.rotation * from.rotation.inverse()).quaternion().imag().norm();
+        if (to.origin - from.origin - velocity * dt).norm() + length * (PI * half_sine + spin.norm() * dt) <= most {
+            return None;
+        }
         let surprise = surprise(from, &to, velocity, spin, dt, length);
-        (surprise > (PART * length).max(most * dt * dt)).then_some(to)
+        (surprise > most).then_some(to)
     }
 }
 

@@ -125,8 +125,13 @@ impl Solver {
         let meter = clock.meter(1.0, 1.0, 0.0);
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
-            for _ in 0..clock.substeps {
+            for substep in 0..clock.substeps {
+                let halted = meter.is_halted();
+                let h = if halted { h * f64::from(clock.substeps - substep) } else { h };
                 side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step, &meter);
+                if halted {
+                    break;
+                }
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
@@ -174,11 +179,21 @@ impl Solver {
             body.wrench = Wrench::default();
         }
         for substep in 0..clock.substeps {
+            let left = clock.substeps - substep;
+            let meter = clock.meter(1.0, f64::from(left), 0.0);
+            if meter.is_halted() {
+                // There is nothing more to be done in any of them: all go along with their roots, at once.
+                let rest = h * f64::from(left);
+                self.ready_ways(rest);
+                self.take_substep(rest, &meter, &mut contact, total, true);
+                spent.add(&meter, true);
+                break;
+            }
             self.ready_ways(h);
             let parts = self.parts_of_substep(h);
             spent.parts = spent.parts.max(parts);
             for part in 0..parts {
-                let left = f64::from(clock.substeps - substep) - f64::from(part) / f64::from(parts);
+                let left = f64::from(left) - f64::from(part) / f64::from(parts);
                 let meter = clock.meter(f64::from(parts), left, self.holding.end_seconds());
                 let is_last = substep + 1 == clock.substeps && part + 1 == parts;
                 self.take_substep(h / f64::from(parts), &meter, &mut contact, total, is_last);

@@ -8,7 +8,7 @@
 #define SIZE(type, size) ASSERT(sizeof(type) == (size))
 #define AT(type, field, offset) ASSERT(offsetof(type, field) == (offset))
 
-SIZE(shx_solver_def, 168);
+SIZE(shx_solver_def, 176);
 AT(shx_solver_def, struct_size, 0);
 AT(shx_solver_def, worker_count, 4);
 AT(shx_solver_def, gravity, 8);
@@ -30,6 +30,7 @@ AT(shx_solver_def, error_tolerance, 128);
 AT(shx_solver_def, reserved, 136);
 AT(shx_solver_def, reference_tolerance, 152);
 AT(shx_solver_def, quadrature_tolerance, 160);
+AT(shx_solver_def, jump_acceleration, 168);
 
 SIZE(shx_frame, 56);
 AT(shx_frame, origin, 0);
@@ -58,7 +59,7 @@ AT(shx_strand_def, root_velocity, 184);
 AT(shx_strand_def, root_angular_velocity, 208);
 AT(shx_strand_def, reserved, 232);
 
-SIZE(shx_step_report, 144);
+SIZE(shx_step_report, 176);
 AT(shx_step_report, struct_size, 0);
 AT(shx_step_report, quarantined, 4);
 AT(shx_step_report, unconverged, 8);
@@ -82,6 +83,19 @@ AT(shx_step_report, contact_residual, 112);
 AT(shx_step_report, max_penetration, 120);
 AT(shx_step_report, max_constraint_error, 128);
 AT(shx_step_report, roots_inside, 136);
+AT(shx_step_report, stopped, 144);
+AT(shx_step_report, left, 148);
+AT(shx_step_report, work, 152);
+AT(shx_step_report, carried, 160);
+AT(shx_step_report, parts, 164);
+AT(shx_step_report, forces_capped, 168);
+
+SIZE(shx_step_options, 32);
+AT(shx_step_options, struct_size, 0);
+AT(shx_step_options, reserved0, 4);
+AT(shx_step_options, work, 8);
+AT(shx_step_options, seconds, 16);
+AT(shx_step_options, cancel, 24);
 
 SIZE(shx_strand_id, 8);
 AT(shx_strand_id, bits, 0);

@@ -231,6 +231,12 @@ fn contact_and_constraints_are_read_from_c() {
 }
 
 #[test]
+fn steps_are_limited_and_cancelled_from_c() {
+    let path = program("step_limits");
+    run(&mut Command::new(&path));
+}
+
+#[test]
 fn elements_change_under_way() {
     let path = program("level_of_detail");
     run(&mut Command::new(&path));

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 39] = [
+const SOURCES: [&str; 40] = [
     "version",
     "errors",
     "types",
@@ -13,6 +13,7 @@ const SOURCES: [&str; 39] = [
     "solver_def",
     "strand_def",
     "guard",
+    "step_options",
     "solver",
     "strands",
     "roots",

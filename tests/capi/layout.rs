@@ -23,6 +23,7 @@ use superhelix::capi::{
     settle::{shx_settle_def, shx_settle_report},
     solver::shx_step_report,
     solver_def::shx_solver_def,
+    step_options::shx_step_options,
     strand_def::shx_strand_def,
     suggest::{shx_suggest_def, shx_suggestion},
     types::{shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id},
@@ -47,10 +48,11 @@ macro_rules! layouts {
 #[test]
 fn every_size_and_offset_is_as_published() {
     let expected = layouts! {
-        shx_solver_def: 168 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reserved: 136, reference_tolerance: 152, quadrature_tolerance: 160 }
+        shx_solver_def: 176 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reserved: 136, reference_tolerance: 152, quadrature_tolerance: 160, jump_acceleration: 168 }
         shx_frame: 56 { origin: 0, rotation: 24 }
         shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, freedoms: 88, reserved0: 92, root: 96, natural: 152, user_data: 160, initial: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
-        shx_step_report: 144 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_error: 80, contacts: 88, contact_searches: 92, contact_iterations: 96, contact_unconverged: 100, contact_sweeps: 104, contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside: 136 }
+        shx_step_report: 176 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_error: 80, contacts: 88, contact_searches: 92, contact_iterations: 96, contact_unconverged: 100, contact_sweeps: 104, contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside: 136, stopped: 144, left: 148, work: 152, carried: 160, parts: 164, forces_capped: 168 }
+        shx_step_options: 32 { struct_size: 0, reserved0: 4, work: 8, seconds: 16, cancel: 24 }
         shx_strand_id: 8 { bits: 0 }
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }

@@ -131,7 +131,8 @@ fn faces() -> Value {
 fn falling(body: Value) -> Value {
     let strand = json!({"elements": 6, "length": 0.05, "youngs_modulus": 1e8, "air_drag": 1e-5,
         "root": {"origin": [-0.025, 0.001, 0.012]}});
-    with(scene_of(json!([strand]), 0.4), "/colliders", json!([body]))
+    let scene = with(scene_of(json!([strand]), 0.4), "/contact", json!({"tolerance": TOLERANCE}));
+    with(scene, "/colliders", json!([body]))
 }
 
 fn bake(directory: &Path) -> String {

@@ -94,7 +94,9 @@ const MOST_FORCE: f64 = 0.05;
 #[test]
 fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
     let target = Vector3::new(0.12, 0.0, -0.09);
-    for (model, wisp) in [ContactModel::Hard, ContactModel::Penalty].into_iter().flat_map(|model| [(model, 0.0), (model, 5e-4)]) {
+    for (model, wisp) in
+        [ContactModel::Coulomb, ContactModel::Penalty].into_iter().flat_map(|model| [(model, 0.0), (model, 5e-4)])
+    {
         let out = course(model, wisp, |ids| ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at(target.into()))).collect());
         println!("{model:?} {wisp}: {:e} N, {} sweeps", out.force, out.sweeps);
         assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0), "{model:?} {wisp}");
@@ -143,7 +145,9 @@ fn bonds_that_contradict_each_other_are_told() {
         };
         ids.iter().flat_map(of).collect()
     };
-    for (name, out) in [("apart", course(ContactModel::Hard, 0.0, apart)), ("frames", course(ContactModel::Hard, 0.0, frames))] {
+    for (name, out) in
+        [("apart", course(ContactModel::Coulomb, 0.0, apart)), ("frames", course(ContactModel::Coulomb, 0.0, frames))]
+    {
         println!("{name}: {} violated, {:e} N", out.violated, out.force);
         assert_eq!((out.violated, out.quarantined), (2 * STEPS * STRANDS as u32, 0), "{name}");
         assert!(out.force < MOST_FORCE, "{name}: {:e} N", out.force);
@@ -156,7 +160,8 @@ fn bonds_that_contradict_each_other_are_told() {
 #[test]
 fn a_ring_out_of_reach_ends_its_island_soon() {
     let ring = Hold::Ring { friction: Friction { along: 0.1, against: 0.2 } };
-    let out = course(ContactModel::Hard, 0.0, |ids| ids.iter().map(|id| held(*id, 0.06, ring, at([0.1, 0.05, 0.05]))).collect());
+    let out =
+        course(ContactModel::Coulomb, 0.0, |ids| ids.iter().map(|id| held(*id, 0.06, ring, at([0.1, 0.05, 0.05]))).collect());
     println!("{} violated, {} sweeps, {:e} N", out.violated, out.sweeps, out.force);
     assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0));
     assert!(out.sweeps < 600_000, "{}", out.sweeps);

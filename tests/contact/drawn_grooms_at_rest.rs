@@ -17,8 +17,7 @@ use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
 use superhelix::solver::id::StrandId;
 use superhelix::solver::{Sample, Solver, Stiffening};
 
-const MODELS: [ContactModel; 4] =
-    [ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Hard, ContactModel::Coulomb];
+const MODELS: [ContactModel; 3] = [ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Coulomb];
 /// What issue and theory ask: rounding alone moves a groom at rest.
 const STILL: f64 = 1e-6;
 const WISP: f64 = 1e-3;
@@ -80,7 +79,7 @@ fn touching(solver: &mut Solver, ids: &[StrandId]) {
 #[test]
 fn strands_pinned_where_they_are_drawn_lie_still() {
     let defs: Vec<StrandDef> = (0..4).map(|k| curl(0.05 * f64::from(k))).collect();
-    let mut solver = solver(ContactModel::Hard, -9.81 * UP);
+    let mut solver = solver(ContactModel::Coulomb, -9.81 * UP);
     let ids = solver.add_strands(&defs).unwrap();
     assert!(moves(&mut solver, &ids, 0.5).0 > 1e-2, "as drawn they sag");
     solver.set_shapes(&ids, &defs.iter().flat_map(|def| def.natural.clone()).collect::<Vec<_>>()).unwrap();
@@ -216,7 +215,7 @@ fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_it_is_allowed()
 fn what_is_allowed_ends_where_nothing_was_drawn_into_anything() {
     // A level rod, drawn 1 mm into a floor at its middle only: the floor is a ball's top there. Let go under gravity it sinks no deeper, though
     // it would without the ball.
-    let mut solver = solver(ContactModel::Hard, -9.81 * UP);
+    let mut solver = solver(ContactModel::Coulomb, -9.81 * UP);
     let mut def = rod(Vector3::zeros(), Vector3::x());
     def.material.youngs_modulus *= 1e-2;
     let ids = solver.add_strands(&[def]).unwrap();
@@ -242,7 +241,7 @@ fn what_is_allowed_ends_where_nothing_was_drawn_into_anything() {
 
 #[test]
 fn bad_allowances_are_named_and_change_nothing() {
-    let mut solver = solver(ContactModel::Hard, -9.81 * UP);
+    let mut solver = solver(ContactModel::Coulomb, -9.81 * UP);
     let ids = sunk(&mut solver);
     solver.allow_overlaps(&ids).unwrap();
     let hash = solver.state_hash();
@@ -306,7 +305,7 @@ fn sintel(model: ContactModel, bust: &Arc<Shape>, every: usize, wisp_radius: f64
 fn a_real_groom_drawn_into_itself_and_into_a_head_lies_still() {
     let every = std::env::var("AS_DRAWN_EVERY").map_or(4, |text| text.parse().unwrap());
     let bust = bust();
-    for model in [ContactModel::Hard, ContactModel::Penalty] {
+    for model in [ContactModel::Coulomb, ContactModel::Penalty] {
         // A quarter of the strands or more are in others, some in the bust.
         let (mut solver, ids) = sintel(model, &bust, every, 2e-3);
         let drawn = solver.allow_overlaps(&ids).unwrap();

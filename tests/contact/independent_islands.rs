@@ -25,7 +25,7 @@ fn at(x: f64, y: f64, z: f64) -> Frame {
 /// they are long.
 fn course(sheaves: usize, contradicted: bool) -> Vec<Tally> {
     let mut options = SolverOptions::default();
-    (options.contact.model, options.contact.hair) = (ContactModel::Hard, true);
+    (options.contact.model, options.contact.hair) = (ContactModel::Coulomb, true);
     let mut solver = Solver::new(options).unwrap();
     let falling = |k: usize| {
         let (sheaf, level) = ((k / 4) as f64, (k % 4) as f64 - 1.5);

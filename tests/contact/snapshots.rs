@@ -151,7 +151,7 @@ fn readings(scene: &Scene) -> Vec<u64> {
 
 #[test]
 fn a_run_goes_on_bit_for_bit_from_an_image() {
-    for model in [ContactModel::Penalty, ContactModel::Hard] {
+    for model in [ContactModel::Penalty, ContactModel::Coulomb] {
         let mut first = scene(Workers::Serial, model);
         first.hashes(0..10);
         let touching: usize = first.solver.contacts().len();

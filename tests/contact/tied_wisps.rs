@@ -74,7 +74,7 @@ fn course(model: ContactModel, defs: &[StrandDef], wisp_radius: f64, ties: impl 
 /// what it took while wisps were pushed apart in it.
 #[test]
 fn a_knot_of_wisps_holds_as_one_of_lines() {
-    for model in [ContactModel::Penalty, ContactModel::Hard, ContactModel::Coulomb] {
+    for model in [ContactModel::Penalty, ContactModel::Coulomb] {
         for (count, at, radius) in [(2, 0.1, 2e-3), (2, 0.07, 2e-3), (5, 0.08, 1e-3)] {
             let defs = hanging(count, 0.01);
             let ties = |ids: &[StrandId]| ids.windows(2).map(|pair| tie(pair[0], pair[1], at)).collect::<Vec<_>>();
@@ -105,8 +105,8 @@ fn away_from_their_knot_tied_strands_touch() {
     }
     let ties = |ids: &[StrandId]| vec![tie(ids[0], ids[1], 0.1)];
     let radius = 1e-3;
-    let wisps = course(ContactModel::Hard, &defs, radius, ties);
-    let lines = course(ContactModel::Hard, &defs, 0.0, ties);
+    let wisps = course(ContactModel::Coulomb, &defs, radius, ties);
+    let lines = course(ContactModel::Coulomb, &defs, 0.0, ties);
     // The points down to 7 cm, three full reaches from the knot.
     let nearest = |points: &[Vector3<f64>]| {
         let (one, other) = (&points[..15], &points[21..36]);

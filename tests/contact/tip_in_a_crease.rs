@@ -26,7 +26,7 @@ fn a_tip_in_a_crease_is_held_by_both_faces() {
     let (mut unconverged, mut deepest, mut spent, mut steps) = (0, 0.0_f64, 0, 0);
     for slope in [0.2, 0.3, 0.36] {
         for k in 0..8 {
-            let contact = ContactOptions { model: ContactModel::Hard, ..ContactOptions::default() };
+            let contact = ContactOptions { model: ContactModel::Coulomb, ..ContactOptions::default() };
             let mut solver =
                 Solver::new(SolverOptions { gravity: Vector3::new(0.0, 0.0, -9.81), contact, ..SolverOptions::default() })
                     .unwrap();

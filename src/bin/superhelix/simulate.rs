@@ -207,6 +207,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         workers: if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) },
         instruction_set: None,
         contact: arguments.bodies.options(),
+        ..SolverOptions::default()
     })?;
 
     let polylines = unit::polylines(&curves, arguments.every as usize, scale);

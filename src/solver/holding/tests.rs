@@ -61,7 +61,8 @@ fn deepest(solver: &mut Solver, ids: &[StrandId]) -> f64 {
 /// What the last search finds, and nothing holds any more, is told: as a step that is not solved, and as deep as it is.
 #[test]
 fn what_searches_that_are_spent_leave_is_told() {
-    for model in [ContactModel::Coulomb] {
+    {
+        let model = ContactModel::Coulomb;
         let (mut solver, ids, defs) = layers(model, 12);
         solver.options.step.max_subdivisions = 0;
         let (mut left, mut most, mut before) = (0, 0.0_f64, 0.0);
@@ -75,7 +76,7 @@ fn what_searches_that_are_spent_leave_is_told() {
                 let told = report.contact.penetration;
                 // What was deep in each other when the step began parts slowly, and may be solved.
                 assert!(
-                    report.contact.unconverged > 0 || before > 10.0 * tolerance,
+                    report.contact.unconverged > 0 || before > 2.0 * tolerance,
                     "{model:?}, step {step}: {deep:e} deep, and solved"
                 );
                 assert!(told > 0.9 * deep, "{model:?}, step {step}: {deep:e} deep, told as {told:e}");

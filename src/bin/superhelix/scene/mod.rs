@@ -94,6 +94,7 @@ fn read(document: &Value, directory: &Path) -> Result<Scene, Complaint> {
         "newton",
         "reference_tolerance",
         "max_subdivisions",
+        "jump_acceleration",
         "error_tolerance",
         "quadrature_tolerance",
         "solver",

@@ -52,6 +52,7 @@ pub fn read(scene: &Entries, contact: ContactOptions) -> Result<SolverOptions, C
         workers: if threads == 1 { Workers::Serial } else { Workers::Pool(threads) },
         instruction_set: None,
         contact,
+        jump_acceleration: scene.or("jump_acceleration", defaults.jump_acceleration, Node::positive)?,
     };
     options.check("scene").map_err(in_words_of_the_scene)?;
     Ok(options)

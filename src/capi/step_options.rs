@@ -1,0 +1,79 @@
+//! What a step may cost.
+
+use std::mem::{offset_of, size_of};
+use std::sync::atomic::AtomicU32;
+
+use super::errors::shx_result;
+use super::versioned::{Versioned, initialise};
+use crate::error::{Result, check_not_negative};
+use crate::meter::StepLimits;
+
+/// The step went to its end.
+pub const SHX_STOPPED_NO: u32 = 0;
+/// Its work was spent.
+pub const SHX_STOPPED_WORK: u32 = 1;
+/// Its time was up.
+pub const SHX_STOPPED_TIME: u32 = 2;
+/// It was cancelled.
+pub const SHX_STOPPED_CANCELLED: u32 = 3;
+
+/// What a step may cost. Fill with shx_step_options_init.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_step_options {
+    /// Set by shx_step_options_init.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// Most work on strands in contact or held by constraints, in each substep, in units that each take about a microsecond of one core: counted, not measured, so
+    /// that the result is the same to the bit on every machine and for any number of threads. 0 (default): as much as keeps a host going whatever happens, a
+    /// quarter of a second of one core or so for 2280 elements and for fewer, in proportion for more.
+    pub work: u64,
+    /// Seconds that the call may take; the result's bits are then the clock's. 0 (default): any. A step's end takes a while after the last iteration, which is
+    /// learned from step to step and reserved.
+    pub seconds: f64,
+    /// Null (default), or a number that another thread sets to anything but 0 to cancel the step. It is looked at many times a millisecond.
+    pub cancel: *const u32,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
+unsafe impl Versioned for shx_step_options {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self { struct_size: size_of::<Self>() as u32, reserved0: 0, work: 0, seconds: 0.0, cancel: std::ptr::null() }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = {
+    assert!(size_of::<shx_step_options>() == 32 && offset_of!(shx_step_options, seconds) == 16);
+};
+
+impl shx_step_options {
+    /// The engine's own limits.
+    ///
+    /// # Safety
+    /// `cancel` is null or lives as long as what is made of the limits, and whoever writes to it does so in one piece.
+    pub(super) unsafe fn limits<'a>(&self) -> Result<StepLimits<'a>> {
+        if self.reserved0 != 0 {
+            return Err(crate::error::Error::invalid("options.reserved0", self.reserved0, "0"));
+        }
+        check_not_negative(|| "options.seconds".into(), self.seconds)?;
+        // SAFETY: as the caller says; an AtomicU32 has a u32's size and alignment.
+        let cancel = unsafe { self.cancel.cast::<AtomicU32>().as_ref() };
+        Ok(StepLimits {
+            work: (self.work > 0).then_some(self.work),
+            seconds: (self.seconds > 0.0).then_some(self.seconds),
+            cancel,
+        })
+    }
+}
+
+/// Fills options with the defaults. size is sizeof(shx_step_options).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_step_options_init(options: *mut shx_step_options, size: usize) -> shx_result {
+    // SAFETY: the caller says that options holds size bytes.
+    unsafe { initialise("shx_step_options_init", "options", options, size) }
+}

@@ -1,0 +1,312 @@
+//! Steps are bounded: heads that jump, bodies that go through hair at any speed, budgets, and strands that come back from where they were lost.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use superhelix::contact::body::BodyDef;
+use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
+use superhelix::contact::shape::{Shape, Sides};
+use superhelix::math::frame::Frame;
+use superhelix::meter::{StepLimits, Stopped, usual_work};
+use superhelix::solver::Solver;
+use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
+use superhelix::solver::id::{BodyId, StrandId};
+use superhelix::solver::report::{StepReport, StrandStatus};
+
+const H: f64 = 1.0 / 60.0;
+const RADIUS: f64 = 0.09;
+const ELEMENTS: usize = 8;
+
+/// Curls all over the upper part of a ball, hair on hair.
+struct Head {
+    solver: Solver,
+    ids: Vec<StrandId>,
+    roots: Vec<Frame>,
+    ball: BodyId,
+}
+
+impl Head {
+    fn new(model: ContactModel, max_iterations: u32, workers: Workers) -> Self {
+        let contact = ContactOptions { model, hair: true, max_iterations, ..ContactOptions::default() };
+        let mut solver = Solver::new(SolverOptions { contact, workers, ..SolverOptions::default() }).unwrap();
+        let count = 80;
+        let def = |k: usize| {
+            let mut def = StrandDef::straight(0.2, ELEMENTS);
+            def.material.air_drag = 1e-5;
+            let (z, turn) = (1.0 - 0.8 * (k as f64 + 0.5) / count as f64, 2.399963 * k as f64);
+            let flat = (1.0 - z * z).sqrt();
+            let up = Vector3::new(flat * turn.cos(), flat * turn.sin(), z);
+            let rotation = UnitQuaternion::from_quaternion(Quaternion::new(1.0 + up.x, 0.0, -up.z, up.y));
+            def.root = Frame { origin: up * RADIUS, rotation };
+            def.natural = vec![[3.0, 8.0, 0.0]; ELEMENTS];
+            def
+        };
+        let defs: Vec<StrandDef> = (0..count).map(def).collect();
+        let ids = solver.add_strands(&defs).unwrap();
+        let touching = StrandContact { exempt_length: 0.015, wisp_radius: 5e-4, ..StrandContact::default() };
+        solver.set_contact(&ids, Some(&touching)).unwrap();
+        let ball = solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(RADIUS - 0.002).unwrap()))]).unwrap()[0];
+        Self { solver, ids, roots: defs.iter().map(|def| def.root).collect(), ball }
+    }
+
+    fn send(&mut self, way: Vector3<f64>, turn: UnitQuaternion<f64>) {
+        let go = |frame: &Frame| Frame { origin: turn * frame.origin + way, rotation: turn * frame.rotation };
+        let roots: Vec<Frame> = self.roots.iter().map(go).collect();
+        self.solver.set_root_frames(&self.ids, &roots, H).unwrap();
+        self.solver.set_body_frames(&[self.ball], &[go(&Frame::default())], H).unwrap();
+    }
+
+    /// Every strand is finite, and its root where it was sent; the deepest in the ball beyond what is exempt, m.
+    fn look(&self, way: Vector3<f64>, turn: UnitQuaternion<f64>) -> f64 {
+        let mut deepest = 0.0_f64;
+        self.solver
+            .sample_strands(&self.ids, 41, |strand, place, sample| {
+                assert!(sample.position.iter().all(|x| x.is_finite()));
+                if place == 0 {
+                    assert!((sample.position - turn * self.roots[strand].origin - way).norm() < 1e-9);
+                } else if place > 4 {
+                    deepest = deepest.max(RADIUS - 0.002 - (sample.position - way).norm());
+                }
+            })
+            .unwrap();
+        deepest
+    }
+}
+
+const NO_TURN: fn() -> UnitQuaternion<f64> = UnitQuaternion::identity;
+
+/// Ten centimetres to a metre, and quarter turns, within a frame: the step costs no more work than a calm one or two, nothing is lost, and a second later
+/// nothing is deep.
+#[test]
+fn hair_goes_along_with_a_head_that_jumps() {
+    let models = [
+        (ContactModel::Coulomb, 50),
+        (ContactModel::Penalty, 1),
+        (ContactModel::Penalty, 2),
+        (ContactModel::RegularisedPenalty, 50),
+    ];
+    for (model, iterations) in models {
+        for (way, degrees) in [(0.1, 0.0), (0.3, 0.0), (1.0, 0.0), (0.0, 90.0), (0.05, 45.0)] {
+            let mut head = Head::new(model, iterations, Workers::default());
+            let mut calm = 0;
+            for step in 0..30 {
+                let work = head.solver.step(H, 1).unwrap().work;
+                calm = if step < 10 { 0 } else { calm.max(work) };
+            }
+            let (way, turn) = (Vector3::x() * way, UnitQuaternion::from_axis_angle(&Vector3::z_axis(), f64::to_radians(degrees)));
+            head.send(way, turn);
+            let mut dearest = 0;
+            let mut last = StepReport::default();
+            for step in 0..60 {
+                last = head.solver.step(H, 1).unwrap();
+                assert_eq!(last.carried, if step == 0 { 80 } else { 0 }, "{model:?}");
+                dearest = dearest.max(last.work);
+                assert_eq!(last.quarantined, 0);
+            }
+            println!("{model:?} {iterations}, {:.2} m, {degrees} degrees: calm {calm}, dearest {dearest} units", way.x);
+            assert!(dearest < 3 * calm + 2000, "{model:?}: {dearest} units of work, {calm} when calm");
+            assert!(head.look(way, turn) < if model == ContactModel::Coulomb { 1e-4 } else { 2e-3 });
+            assert!(last.contact.penetration < if model == ContactModel::Coulomb { 1e-4 } else { 5e-3 });
+        }
+    }
+}
+
+/// Where nothing jumps nobody is carried, and with an infinite limit nobody ever.
+#[test]
+fn only_what_hair_cannot_follow_is_a_jump() {
+    let mut head = Head::new(ContactModel::Coulomb, 50, Workers::default());
+    // As hard as a head can be shaken: 0.5 rad at 2 Hz, from rest.
+    for step in 0..60 {
+        let phase = 2.0 * std::f64::consts::PI * 2.0 * f64::from(step) * H;
+        head.send(Vector3::zeros(), UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.5 * phase.sin()));
+        let report = head.solver.step(H, 1).unwrap();
+        assert_eq!((report.carried, report.parts), (0, 1), "step {step}");
+    }
+    let options = SolverOptions { jump_acceleration: f64::INFINITY, ..SolverOptions::default() };
+    let mut solver = Solver::new(options).unwrap();
+    let ids = solver.add_strands(&[StrandDef::straight(0.2, 5)]).unwrap();
+    solver.set_root_frames(&ids, &[Frame { origin: Vector3::x(), ..Frame::default() }], H).unwrap();
+    assert_eq!(solver.step(H, 1).unwrap().carried, 0);
+    assert!(Solver::new(SolverOptions { jump_acceleration: 0.0, ..SolverOptions::default() }).is_err());
+}
+
+/// A mesh that deforms as far, its roots with it.
+#[test]
+fn hair_goes_along_with_a_scalp_that_deforms_at_once() {
+    let mut solver = Solver::new(SolverOptions::default()).unwrap();
+    let side = 12;
+    let at = |i: usize, j: usize| Vector3::new(0.02 * i as f64 - 0.11, 0.02 * j as f64 - 0.11, 0.0);
+    let vertices: Vec<Vector3<f64>> = (0..side * side).map(|k| at(k % side, k / side)).collect();
+    let corner = |i: usize, j: usize| (j * side + i) as u32;
+    let squares = (0..side - 1).flat_map(|j| (0..side - 1).map(move |i| (i, j)));
+    let triangles: Vec<[u32; 3]> = squares
+        .flat_map(|(i, j)| {
+            [[corner(i, j), corner(i + 1, j), corner(i + 1, j + 1)], [corner(i, j), corner(i + 1, j + 1), corner(i, j + 1)]]
+        })
+        .collect();
+    let mesh = Shape::new_mesh(vertices.clone(), triangles, Sides::Front { depth: 0.02 }).unwrap();
+    let body = solver.add_bodies(vec![BodyDef::new(Arc::new(mesh))]).unwrap()[0];
+    let up = UnitQuaternion::rotation_between(&Vector3::x(), &Vector3::new(0.5, 0.0, 1.0)).unwrap();
+    let defs: Vec<StrandDef> = (0..25)
+        .map(|k| {
+            let mut def = StrandDef::straight(0.1, 6);
+            def.root = Frame { origin: at(3 + k % 5, 3 + k / 5), rotation: up };
+            def
+        })
+        .collect();
+    let ids = solver.add_strands(&defs).unwrap();
+    solver.set_contact(&ids, Some(&StrandContact { exempt_length: 0.005, ..StrandContact::default() })).unwrap();
+    for _ in 0..30 {
+        solver.step(H, 1).unwrap();
+    }
+    let lifted = |p: &Vector3<f64>| p + Vector3::z() * (0.3 - 0.5 * p.x);
+    let roots: Vec<Frame> = defs.iter().map(|def| Frame { origin: lifted(&def.root.origin), ..def.root }).collect();
+    solver.set_root_frames(&ids, &roots, H).unwrap();
+    solver.set_body_vertices(body, &vertices.iter().map(lifted).collect::<Vec<_>>(), H).unwrap();
+    let first = solver.step(H, 1).unwrap();
+    assert_eq!((first.carried, first.quarantined), (25, 0));
+    for _ in 0..60 {
+        assert_eq!(solver.step(H, 1).unwrap().quarantined, 0);
+    }
+    // None is under the scalp, which has a slope of a half.
+    solver
+        .sample_strands(&ids, 21, |strand, place, sample| {
+            let above = sample.position.z - lifted(&Vector3::new(sample.position.x, 0.0, 0.0)).z;
+            assert!(place < 2 || above > -1e-3, "strand {strand}, place {place}: {above}");
+        })
+        .unwrap();
+}
+
+/// Whatever a head does within a frame, a step takes no more work than is usual at most, or than was asked for, by little; and the same bits for any number of
+/// threads.
+#[test]
+fn work_is_bounded_and_the_same_for_any_number_of_threads() {
+    let mut hashes = Vec::new();
+    for workers in [Workers::Serial, Workers::Pool(2), Workers::Pool(5)] {
+        let mut head = Head::new(ContactModel::Coulomb, 50, workers);
+        let (mut left, mut hash) = (0, 0_u64);
+        for step in 0..40 {
+            // Thrown about by a few centimetres a frame, from frame to frame another way.
+            let x = f64::from(step * step % 7) * 0.012;
+            let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.2 * f64::from(step * 5 % 3));
+            head.send(Vector3::x() * x, turn);
+            let work = 5000;
+            let report = head.solver.step_within(H, 1, &StepLimits { work: Some(work), ..StepLimits::default() }).unwrap();
+            // An iteration is not left in the middle, nor the first search.
+            assert!(report.work < 2 * work + 5000, "{}", report.work);
+            assert_eq!(report.stopped == Stopped::Work, report.left > 0);
+            left += report.left;
+            head.look(Vector3::x() * x, turn);
+            head.solver
+                .sample_strands(&head.ids, 5, |_, _, sample| {
+                    for value in sample.position.iter() {
+                        hash = (hash ^ value.to_bits()).wrapping_mul(0x0100_0000_01b3);
+                    }
+                })
+                .unwrap();
+        }
+        assert!(left > 100, "{left}");
+        hashes.push(hash);
+    }
+    assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{hashes:x?}");
+    assert!(usual_work(80 * ELEMENTS) == usual_work(1) && usual_work(10_000) > 4 * usual_work(1));
+}
+
+/// Called off before it begins, a step moves roots and bodies, and strands go along as they are.
+#[test]
+fn a_cancelled_step_leaves_everything_whole() {
+    let mut head = Head::new(ContactModel::Coulomb, 50, Workers::default());
+    for _ in 0..20 {
+        head.solver.step(H, 1).unwrap();
+    }
+    let flag = AtomicU32::new(1);
+    head.send(Vector3::x() * 0.02, NO_TURN());
+    let limits = StepLimits { cancel: Some(&flag), ..StepLimits::default() };
+    let report = head.solver.step_within(H, 4, &limits).unwrap();
+    assert_eq!((report.stopped, report.left, report.quarantined), (Stopped::Cancelled, 80, 0));
+    assert!(head.look(Vector3::x() * 0.02, NO_TURN()) < 1e-4);
+    assert!((head.solver.body(head.ball).unwrap().pose.origin.x - 0.02).abs() < 1e-12);
+    flag.store(0, Ordering::Relaxed);
+    assert_eq!(head.solver.step_within(H, 4, &limits).unwrap().stopped, Stopped::No);
+}
+
+/// A strand that cannot be solved at all for a while comes back by itself within half a second, and an image in the middle of that goes on bit for bit.
+#[test]
+fn what_was_lost_comes_back() {
+    let mut solver = Solver::new(SolverOptions::default()).unwrap();
+    let mut def = StrandDef::straight(0.1, 5);
+    // Velocities beyond all numbers: its state turns non-finite in every step.
+    def.natural = vec![[0.0, 20.0, 0.0]; 5];
+    def.initial = Some(vec![[0.0, 5.0, 0.0]; 5]);
+    def.initial_rates = Some(vec![[0.0, 1e200, 0.0]; 5]);
+    let ids = solver.add_strands(&[def]).unwrap();
+    let mut lost = 0;
+    for step in 0..60 {
+        let report = solver.step(H, 1).unwrap();
+        lost += report.quarantined;
+        if step == 10 {
+            let image = solver.snapshot();
+            let mut other = Solver::new(SolverOptions::default()).unwrap();
+            other.restore(&image).unwrap();
+            let mut again = Solver::new(SolverOptions::default()).unwrap();
+            again.restore(&image).unwrap();
+            for _ in 0..20 {
+                other.step(H, 1).unwrap();
+                again.step(H, 1).unwrap();
+            }
+            assert_eq!(other.snapshot(), again.snapshot());
+            assert_eq!(other.status(ids[0]).unwrap(), StrandStatus::Ok);
+        }
+    }
+    println!("{lost} steps");
+    assert!((3..=30).contains(&lost), "{lost}");
+    assert_eq!(solver.status(ids[0]).unwrap(), StrandStatus::Ok);
+}
+
+/// A thin capsule goes through fifty hanging strands and stops: all are before it, at once or in any number of steps.
+#[test]
+fn nothing_comes_out_behind_a_thin_capsule() {
+    for (speed, rate) in [(0.5, 60.0), (2.0, 60.0), (0.5, 240.0), (2.0, 240.0), (10.0, 240.0)] {
+        let h = 1.0 / rate;
+        let mut solver = Solver::new(SolverOptions::default()).unwrap();
+        let down = UnitQuaternion::rotation_between(&Vector3::x(), &-Vector3::z()).unwrap();
+        let defs: Vec<StrandDef> = (0..50)
+            .map(|k| {
+                let (i, j) = ((k % 10) as f64, (k / 10) as f64);
+                let mut def = StrandDef::straight(0.2, 10);
+                (def.material.internal_friction, def.material.air_drag) = (1e-10, 1e-5);
+                def.root = Frame { origin: Vector3::new(0.003 * j, 0.003 * (i - 4.5), 0.0), rotation: down };
+                def.natural = vec![[0.1, 0.2 + 0.02 * i, 0.1 * j - 0.2]; 10];
+                def
+            })
+            .collect();
+        let ids = solver.add_strands(&defs).unwrap();
+        solver.set_contact(&ids, Some(&StrandContact::default())).unwrap();
+        let along = UnitQuaternion::rotation_between(&Vector3::z(), &Vector3::y()).unwrap();
+        let at = |x: f64| Frame { origin: Vector3::new(x, 0.0, -0.06), rotation: along };
+        let mut capsule = BodyDef::new(Arc::new(Shape::new_capsule(-0.1 * Vector3::z(), 0.1 * Vector3::z(), 5e-4).unwrap()));
+        capsule.pose = at(-0.04);
+        let capsule = solver.add_bodies(vec![capsule]).unwrap()[0];
+        for _ in 0..(rate / 2.0) as u32 {
+            solver.step(h, 1).unwrap();
+        }
+        let (mut x, end) = (-0.04_f64, 0.06);
+        let mut parts = 1;
+        for _ in 0..((end - x) / (speed * h)).ceil() as u32 + (0.4 / h) as u32 {
+            x = (x + speed * h).min(end);
+            solver.set_body_frames(&[capsule], &[at(x)], h).unwrap();
+            parts = parts.max(solver.step(h, 1).unwrap().parts);
+        }
+        let mut lines = vec![Vec::new(); ids.len()];
+        solver.sample_strands(&ids, 401, |strand, _, sample| lines[strand].push(sample.position)).unwrap();
+        let behind = |line: &&Vec<Vector3<f64>>| {
+            let crosses = line.windows(2).find(|pair| (pair[0].z + 0.06) * (pair[1].z + 0.06) <= 0.0);
+            crosses.is_none_or(|pair| pair[0].x < end)
+        };
+        let behind = lines.iter().filter(behind).count();
+        println!("{speed} m/s, 1/{rate} s: {behind} behind, {parts} parts");
+        assert_eq!(behind, 0, "{speed} m/s, 1/{rate} s");
+        assert!(parts > 1 || speed * h < 0.004);
+    }
+}
