@@ -714,8 +714,8 @@ typedef struct shx_step_report {
   uint32_t carried;
   // The most parts that a substep was taken in, since a body went far among strands in it; 1: none was. See max_subdivisions of shx_solver_def.
   uint32_t parts;
-  // Contacts whose force is told as no more than hair can do: what takes the strand its own length in the substep and bends its elements by a radian; four
-  // times that where all laws hold.
+  // Contacts whose force is told as no more than hair can do: what takes the strand its own length in the substep and bends its elements by a radian; twice
+  // that where all laws hold.
   uint64_t forces_capped;
 } shx_step_report;
 

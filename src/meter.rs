@@ -69,6 +69,11 @@ impl<'a> Meter<'a> {
         Self::new(u64::MAX, None, None)
     }
 
+    /// Whether it is to be over at some moment.
+    pub fn has_deadline(&self) -> bool {
+        self.deadline.is_some()
+    }
+
     /// Counts work, in nanoseconds or so. In whatever order threads do, the sum is the same once all have.
     #[inline]
     pub fn spend(&self, work: u64) {

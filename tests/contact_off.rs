@@ -90,7 +90,7 @@ const CASES: [Case; 7] = [
         |solver, _| {
             solver.add_bodies(vec![BodyDef { pose: at(-0.051), ..ball() }]).unwrap();
         },
-        2e-3,
+        2.5e-3,
         3,
     ),
     (

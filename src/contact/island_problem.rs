@@ -99,7 +99,7 @@ impl Island {
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
         let size = self.report.size;
         let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
-        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
+        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED * size) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, most_work: self.most_work };
         self.report = solver.solve_by(space, &settings, forces, crew, meter);
         self.sweeps += self.report.sweeps;
@@ -110,10 +110,6 @@ impl Island {
         for (joint, force) in self.parts.iter().zip(&*forces) {
             let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
             joint.force = *force;
-            if options.model.is_soft() && joint.is_touch() && joint.pressure() == 0.0 {
-                // What pressed, and was to rub, and is apart now.
-                (joint.force, joint.rubs) = (Vector3::zeros(), 0.0);
-            }
             if matches!(joint.kind, JointKind::Pin { .. }) {
                 let strand = &strands[self.strands[first.strand as usize] as usize];
                 joint.force += Vector3::from(strand.held.pulled(first.point as usize));

@@ -176,13 +176,13 @@ impl Holding {
         if !scene.meter.is_halted() {
             self.look_at_failures(scene);
         }
-        let ends = Instant::now();
+        let ends = scene.meter.has_deadline().then(Instant::now);
         let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
         let parted = if goes_on { self.choose_parts(scene) } else { Vec::new() };
         self.finish(scene, h);
         let parts = (!parted.is_empty()).then(|| self.take_parts(scene, h, levels - 1, &parted));
         self.tell(scene, h, &mut account);
-        if parts.is_none() {
+        if let (None, Some(ends)) = (&parts, ends) {
             self.end_seconds = ends.elapsed().as_secs_f64();
         }
         if let Some(parts) = parts {

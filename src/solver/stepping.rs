@@ -1,5 +1,6 @@
 //! Time: all strands through a step, and what came of it.
 
+use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -35,11 +36,17 @@ impl<'a> Clock<'a> {
         Self { limits, end: end.and_then(|seconds| started.checked_add(seconds)), substeps, usual: usual_work(elements) }
     }
 
+    /// Whether time is up, or the call was cancelled.
+    fn is_over(&self) -> bool {
+        self.limits.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed) != 0)
+            || self.end.is_some_and(|end| Instant::now() >= end)
+    }
+
     /// The meter of one of a substep's `parts`, which begins now and shares what time there is with those after it; `left`: how many substeps are left, with it;
     /// `end_seconds`: what its end takes.
     fn meter(&self, parts: f64, left: f64, end_seconds: f64) -> Meter<'a> {
-        let now = Instant::now();
         let deadline = self.end.map(|end| {
+            let now = Instant::now();
             let share = end.saturating_duration_since(now).as_secs_f64() / (left * parts);
             now + Duration::from_secs_f64((share - end_seconds).max(0.0))
         });
@@ -180,8 +187,8 @@ impl Solver {
         }
         for substep in 0..clock.substeps {
             let left = clock.substeps - substep;
-            let meter = clock.meter(1.0, f64::from(left), 0.0);
-            if meter.is_halted() {
+            if clock.is_over() {
+                let meter = clock.meter(1.0, f64::from(left), 0.0);
                 // There is nothing more to be done in any of them: all go along with their roots, at once.
                 let rest = h * f64::from(left);
                 self.ready_ways(rest);

@@ -30,7 +30,7 @@ pub struct ContactTally {
     /// The largest distance of a constraint from holding at the end of a substep, m.
     pub constraint_error: f64,
     /// Touches whose force is told as no more than hair can do, at the end of the last substep: what takes the strand its own length in the substep and
-    /// bends its elements by a radian; four times that where the touch's island is solved. What the laws ask for where there is no room, as in a root that stands in a
+    /// bends its elements by a radian; twice that where the touch's island is solved. What the laws ask for where there is no room, as in a root that stands in a
     /// mesh, is no force.
     pub capped: u32,
     /// Strands whose root was in a body by more than [`ContactOptions::tolerance`](crate::contact::options::ContactOptions::tolerance) at the end of the last substep, and not exempt: it is where
@@ -39,7 +39,7 @@ pub struct ContactTally {
 }
 
 /// Where all laws hold forces may be so many times what takes a strand its own length in a substep and bends its elements by a radian.
-const SOLVED: f64 = 4.0;
+const SOLVED: f64 = 2.0;
 
 /// Where it is told.
 #[derive(Debug)]
@@ -94,7 +94,8 @@ impl Holding {
                         if !was_searched {
                             contact.penetration = contact.penetration.max(depth(joint, &self.strands, scene.options.tolerance));
                         }
-                        if joint.force == Vector3::zeros() {
+                        // (What rubs still, and does not press any more, is no contact.)
+                        if joint.force == Vector3::zeros() || scene.options.model.is_soft() && !joint.presses() {
                             continue;
                         }
                         contact.touches += 1;

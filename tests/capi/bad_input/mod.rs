@@ -61,6 +61,7 @@ use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
 use superhelix::capi::spline::*;
 use superhelix::capi::state::*;
+use superhelix::capi::step_options::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
 use superhelix::capi::suggest::*;

