@@ -91,15 +91,17 @@ impl Island {
         }
         // How large the problem is, for what is a small part of it.
         let longest = space.touches().iter().map(|touch| touch.free.norm()).fold(0.0, f64::max);
-        self.report.size = (longest / (SPEED * step)).max(1.0);
+        self.report.size = if options.model.is_soft() { 1.0 } else { (longest / (SPEED * step)).max(1.0) };
         space.part(&partition.strand_ends, &partition.touch_ends);
-        let scales = Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step };
+        // Springs have no laws that hold exactly: what they are content with is a part of the problem.
+        let soft = options.model.is_soft();
+        let scales = if soft { Scales::OfTheProblem } else { Scales::Fixed { force: lightest * GRAVITY, length: SPEED * step } };
         let part = if options.model == ContactModel::Coulomb && !self.rough { 0.1 } else { 1.0 };
         let tolerance = part * self.asked(options);
         // No more exactly than the iterate deserves: the next one asks again. (Constraints are to hold to the last digit.)
         let size = self.report.size;
         let deserved = if self.iterations == 1 { FIRST * size } else { (FIRST * size).min(FORCING * self.ending.residual) };
-        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED * size) } else { tolerance.max(deserved) };
+        let tolerance = if self.is_constrained() { tolerance.min(CONSTRAINED) } else { tolerance.max(deserved) };
         let settings = Settings { tolerance, max_sweeps: options.max_sweeps, scales, most_work: self.most_work };
         self.report = solver.solve_by(space, &settings, forces, crew, meter);
         self.sweeps += self.report.sweeps;

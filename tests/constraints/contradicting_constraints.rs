@@ -8,11 +8,14 @@ use superhelix::contact::body::BodyDef;
 use superhelix::contact::options::{ContactModel, Friction, StrandContact};
 use superhelix::contact::shape::Shape;
 use superhelix::math::frame::Frame;
+use superhelix::meter::StepLimits;
 use superhelix::solver::Solver;
 use superhelix::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatus, Hold};
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::solver::id::StrandId;
 
+/// What contradicts itself takes a while: more than a step's usual work.
+const AS_LONG_AS_IT_TAKES: StepLimits = StepLimits { work: Some(u64::MAX), seconds: None, cancel: None };
 const STEP: f64 = 1.0 / 60.0;
 const LENGTH: f64 = 0.1;
 const STRANDS: usize = 8;
@@ -74,7 +77,7 @@ fn course_around(
     let constraints = solver.add_constraints(&hold(&ids)).unwrap();
     let mut out = Outcome { states: Vec::new(), tips: Vec::new(), violated: 0, force: 0.0, sweeps: 0, quarantined: 0 };
     for _ in 0..STEPS {
-        let report = solver.step(STEP, 1).unwrap();
+        let report = solver.step_within(STEP, 1, &AS_LONG_AS_IT_TAKES).unwrap();
         out.states = constraints.iter().map(|id| solver.constraint_state(*id).unwrap()).collect();
         out.violated += out.states.iter().filter(|state| state.status == ConstraintStatus::Violated).count() as u32;
         out.force = out.states.iter().map(|state| state.force.norm()).fold(out.force, f64::max);
@@ -123,8 +126,8 @@ fn wisps_pinned_behind_a_ball_are_held() {
         let pins = |ids: &[StrandId]| ids.iter().map(|id| held(*id, LENGTH, Hold::Point, at(target.into()))).collect();
         let out = course_around(ContactModel::Penalty, wisp, vec![ball], pins);
         println!("{wisp}: {} of {} violated", out.violated, STEPS * STRANDS as u32);
-        // While they are drawn there, some (71 of the wisps; 9 before friction began with the force that presses).
-        assert!(out.violated <= 80 && out.quarantined == 0, "{wisp}: {} {}", out.violated, out.quarantined);
+        // While they are drawn there, some.
+        assert!(out.violated <= 24 && out.quarantined == 0, "{wisp}: {} {}", out.violated, out.quarantined);
         assert!(out.states.iter().all(|state| state.status == ConstraintStatus::Holds && state.error < 1e-9), "{:?}", out.states);
         assert!(out.tips.iter().all(|tip| (tip - target).norm() < 1e-9));
     }
