@@ -21,7 +21,7 @@ pub enum Attempt {
     /// All joints are to hold.
     #[default]
     Whole,
-    /// Some touches give way, from where the first attempt came to, see [`Joint::yields`](super::joint::Joint::yields).
+    /// Some touches give way, from where the first attempt came to, see [`Give`].
     Yielding,
     /// The same from the step's start.
     YieldingAnew,
