@@ -29,8 +29,20 @@ esac
 
 messages=$(mktemp)
 trap 'rm -f "$messages"' EXIT
-cargo rustc --quiet --locked "${what[@]}" --crate-type cdylib,staticlib -- \
-  -C "link-arg=-Wl,-soname,$soname" --print native-static-libs 2>"$messages" || { cat "$messages" >&2; exit 1; }
+build_types() {
+  cargo rustc --quiet --locked "${what[@]}" --crate-type "$1" -- \
+    -C "link-arg=-Wl,-soname,$soname" --print native-static-libs 2>"$messages" || { cat "$messages" >&2; exit 1; }
+}
+mkdir -p "$build/lib/pkgconfig" "$build/include"
+if [ "$profile" = test ]; then
+  build_types cdylib,staticlib
+  install -m 755 "$output.so" "$build/lib/libsuperhelix.so.$version"
+else
+  # One at a time: with two crate types cargo drops link-time optimisation silently.
+  build_types cdylib
+  install -m 755 "$output.so" "$build/lib/libsuperhelix.so.$version"
+  build_types staticlib
+fi
 # What a program that links the static library needs beside it, as rustc says.
 libraries=$(sed -n 's/^note: native-static-libs: //p' "$messages" | tail -n 1)
 if [ -z "$libraries" ]; then
@@ -38,8 +50,6 @@ if [ -z "$libraries" ]; then
   exit 1
 fi
 
-mkdir -p "$build/lib/pkgconfig" "$build/include"
-install -m 755 "$output.so" "$build/lib/libsuperhelix.so.$version"
 ln -sf "libsuperhelix.so.$version" "$build/lib/$soname"
 ln -sf "$soname" "$build/lib/libsuperhelix.so"
 install -m 644 "$output.a" "$build/lib/libsuperhelix.a"
