@@ -127,6 +127,10 @@ impl Solver {
         for (index, body) in self.bodies.iter().enumerate() {
             self.body_slots.moved(body.id, index);
         }
+        // What strands remember of where bodies were goes by the bodies' places in the list.
+        for astray in self.strands.iter_mut().filter_map(|strand| strand.astray.as_deref_mut()) {
+            astray.bodies.clear();
+        }
         self.holding.forget();
         Ok(())
     }
