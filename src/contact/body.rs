@@ -205,9 +205,7 @@ impl Body {
 
     /// The farthest that something of it is from its pose's origin, m; zero of a shape without end.
     pub(crate) fn radius(&self) -> f64 {
-        let bounds = self.def.shape.bounds();
-        let corners = || bounds.corners().map(|corner| corner.norm()).into_iter().fold(0.0, f64::max);
-        if bounds.low.x.is_finite() { corners() } else { 0.0 }
+        radius(&self.def.shape.bounds())
     }
 
     /// Brings a mesh whose vertices go further than `most` (m) in the coming `dt` seconds to where they go, at once. True if it did.
@@ -252,6 +250,11 @@ fn check_pose(argument: &str, pose: &Frame) -> Result<()> {
         check_finite(|| format!("{argument}.rotation[{axis}]"), *value)?;
     }
     Ok(())
+}
+
+fn radius(bounds: &Bounds) -> f64 {
+    let corners = || bounds.corners().map(|corner| corner.norm()).into_iter().fold(0.0, f64::max);
+    if bounds.low.x.is_finite() { corners() } else { 0.0 }
 }
 
 /// A body during a substep: where it starts and where it ends.
@@ -303,10 +306,21 @@ impl<'a> BodyAt<'a> {
         Self { index, shape, start, end, thickness, friction, viscous_friction, group, mask, bounds, turn, axes_start, axes_end }
     }
 
-    /// The same coming from another pose.
-    pub fn coming_from(&self, start: Frame) -> Self {
+    /// The same going from and to other poses.
+    pub fn on_way(&self, [start, end]: [Frame; 2]) -> Self {
         let Self { friction, viscous_friction, group, mask, .. } = *self;
-        Self { friction, viscous_friction, group, mask, ..Self::new(self.index, self.shape, start, self.end, self.thickness) }
+        Self { friction, viscous_friction, group, mask, ..Self::new(self.index, self.shape, start, end, self.thickness) }
+    }
+
+    /// The farthest that something of its shape is from its pose's origin, m; 0 where it has no end.
+    pub fn radius(&self) -> f64 {
+        radius(&self.shape.bounds())
+    }
+
+    /// Half of the least extent of what strands meet, m: what goes by more at once leaves no trace of where it went.
+    pub fn half_extent(&self) -> f64 {
+        let bounds = self.shape.bounds();
+        0.5 * (bounds.high - bounds.low).min() + self.thickness
     }
 
     /// Its surface nearest to a point of the world at the substep's end, see [`Shape::closest`].

@@ -74,6 +74,12 @@ impl Island {
         (self.ending.converged, self.ending.stopped) = (false, why);
     }
 
+    /// The search for what its strands touch was halted: they may be anywhere, whatever their end.
+    pub fn interrupt(&mut self, why: Stopped) {
+        self.stop(why);
+        (self.ending.converged, self.ending.stopped) = (false, why);
+    }
+
     /// Goes on from where it is: a strand of it has been moved.
     pub fn go_on(&mut self) {
         (self.done, self.ending.came_to_end, self.ending.converged, self.rest) = (false, false, false, -1.0);

@@ -22,6 +22,7 @@ use super::shape::Bounds;
 use super::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
 use super::touches::{MovingPiece, TouchScratch, TwoStrands, relative_motion};
 use crate::error::{Error, Result, check_not_negative};
+use crate::meter::Meter;
 use crate::workers::Crew;
 
 /// How far to look.
@@ -60,6 +61,13 @@ pub struct Group {
     to: u32,
 }
 
+impl Group {
+    /// How many pairs of pieces are looked at.
+    pub fn candidates(&self) -> u32 {
+        self.to - self.from
+    }
+}
+
 /// Some buckets of the grid, and the candidates found in them.
 #[derive(Debug, Default)]
 struct SearchPart {
@@ -68,7 +76,7 @@ struct SearchPart {
 }
 
 /// In so many parts, whoever searches them.
-const PARTS: usize = 32;
+const PARTS: usize = 128;
 
 /// Pairs of strands that may touch. Memory is kept: once it has grown, nothing is allocated.
 #[derive(Debug, Default)]
@@ -149,11 +157,11 @@ impl HairPairs {
     /// # Errors
     /// [`Error::InvalidArgument`] for another number of strands than of wisps.
     pub fn update(&mut self, strands: &[StrandPath]) -> Result<bool> {
-        self.update_by(strands, &Crew::<()>::serial())
+        self.update_by(strands, &Crew::<()>::serial(), &Meter::unlimited())
     }
 
-    /// [`HairPairs::update`], with others' help.
-    pub(crate) fn update_by<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>) -> Result<bool> {
+    /// [`HairPairs::update`], with others' help. Where `meter` halts it there are no pairs, and the next begins anew.
+    pub(crate) fn update_by<S: Default + Send>(&mut self, strands: &[StrandPath], crew: &Crew<S>, meter: &Meter) -> Result<bool> {
         if strands.len() != self.wisps.len() {
             return Err(Error::invalid("strands", strands.len(), format!("{}, the number of wisps", self.wisps.len())));
         }
@@ -180,8 +188,12 @@ impl HairPairs {
             self.found_at.resize(self.now.nodes.len(), Vector3::zeros());
             self.found_sagittas.resize(self.pieces.pieces.len(), 0.0);
         }
-        self.search(crew);
-        (self.valid, self.found_this_step) = (true, true);
+        self.search(crew, meter);
+        let whole = !meter.is_halted();
+        if !whole {
+            self.groups.clear();
+        }
+        (self.valid, self.found_this_step) = (whole, whole);
         Ok(true)
     }
 
@@ -226,7 +238,7 @@ impl HairPairs {
     }
 
     /// Finds the candidates of the strands that have left their room, in a new one; all others' stay.
-    fn search<S: Default + Send>(&mut self, crew: &Crew<S>) {
+    fn search<S: Default + Send>(&mut self, crew: &Crew<S>, meter: &Meter) {
         let Self {
             wisps, pieces, boxes, candidates, grid, parts, found, merged, carried, left, found_at, found_sagittas, ..
         } = self;
@@ -274,6 +286,9 @@ impl HairPairs {
         let (grid, boxes) = (&*grid, &*boxes);
         crew.for_each_task(parts, 1, 1, |parts, _| {
             for SearchPart { buckets, found } in parts {
+                if meter.is_halted() {
+                    continue;
+                }
                 grid.pairs_in(buckets.clone(), boxes, has_left, |i, j| {
                     let (a, b) = (i as usize, j as usize);
                     let (first, second) = (&pieces[a], &pieces[b]);
@@ -294,6 +309,9 @@ impl HairPairs {
                 });
             }
         });
+        if meter.is_halted() {
+            return;
+        }
         for part in parts.iter() {
             found.extend_from_slice(&part.found);
         }

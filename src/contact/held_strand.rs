@@ -79,6 +79,10 @@ pub struct HeldStrand {
     pub left_deep: bool,
     /// Whether the last search that there was to be found some of it in something, and no joint tells of that.
     pub overlooked: bool,
+    /// Whether it was found in a body that it was not in when the step began, or beyond it, at the step's end.
+    pub behind: bool,
+    /// Whether it goes along with its root after all, because of that.
+    pub carried: bool,
     /// Whether an iteration has been done for it: it need not stay as the step found it.
     pub advanced: bool,
     /// How often it was woken since its island was tied.
@@ -87,8 +91,10 @@ pub struct HeldStrand {
     pub residual: f64,
     /// Whether it takes part in contact at all.
     pub touches: bool,
-    /// Where bodies stand for it when the step begins, one a body; none: where they are.
-    pub bodies_from: Vec<Frame>,
+    /// From where to where bodies go for it in the step, one a body; none: as they go.
+    pub ways: Vec<[Frame; 2]>,
+    /// Where they come to so, if one of them is still to come after it when the step ends; else none.
+    pub came_to: Vec<Frame>,
     /// How many joints hold it, as far as they were counted last.
     pub touches_there: usize,
     /// Touches with bodies that were found last.
@@ -118,10 +124,22 @@ impl HeldStrand {
         self.held.begin(one, setting, h, self.first_order);
     }
 
+    /// Whether a body is still to come after it when the step ends.
+    pub fn lags(&self) -> bool {
+        !self.came_to.is_empty()
+    }
+
+    /// Has bodies go to where they are after all: how deep it is in them is to be seen.
+    pub fn look_at_bodies(&mut self, bodies: &[BodyAt]) {
+        for (way, body) in self.ways.iter_mut().zip(bodies) {
+            way[1] = body.end;
+        }
+    }
+
     /// A body as it goes for this strand.
     pub fn met<'a>(&self, bodies: &[BodyAt<'a>], index: u32) -> BodyAt<'a> {
         let body = bodies[index as usize];
-        self.bodies_from.get(index as usize).map_or(body, |from| body.coming_from(*from))
+        self.ways.get(index as usize).map_or(body, |way| body.on_way(*way))
     }
 
     /// Finds the touches with bodies that are nearer than `within` (m) at the present iterate.
@@ -135,8 +153,8 @@ impl HeldStrand {
         let StrandContact { exempt_length: exempt, radius, groups, mask, .. } = self.contact;
         let mut other;
         for (index, mut body) in bodies.iter().enumerate().filter(|(_, body)| body.meets(groups, mask)) {
-            if let Some(from) = self.bodies_from.get(index) {
-                other = body.coming_from(*from);
+            if let Some(way) = self.ways.get(index) {
+                other = body.on_way(*way);
                 body = &other;
             }
             strand_body::touches(&path, &self.bounds, Span { exempt }, radius, body, within, scratch, &mut self.found);

@@ -64,9 +64,6 @@ const LOOK: f64 = 0.01;
 /// In how many of an island's first iterations that is done: in a crease or a mesh's notch a touch would be on one face and on another in
 /// turn for ever. What is missed so is found by the search at the step's end.
 pub(super) const LOOKS: u32 = 6;
-/// A strand that is deeper in a body than its own radius, which is this at least, m, times this is not where it belongs.
-const BEHIND: f64 = 1.0;
-const LEAST_MARGIN: f64 = 1e-5;
 /// By how much more than before a normal may point along the strand.
 const ALONG: f64 = 0.1;
 
@@ -195,9 +192,7 @@ impl Island {
     /// Whether a strand ends in a body that it was not in when the step began, or beyond it.
     pub fn is_behind(&self, strand: &HeldStrand) -> bool {
         let joint = |end: &Attachment| &self.joints[end.joint as usize];
-        strand.attachments.iter().map(joint).any(|joint| {
-            matches!(joint.kind, JointKind::Body { margin, .. } if !joint.deep && joint.gap < -BEHIND * margin.max(LEAST_MARGIN))
-        })
+        strand.attachments.iter().map(joint).any(|joint| joint.is_behind(joint.gap))
     }
 
     /// Whether strands of it touch something.

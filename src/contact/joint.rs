@@ -16,6 +16,9 @@ use crate::chain::load::Station;
 use crate::math::vector::Mat3;
 use crate::step::held::WorldBond;
 
+/// A strand is as thick as this at least where it is asked whether it is behind a body, m.
+const LEAST_MARGIN: f64 = 1e-5;
+
 /// A body's surface is on the side that was found while its normal has turned by no more than this cosine since.
 pub const SAME_SIDE: f64 = 0.7;
 /// Where one less the cosine between two normals is less, they are of one face.
@@ -200,6 +203,11 @@ impl Joint {
     /// Its ends, the first one first.
     pub fn ends(&self) -> impl Iterator<Item = JointEnd> + use<> {
         [Some(self.first), self.second].into_iter().flatten()
+    }
+
+    /// Whether a strand at such a `gap` is in a body that it was not in when the step began, or beyond it: deeper than its radius.
+    pub fn is_behind(&self, gap: f64) -> bool {
+        matches!(self.kind, JointKind::Body { margin, .. } if !self.deep && gap < -margin.max(LEAST_MARGIN))
     }
 
     /// Whether the surfaces press each other under the present force.

@@ -1,10 +1,12 @@
 //! Strands that a substep did not bring through: left before an iteration, carried over a jump of their root, or rolled back and brought back.
 //!
 //! Such a strand keeps its shape and goes along with its root. Bodies go on meanwhile: what one went past in a substep that the strand was
-//! not part of it is to meet in the next, so that the side that the strand is on is never forgotten.
+//! not part of it is to meet in those to come, so that the side that the strand is on is never forgotten. For it the body comes after by no more
+//! in a substep than such a strand can follow, until it is where it is for all others.
 
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 
+use super::fast_bodies::Passing;
 use super::strand::{self, Strand};
 use crate::contact::body::BodyAt;
 use crate::math::frame::Frame;
@@ -15,6 +17,14 @@ use crate::step::StrandOutcome;
 /// A strand that is rolled back for so many seconds on end is brought back: from the shape that it had to its natural one, in so many.
 const LOST_FOR: f64 = 0.1;
 const RETURNS_IN: f64 = 0.25;
+
+/// A body comes after a strand by this share of what it is ahead at least.
+const LEAST_SHARE: f64 = 1.0 / 64.0;
+
+/// What it is to come after by no more than this part of what a strand can follow, it does at once.
+const NEAR_ENOUGH: f64 = 0.1;
+/// It asks for half as much after each substep that could not follow, so often at most.
+const MOST_HALVINGS: u32 = 20;
 
 /// What is kept of a strand that is not where a substep would have brought it.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,8 +37,10 @@ pub(super) struct Astray {
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Whereabouts {
-    /// It was carried along in the last substeps, for so many seconds on end, and goes on.
+    /// It was carried along in the last substeps, for so many seconds on end, and goes on: bodies come after it.
     Carried { seconds: f64 },
+    /// It came through, but in a body or behind one, for so many seconds on end: it is to meet all of what went past it in the next.
+    Behind { seconds: f64 },
     /// It was rolled back in the last substeps, for so many seconds on end.
     Lost { seconds: f64 },
     /// It is on its way from this shape to its natural one, for so many seconds, and touches nothing.
@@ -39,6 +51,35 @@ impl Strand {
     /// Where bodies stand for it when the coming substep begins, if not where they are.
     pub fn bodies_from(&self) -> &[Frame] {
         self.astray.as_deref().map_or(&[], |astray| &astray.bodies)
+    }
+
+    /// From where to where bodies go for it in the coming substep of `h` seconds, if not as they go. Its root's way has begun.
+    pub fn ways_of_bodies(&self, h: f64, bodies: &[BodyAt], ways: &mut Vec<[Frame; 2]>) {
+        ways.clear();
+        let from = self.bodies_from();
+        if from.len() != bodies.len() {
+            return;
+        }
+        // Where a substep could not follow the next asks for less.
+        let failed = (self.carried_for() / h).min(f64::from(MOST_HALVINGS)).round() as u32;
+        let share_asked = 1.0 / f64::from(1_u32 << failed);
+        let (root, length) = ([self.state.root, strand::root_after(&self.root_move, &self.state.root, h)], self.model.length());
+        ways.extend(bodies.iter().zip(from).map(|(body, from)| {
+            let passing = Passing::new(from, body, &root, length);
+            let near = !self.is_carried() || passing.travel <= NEAR_ENOUGH * passing.limit;
+            let share = if near { 1.0 } else { (passing.limit / passing.travel).clamp(LEAST_SHARE, 1.0) * share_asked };
+            [*from, if share < 1.0 { between(&passing.along, &body.end, share) } else { body.end }]
+        }));
+    }
+
+    /// A substep brought it through in which bodies came so far for it, and not to where they are.
+    pub fn goes_after(&mut self, came_to: Vec<Frame>) {
+        self.astray = Some(Box::new(Astray { bodies: came_to, state: Whereabouts::Carried { seconds: 0.0 } }));
+    }
+
+    /// Whether it was carried along in the last substep: bodies come after it.
+    pub fn is_carried(&self) -> bool {
+        matches!(self.astray.as_deref(), Some(Astray { state: Whereabouts::Carried { .. }, .. }))
     }
 
     /// Whether it is on its way back, and no part of the scene until it is there.
@@ -54,7 +95,8 @@ impl Strand {
     }
 
     /// Takes it through a substep of `h` seconds as its root goes, its shape kept: nothing else is done for it. `bodies`: those that it did not meet so.
-    pub fn carry_along(&mut self, h: f64, bodies: &[BodyAt]) -> StrandOutcome {
+    /// Its velocities turn with it.
+    pub fn go_with_root(&mut self, h: f64, bodies: &[BodyAt]) -> StrandOutcome {
         self.begin_root_way(h);
         let seconds = self.carried_for() + h;
         self.go_along(h, bodies, Whereabouts::Carried { seconds });
@@ -65,24 +107,38 @@ impl Strand {
         outcome
     }
 
-    /// A substep of `h` seconds took it through, but left it in a body, or behind one: the next is to see what went past it. `before`: its root when the
-    /// substep began.
-    pub fn stay_before(&mut self, before: &Frame, h: f64, bodies: &[BodyAt]) {
+    /// The same, and its velocities are those of that motion: kept, they would ask as much of every substep to come as of the one that could not be
+    /// done.
+    pub fn carry_along(&mut self, h: f64, bodies: &[BodyAt], rules: &Rules) -> StrandOutcome {
+        let from = self.state.root;
+        let outcome = self.go_with_root(h, bodies);
+        self.moves_as_its_root(&from, h, rules);
+        outcome
+    }
+
+    /// A substep of `h` seconds took it through, but left it in a body, or behind one: those to come are to see what went past it. `before`: its root
+    /// when the substep began; `astray`: what was kept of it then.
+    pub fn stay_before(&mut self, before: &Frame, h: f64, bodies: &[BodyAt], astray: Option<Box<Astray>>) {
+        self.astray = astray;
         let (to, seconds) = (self.state.root, self.carried_for() + h);
-        let astray = self
-            .astray
-            .get_or_insert_with(|| Box::new(Astray { bodies: Vec::new(), state: Whereabouts::Carried { seconds: 0.0 } }));
-        astray.state = Whereabouts::Carried { seconds };
-        if astray.bodies.len() != bodies.len() {
-            astray.bodies = bodies.iter().map(|body| body.start).collect();
-        }
+        let astray = self.begin_to_stray(bodies, Whereabouts::Behind { seconds });
         take_along(&mut astray.bodies, before, &to);
         self.forget_what_is_out_of_reach(seconds);
     }
 
+    fn begin_to_stray(&mut self, bodies: &[BodyAt], state: Whereabouts) -> &mut Astray {
+        let meets = self.contact.is_some();
+        let astray = self.astray.get_or_insert_with(|| Box::new(Astray { bodies: Vec::new(), state: state.clone() }));
+        astray.state = state;
+        if meets && astray.bodies.len() != bodies.len() {
+            astray.bodies = bodies.iter().map(|body| body.start).collect();
+        }
+        astray
+    }
+
     fn carried_for(&self) -> f64 {
         match self.astray.as_deref() {
-            Some(Astray { state: Whereabouts::Carried { seconds }, .. }) => *seconds,
+            Some(Astray { state: Whereabouts::Carried { seconds } | Whereabouts::Behind { seconds }, .. }) => *seconds,
             _ => 0.0,
         }
     }
@@ -114,15 +170,18 @@ impl Strand {
 
     fn go_along(&mut self, h: f64, bodies: &[BodyAt], state: Whereabouts) {
         let (from, to) = (self.state.root, strand::root_after(&self.root_move, &self.state.root, h));
-        let astray = self
-            .astray
-            .get_or_insert_with(|| Box::new(Astray { bodies: Vec::new(), state: Whereabouts::Carried { seconds: 0.0 } }));
-        astray.state = state;
-        if self.contact.is_some() && astray.bodies.len() != bodies.len() {
-            astray.bodies = bodies.iter().map(|body| body.start).collect();
-        }
+        let astray = self.begin_to_stray(bodies, state);
         take_along(&mut astray.bodies, &from, &to);
         self.state.teleport(to);
+    }
+
+    /// Its velocities are those of a rigid motion with its root, which has come from there in `h` seconds.
+    fn moves_as_its_root(&mut self, from: &Frame, h: f64, rules: &Rules) {
+        let to = self.state.root;
+        self.state.rates.fill([0.0; 3]);
+        self.state.root_velocity = (to.origin - from.origin) / h;
+        self.state.root_angular_velocity = rotation_vector(&(to.rotation * from.rotation.inverse())) / h;
+        self.state.velocities_from_rates(&self.model, rules);
     }
 
     /// A substep of `h` seconds on its way back: from shape to shape, with its root.
@@ -141,10 +200,7 @@ impl Strand {
         }
         let is_back = *seconds >= RETURNS_IN * (1.0 - 1e-12);
         self.state.teleport(to);
-        self.state.rates.fill([0.0; 3]);
-        self.state.root_velocity = (to.origin - from_root.origin) / h;
-        self.state.root_angular_velocity = rotation_vector(&(to.rotation * from_root.rotation.inverse())) / h;
-        self.state.velocities_from_rates(&self.model, rules);
+        self.moves_as_its_root(&from_root, h, rules);
         (self.state.wrench_force, self.state.wrench_torque) = (Vector3::zeros().into(), Vector3::zeros().into());
         self.advance_root(h);
         self.fared = (&outcome).into();
@@ -152,6 +208,15 @@ impl Strand {
             self.astray = None;
         }
         outcome
+    }
+}
+
+/// The pose at a share of the way from one to another.
+fn between(from: &Frame, to: &Frame, share: f64) -> Frame {
+    let turn = rotation_vector(&(to.rotation * from.rotation.inverse())) * share;
+    Frame {
+        origin: from.origin + (to.origin - from.origin) * share,
+        rotation: UnitQuaternion::from_scaled_axis(turn) * from.rotation,
     }
 }
 

@@ -17,14 +17,35 @@ const PART_OF_LENGTH: f64 = 0.02;
 const PART_OF_EXTENT: f64 = 0.5;
 /// Most parts.
 const MOST: u32 = 32;
+/// Most parts for a body that comes after a strand: it may take several substeps.
+const MOST_TO_COME_AFTER: f64 = 4.0;
 
-/// A body on its way through the coming substep.
-struct Passing<'a> {
-    at: BodyAt<'a>,
-    radius: f64,
-    limit: f64,
-    /// How far something of it goes at most.
-    travel: f64,
+/// A body that goes past a strand in the coming substep, as the strand's root sees it.
+pub(super) struct Passing {
+    /// Where it would be if it went along with the root.
+    pub along: Frame,
+    /// How far something of it that the strand can reach goes away from there, m.
+    pub travel: f64,
+    /// How far it may go at once, m.
+    pub limit: f64,
+}
+
+impl Passing {
+    /// Of a body that comes `from` there, past a strand of some `length` whose root goes from pose to pose.
+    pub fn new(from: &Frame, body: &BodyAt, [root_from, root_to]: &[Frame; 2], length: f64) -> Self {
+        let turn = root_to.rotation * root_from.rotation.inverse();
+        let along = Frame { origin: root_to.origin + turn * (from.origin - root_from.origin), rotation: turn * from.rotation };
+        let turned = rotation_vector(&(body.end.rotation * along.rotation.inverse())).norm();
+        let arm = body.radius().min((root_from.origin - from.origin).norm() + length);
+        let travel = (body.end.origin - along.origin).norm() + arm * turned;
+        Self { along, travel, limit: limit(body, length) }
+    }
+}
+
+/// How far a body may go past a strand of some length at once, m. (One without an end is as flat from near as from far.)
+fn limit(body: &BodyAt, length: f64) -> f64 {
+    let extent = body.half_extent();
+    if extent.is_finite() { (PART_OF_EXTENT * extent).max(PART_OF_LENGTH * length) } else { f64::INFINITY }
 }
 
 impl Solver {
@@ -46,49 +67,48 @@ impl Solver {
         if self.options.step.max_subdivisions == 0 {
             return 1;
         }
-        let passing = |index: usize| {
-            let body = &self.bodies[index].body;
-            let (shape, thickness) = (&body.def().shape, body.def().thickness);
-            let at = body.at(index as u32, h);
-            let bounds = shape.bounds();
-            let extent = 0.5 * (bounds.high - bounds.low).min();
-            let radius = body.radius();
-            // (One without an end is as flat from near as from far.)
-            let limit = if extent.is_finite() { PART_OF_EXTENT * (extent + thickness) } else { f64::INFINITY };
-            let turn = rotation_vector(&(at.end.rotation * at.start.rotation.inverse())).norm();
-            Passing { at, radius, limit, travel: (at.end.origin - at.start.origin).norm() + radius * turn }
+        let going = |index: usize| {
+            let body = self.bodies[index].body.at(index as u32, h);
+            let turn = rotation_vector(&(body.end.rotation * body.start.rotation.inverse())).norm();
+            (body, (body.end.origin - body.start.origin).norm() + body.radius() * turn)
         };
-        let bodies = (0..self.bodies.len()).map(passing).filter(|body| body.limit.is_finite());
-        let most = bodies.fold(1.0, |most, body| self.strands.iter().map(|strand| strand.parts(&body, h)).fold(most, f64::max));
+        let bodies = (0..self.bodies.len()).map(going).filter(|(body, _)| body.half_extent().is_finite());
+        let most = bodies.fold(1.0, |most, (body, travel)| {
+            self.strands.iter().map(|strand| strand.parts(&body, travel, h)).fold(most, f64::max)
+        });
         most.ceil().min(f64::from(MOST)) as u32
     }
 }
 
 impl Strand {
-    fn parts(&self, Passing { at, radius, limit, travel }: &Passing, h: f64) -> f64 {
+    /// In how many parts a body that goes so far itself is to pass it.
+    fn parts(&self, at: &BodyAt, travel: f64, h: f64) -> f64 {
         let Some(contact) = self.contact.as_deref() else { return 1.0 };
-        if *travel == 0.0 && self.root_move.is_none() && self.astray.is_none() {
+        if travel == 0.0 && self.root_move.is_none() && self.astray.is_none() {
             return 1.0;
         }
         let length = self.model.length();
-        let (from, to) = (self.state.root, strand::root_after(&self.root_move, &self.state.root, h));
-        let turn = to.rotation * from.rotation.inverse();
+        let root = [self.state.root, strand::root_after(&self.root_move, &self.state.root, h)];
+        let turn = root[1].rotation * root[0].rotation.inverse();
         // (An angle is at most π times its half's sine.)
-        let own = (to.origin - from.origin).norm() + length * PI * turn.quaternion().imag().norm();
-        let limit = limit.max(PART_OF_LENGTH * length);
-        if travel + own <= limit || !at.meets(contact.groups, contact.mask) {
+        let own = (root[1].origin - root[0].origin).norm() + length * PI * turn.quaternion().imag().norm();
+        let limit = limit(at, length);
+        if !at.meets(contact.groups, contact.mask) {
+            return 1.0;
+        }
+        if let Some(from) = self.bodies_from().get(at.index as usize) {
+            let passing = Passing::new(from, at, &root, length);
+            return (passing.travel / passing.limit).min(MOST_TO_COME_AFTER);
+        }
+        if travel + own <= limit {
             return 1.0;
         }
         let reach = Vector3::repeat(length + contact.radius);
-        let around = Bounds::around(from.origin, reach).union(&Bounds::around(to.origin, reach));
+        let around = Bounds::around(root[0].origin, reach).union(&Bounds::around(root[1].origin, reach));
         if !at.bounds.grown(at.thickness).meets(&around) {
             return 1.0;
         }
-        let start = self.bodies_from().get(at.index as usize).unwrap_or(&at.start);
-        // Where it would be if it went along with the root.
-        let along = Frame { origin: to.origin + turn * (start.origin - from.origin), rotation: turn * start.rotation };
-        let turned = rotation_vector(&(at.end.rotation * along.rotation.inverse())).norm();
-        let arm = radius.min((from.origin - start.origin).norm() + length);
-        ((at.end.origin - along.origin).norm() + arm * turned) / limit
+        let passing = Passing::new(&at.start, at, &root, length);
+        passing.travel / passing.limit
     }
 }

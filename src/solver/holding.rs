@@ -20,7 +20,7 @@ use super::bodies::Contact;
 use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
 use super::strand::{self, Strand};
-use super::touching::{TouchMemory, Touching};
+use super::touching::{self, TouchMemory, Touching};
 use super::workers::{Crew, Scratch};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::ending::Next;
@@ -30,8 +30,8 @@ use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
 use crate::contact::shape::Bounds;
 use crate::meter::{Meter, Stopped};
-use crate::step::Setting;
 use crate::step::options::Integrator;
+use crate::step::{Setting, StrandOutcome};
 
 /// How often strands are searched for touches that the last search did not know of.
 const MOST_SEARCHES: u32 = 16;
@@ -58,13 +58,22 @@ pub(super) struct Holding {
     parents: Vec<u32>,
     touching: Touching,
     contacts: Vec<Contact>,
-    /// What the last substep took from the end of its iterations on, s.
-    end_seconds: f64,
+    /// What the last substep took beside its iterations, s.
+    beside: Beside,
     /// Takes parts of a substep, see `parts.rs`.
     shorter: Option<Box<Holding>>,
     /// How often strands are searched for touches that are missed, if not [`MOST_SEARCHES`] times.
     #[cfg(test)]
     most_searches: Option<u32>,
+}
+
+/// What a substep takes beside its iterations, s.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Beside {
+    /// Before them.
+    pub begin: f64,
+    /// After them.
+    pub end: f64,
 }
 
 /// What a held substep works on.
@@ -83,6 +92,8 @@ pub(super) struct Scene<'a> {
     pub meter: &'a Meter<'a>,
     /// Whether it is the last of its call: how deep penalties leave surfaces is told of that.
     pub is_last: bool,
+    /// Whether a body goes far among strands in it: it is one of several parts.
+    pub is_fast: bool,
     /// Whether the substep is a part of one: strands that it does not hold are at the end of the whole.
     pub is_part: bool,
 }
@@ -93,9 +104,9 @@ impl Holding {
         &self.contacts
     }
 
-    /// What a substep takes when its iterations are over, s, as far as that is known.
-    pub fn end_seconds(&self) -> f64 {
-        self.end_seconds
+    /// What a substep takes beside its iterations, as far as that is known.
+    pub fn beside(&self) -> Beside {
+        self.beside
     }
 
     /// Forgets who touched whom: strands or bodies have other indices now.
@@ -156,6 +167,7 @@ impl Holding {
 
     /// Takes the marked strands through a substep of `h` seconds, which those that it leaves deep may take in parts, halved `levels` times at most.
     pub fn take(&mut self, scene: &mut Scene, h: f64, levels: u32, mut account: Account) {
+        let begins = scene.meter.has_deadline().then(Instant::now);
         self.count = scene.strands.iter().filter(|strand| strand.held).count();
         self.strands.resize_with(self.strands.len().max(self.count), HeldStrand::default);
         for constraint in scene.constraints.iter_mut() {
@@ -165,25 +177,27 @@ impl Holding {
         self.joints.clear();
         self.touching.begin_step();
         self.touching.find(scene, &mut self.strands[..self.count], true);
-        self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
+        if !scene.meter.is_halted() {
+            self.touching.joints(scene, &self.strands[..self.count], &mut self.joints);
+        }
         crowd::thin_out(&mut self.joints, &mut self.strands[..self.count], scene.meter.left());
         self.hold_constraints(scene, h);
         scene.meter.spend(self.joints.len() as u64 * WORK_A_JOINT);
         let searches = if scene.options.model.is_soft() || !self.touching.is_possible(scene) { 0 } else { self.most_searches() };
         self.tie(searches > 0);
         self.foresee_pressing(scene, h);
+        let begin = begins.map(|begins| begins.elapsed().as_secs_f64());
         self.solve(scene, h, account.contact, searches);
-        if !scene.meter.is_halted() {
-            self.look_at_failures(scene);
-        }
+        self.look_at_failures(scene);
         let ends = scene.meter.has_deadline().then(Instant::now);
         let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
         let parted = if goes_on { self.choose_parts(scene) } else { Vec::new() };
         self.finish(scene, h);
         let parts = (!parted.is_empty()).then(|| self.take_parts(scene, h, levels - 1, &parted));
+        self.tell_carried(scene, h);
         self.tell(scene, h, &mut account);
-        if let (None, Some(ends)) = (&parts, ends) {
-            self.end_seconds = ends.elapsed().as_secs_f64();
+        if let (None, Some(begin), Some(ends)) = (&parts, begin, ends) {
+            self.beside = Beside { begin, end: ends.elapsed().as_secs_f64() };
         }
         if let Some(parts) = parts {
             self.add_parts(&parts, account);
@@ -204,11 +218,15 @@ impl Holding {
         let mut rough = searches > 0;
         for search in 0..searches {
             self.iterate(scene, h, contact, if search < EARLY { EARLY_ITERATIONS } else { u32::MAX });
-            if scene.meter.stopped() != Stopped::No {
-                return;
+            let stopped = scene.meter.stopped();
+            if stopped != Stopped::No {
+                return self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(stopped));
             }
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             self.touching.find(scene, strands, false);
+            if scene.meter.is_halted() {
+                return self.interrupt(scene);
+            }
             if self.touching.add_missed(scene, strands, islands, &mut self.joints, h) {
                 contact.searches += 1;
                 crowd::thin_out(&mut self.joints, &mut self.strands[..self.count], scene.meter.left());
@@ -228,7 +246,20 @@ impl Holding {
             // No more is looked for, and what there is told.
             let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
             self.touching.find(scene, strands, false);
+            if scene.meter.is_halted() {
+                return self.interrupt(scene);
+            }
             self.touching.tell_missed(scene, strands, islands, h);
+        }
+    }
+
+    /// The last search was halted: strands that it has not come to may touch anything.
+    fn interrupt(&mut self, scene: &Scene) {
+        let (why, unseen) = (scene.meter.stopped(), touching::unseen(scene.options));
+        self.islands[..self.island_count].iter_mut().for_each(|island| island.stop(why));
+        for held in self.strands[..self.count].iter_mut().filter(|held| held.has_gone(unseen)) {
+            held.overlooked = true;
+            self.islands[held.island as usize].interrupt(why);
         }
     }
 
@@ -236,7 +267,10 @@ impl Holding {
     /// their joints say of that is of where the touches were found.
     fn look_at_failures(&mut self, scene: &Scene) {
         let (strands, islands) = (&mut self.strands[..self.count], &mut self.islands[..self.island_count]);
-        let is_looked_at = |held: &HeldStrand| held.left_deep || islands[held.island as usize].failed();
+        if scene.meter.is_halted() {
+            return;
+        }
+        let is_looked_at = |held: &HeldStrand| held.left_deep || held.lags() || islands[held.island as usize].failed();
         // Penalties were searched for at the start only.
         let all = scene.options.model.is_soft();
         if !self.touching.is_possible(scene) || (all && !scene.is_last) || !(all || strands.iter().any(is_looked_at)) {
@@ -244,6 +278,16 @@ impl Holding {
         }
         for held in strands.iter_mut() {
             held.held.gone = if all || is_looked_at(held) { f64::INFINITY } else { 0.0 };
+        }
+        self.touching.find(scene, strands, false);
+        self.touching.tell_depths(scene, strands, islands);
+        if scene.meter.is_halted() || !strands.iter().any(HeldStrand::lags) {
+            return;
+        }
+        // Bodies that are still to come after strands are there all the same.
+        for held in strands.iter_mut() {
+            held.look_at_bodies(scene.bodies);
+            held.held.gone = if held.lags() { f64::INFINITY } else { 0.0 };
         }
         self.touching.find(scene, strands, false);
         self.touching.tell_depths(scene, strands, islands);
@@ -261,7 +305,7 @@ impl Holding {
         }
         let mut pairs = Self::pairs(scene.strands, held);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
-            if held.begins_again {
+            if held.begins_again && !scene.meter.is_halted() {
                 (held.begins_again, held.first_order, held.resting, held.looked_ahead) = (false, true, false, false);
                 strand.with_one(|one| held.begin(one, scene.setting, h));
             }
@@ -273,32 +317,44 @@ impl Holding {
         let islands = &self.islands[..self.island_count];
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let (setting, bodies) = (scene.setting, scene.bodies);
-        let stopped = scene.meter.stopped();
+        let (stopped, fast) = (scene.meter.stopped(), scene.is_fast && !scene.options.model.is_soft());
         scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
             let island = &islands[held.island as usize];
             let left = island.ending.stopped != Stopped::No;
             if stopped == Stopped::Cancelled || stopped != Stopped::No && !held.advanced {
-                held.held.outcome = strand.carry_along(h, bodies);
+                held.held.outcome = if stopped == Stopped::Cancelled {
+                    strand.go_with_root(h, bodies)
+                } else {
+                    strand.carry_along(h, bodies, setting.rules)
+                };
+                return;
+            }
+            let at_end = held.resting || island.ending.came_to_end;
+            let converged = !held.overlooked && (island.ending.converged || (at_end && island.holds(&held.attachments)));
+            let quarantined = held.held.outcome.quarantined || island.has_lost(held);
+            let fails = !converged && !quarantined;
+            let behind = fails && island.is_behind(held);
+            if fails && (left || fast || strand.is_carried()) && (behind || held.behind) {
+                // What a cut iteration, or one that did not find through as a body went far, has left there is worse than where it was: it
+                // stays on its side.
+                held.held.outcome = StrandOutcome { left, ..strand.carry_along(h, bodies, setting.rules) };
+                held.carried = !left;
                 return;
             }
             let root = strand.state.root;
-            let at_end = held.resting || island.ending.came_to_end;
-            held.held.outcome.converged =
-                !held.overlooked && (island.ending.converged || (at_end && island.holds(&held.attachments)));
-            held.held.outcome.left = left && !held.held.outcome.converged;
-            held.held.outcome.quarantined |= island.has_lost(held);
+            let outcome = &mut held.held.outcome;
+            (outcome.converged, outcome.quarantined, outcome.left) = (converged, quarantined, left && !converged);
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;
             let most_elastic = strand.energies.elastic + held.mass * speed * speed;
             strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.step.rule));
             let outcome = held.held.outcome;
-            // Where it is in something, or behind it, its side of that is kept.
-            let behind = !outcome.converged && !outcome.quarantined && island.is_behind(held);
             let astray = strand.astray.take_if(|_| behind);
             strand.ended(outcome, setting, h, bodies, &mut scratch.step);
             if behind {
-                strand.astray = astray;
-                strand.stay_before(&root, h, bodies);
+                strand.stay_before(&root, h, bodies, astray);
+            } else if !outcome.quarantined && held.lags() {
+                strand.goes_after(held.came_to.clone());
             }
             strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
         });
@@ -313,12 +369,13 @@ impl Holding {
             held.bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
-            held.bodies_from.clear();
-            if strand.bodies_from().len() == scene.bodies.len() {
-                held.bodies_from.extend_from_slice(strand.bodies_from());
+            strand.ways_of_bodies(h, scene.bodies, &mut held.ways);
+            held.came_to.clear();
+            if held.ways.iter().zip(scene.bodies).any(|([_, end], body)| *end != body.end) {
+                held.came_to.extend(held.ways.iter().map(|[_, end]| *end));
             }
             (held.first_order, held.begins_again, held.ended, held.resting) = (strand.touched, false, None, false);
-            (held.left_deep, held.overlooked) = (false, false);
+            (held.left_deep, held.overlooked, held.behind, held.carried) = (false, false, false, false);
             (held.root_gap, held.looked_ahead, held.advanced) = (f64::INFINITY, false, false);
             held.found.clear();
         }
@@ -448,7 +505,7 @@ impl Holding {
             }
             Self::restart(scene, strands, h);
             scene.crew.for_each(islands, |island, _| {
-                if !island.done {
+                if !island.done && !meter.is_halted() {
                     island.refresh(strands, scene.bodies);
                 }
             });

@@ -54,7 +54,7 @@ fn take_present(
 ) {
     if meter.is_halted() {
         for strand in strands.iter_mut().filter(|strand| !strand.held) {
-            tally.add(&strand.carry_along(h, &[]));
+            tally.add(&strand.go_with_root(h, &[]));
         }
         return;
     }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::Solver;
 use super::constraints::ConstraintStatus;
-use super::holding::{Account, ContactTally, Holding, Scene};
+use super::holding::{Account, Beside, ContactTally, Holding, Scene};
 use super::id::BodyId;
 use super::report::{StepReport, Wrench};
 use super::side_by_side;
@@ -21,19 +21,23 @@ use crate::step::{Setting, Surroundings, packs, subdivision};
 /// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
 pub const SHORTEST_STEP: f64 = 1e-9;
 
+/// A part of a substep is to have so many times the time of what it takes beside its iterations at least, and so much work an element of all strands.
+const SHARE_OF_BESIDE: f64 = 3.0;
+const WORK_OF_A_PART: f64 = 8.0;
+
 /// What the substeps of a call may cost.
 struct Clock<'a> {
     limits: &'a StepLimits<'a>,
     end: Option<Instant>,
     substeps: u32,
-    /// The work of a substep where the limits say nothing.
-    usual: u64,
+    /// Of all strands together.
+    elements: usize,
 }
 
 impl<'a> Clock<'a> {
     fn new(limits: &'a StepLimits<'a>, started: Instant, substeps: u32, elements: usize) -> Self {
         let end = limits.seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-        Self { limits, end: end.and_then(|seconds| started.checked_add(seconds)), substeps, usual: usual_work(elements) }
+        Self { limits, end: end.and_then(|seconds| started.checked_add(seconds)), substeps, elements }
     }
 
     /// Whether time is up, or the call was cancelled.
@@ -42,17 +46,48 @@ impl<'a> Clock<'a> {
             || self.end.is_some_and(|end| Instant::now() >= end)
     }
 
-    /// The meter of one of a substep's `parts`, which begins now and shares what time there is with those after it; `left`: how many substeps are left, with it;
+    /// The most parts of a substep that there is work and time for, when there are so many substeps `left`, with it.
+    fn most_parts(&self, left: f64, beside: Beside) -> u32 {
+        let by_work = self.work() as f64 / (WORK_OF_A_PART * self.elements as f64);
+        let seconds = |end: Instant| end.saturating_duration_since(Instant::now()).as_secs_f64() / left;
+        let by_time = self.end.map(|end| seconds(end) / (SHARE_OF_BESIDE * (beside.begin + beside.end)));
+        by_time.map_or(by_work, |by_time| by_work.min(by_time)).clamp(1.0, f64::from(u32::MAX)) as u32
+    }
+
+    /// The meter of a part of a substep, which begins now and shares what there is with the others after it: time and the substep's `work`.
     /// `end_seconds`: what its end takes.
-    fn meter(&self, parts: f64, left: f64, end_seconds: f64) -> Meter<'a> {
+    fn meter(&self, left: &Left, end_seconds: f64) -> Meter<'a> {
         let deadline = self.end.map(|end| {
             let now = Instant::now();
-            let share = end.saturating_duration_since(now).as_secs_f64() / (left * parts);
+            let share = end.saturating_duration_since(now).as_secs_f64() / (left.parts + left.substeps * left.all_parts);
             now + Duration::from_secs_f64((share - end_seconds).max(0.0))
         });
-        let work = self.limits.work.unwrap_or(self.usual) as f64 / parts;
-        Meter::new(work as u64, deadline, self.limits.cancel)
+        Meter::new((left.work as f64 / left.parts) as u64, deadline, self.limits.cancel)
     }
+
+    /// The work of a substep.
+    fn work(&self) -> u64 {
+        self.limits.work.unwrap_or_else(|| usual_work(self.elements))
+    }
+}
+
+/// What is left when a part of a substep begins.
+struct Left {
+    /// Of the substep's work.
+    work: u64,
+    /// Of its parts, with this one.
+    parts: f64,
+    /// Of how many.
+    all_parts: f64,
+    /// Substeps after it.
+    substeps: f64,
+}
+
+/// Which of a call's substeps one is.
+struct Place {
+    is_last: bool,
+    /// One of the parts of a substep in which a body goes far.
+    is_fast: bool,
 }
 
 /// What substeps have taken, and why they were ended before all strands were at their end.
@@ -129,7 +164,7 @@ impl Solver {
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
-        let meter = clock.meter(1.0, 1.0, 0.0);
+        let meter = clock.meter(&Left { work: clock.work(), parts: 1.0, all_parts: 1.0, substeps: 0.0 }, 0.0);
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             for substep in 0..clock.substeps {
@@ -185,27 +220,30 @@ impl Solver {
         for body in &mut self.bodies {
             body.wrench = Wrench::default();
         }
-        for substep in 0..clock.substeps {
-            let left = clock.substeps - substep;
-            if clock.is_over() {
-                let meter = clock.meter(1.0, f64::from(left), 0.0);
-                // There is nothing more to be done in any of them: all go along with their roots, at once.
-                let rest = h * f64::from(left);
-                self.ready_ways(rest);
-                self.take_substep(rest, &meter, &mut contact, total, true);
-                spent.add(&meter, true);
-                break;
-            }
+        'substeps: for substep in 0..clock.substeps {
+            let substeps = f64::from(clock.substeps - substep);
             self.ready_ways(h);
-            let parts = self.parts_of_substep(h);
+            let parts = self.parts_of_substep(h).min(clock.most_parts(substeps, self.holding.beside()));
             spent.parts = spent.parts.max(parts);
+            let mut work = clock.work();
             for part in 0..parts {
-                let left = f64::from(left) - f64::from(part) / f64::from(parts);
-                let meter = clock.meter(f64::from(parts), left, self.holding.end_seconds());
+                let (to_do, all_parts) = (f64::from(parts - part), f64::from(parts));
+                let left = Left { work, parts: to_do, all_parts, substeps: substeps - 1.0 };
+                let meter = clock.meter(&left, self.holding.beside().end);
+                if clock.is_over() {
+                    // There is nothing more to be done in any of them: all go along with their roots, at once.
+                    let rest = h * (substeps - 1.0 + to_do / all_parts);
+                    self.ready_ways(rest);
+                    self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false });
+                    spent.add(&meter, true);
+                    break 'substeps;
+                }
                 let is_last = substep + 1 == clock.substeps && part + 1 == parts;
-                self.take_substep(h / f64::from(parts), &meter, &mut contact, total, is_last);
+                let place = Place { is_last, is_fast: parts > 1 };
+                self.take_substep(h / all_parts, &meter, &mut contact, total, place);
                 let left = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
                 spent.add(&meter, left);
+                work = work.saturating_sub(meter.units());
             }
         }
         // Where nothing holds strands any more the next step looks for none.
@@ -216,7 +254,8 @@ impl Solver {
     }
 
     /// A substep of `h` seconds, or a part of one.
-    fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, is_last: bool) {
+    fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, place: Place) {
+        let Place { is_last, is_fast } = place;
         let set = self.instruction_set();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
@@ -240,6 +279,7 @@ impl Solver {
             crew: &self.crew,
             meter,
             is_last,
+            is_fast,
             is_part: false,
         };
         Holding::mark(&mut scene, h);

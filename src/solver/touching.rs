@@ -17,6 +17,7 @@ use crate::contact::island::Island;
 use crate::contact::joint::{Give, Joint, JointEnd, JointKind, SAME_SIDE};
 use crate::contact::law::Law;
 use crate::contact::nearest_pair::depth;
+use crate::contact::options::ContactOptions;
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
@@ -57,6 +58,10 @@ pub(super) struct Remembered {
     pub along: f64,
     pub force: Vector3<f64>,
 }
+
+/// What it takes to search an element near bodies, and a pair of pieces of strands, nanoseconds or so.
+const WORK_AN_ELEMENT: u64 = 1000;
+const WORK_A_CANDIDATE: u64 = 1000;
 
 /// Pairs of strands that are looked at together.
 const PART: usize = 32;
@@ -109,29 +114,34 @@ impl Touching {
     }
 
     /// Finds the touches at the present iterate of all strands that have moved since they were searched last: what two others do to each
-    /// other is known. At a substep's start also those that may come to touch, later only what is in each other.
+    /// other is known. At a substep's start also those that may come to touch, later only what is in each other. Where the meter halts it some are
+    /// missing, and these strands have still moved.
     pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand], at_start: bool) {
         self.hair.clear();
         if at_start {
             self.allows = scene.strands.iter().any(|strand| strand.allowance.is_some());
         }
-        let unseen = UNSEEN * scene.options.tolerance;
+        let unseen = unseen(scene.options);
         for held in strands.iter_mut() {
             held.found.clear();
         }
         if !scene.bodies.is_empty() {
             let all = &*scene.strands;
             scene.crew.for_each(strands, |held, _| {
-                if held.has_gone(unseen) {
+                if held.has_gone(unseen) && !scene.meter.is_halted() {
                     held.find_bodies(scene.bodies, NEAR);
+                    scene.meter.spend(held.path().now.elements.len() as u64 * WORK_AN_ELEMENT);
                     if let Some(allowance) = all[held.index as usize].allowance.as_deref() {
                         allowances::give_way_to_bodies(held, allowance, NEAR);
                     }
                 }
             });
         }
-        if scene.options.hair {
+        if scene.options.hair && !scene.meter.is_halted() {
             self.find_hair(scene, strands, at_start);
+        }
+        if scene.meter.is_halted() {
+            return;
         }
         for held in strands.iter_mut().filter(|held| held.has_gone(unseen)) {
             held.held.gone = 0.0;
@@ -140,7 +150,9 @@ impl Touching {
 
     fn find_hair(&mut self, scene: &Scene, strands: &[HeldStrand], at_start: bool) {
         let within = if at_start { NEAR } else { 0.0 };
-        let wisps = || strands.iter().enumerate().filter(|(_, held)| held.touches && held.contact.wisp_radius > 0.0);
+        // (A strand that a body is still to come after would be held back by the others.)
+        let meets_hair = |held: &HeldStrand| held.touches && held.contact.wisp_radius > 0.0 && !held.lags();
+        let wisps = || strands.iter().enumerate().filter(|(_, held)| meets_hair(held));
         let paths: Vec<StrandPath> = wisps().map(|(k, held)| StrandPath { index: k as u32, ..held.path() }).collect();
         let same = self.of.len() == paths.len() && wisps().zip(&self.of).all(|((_, held), of)| held.index == *of);
         let anew = !(self.ready && same);
@@ -154,11 +166,11 @@ impl Touching {
             tied(scene.constraints, |id| of.binary_search(&(scene.slots.index(id)? as u32)).ok(), ties);
             self.ready &= self.pairs.set_ties(&self.ties).is_ok();
         }
-        self.ready &= self.pairs.update_by(&paths, scene.crew).is_ok();
+        self.ready &= self.pairs.update_by(&paths, scene.crew, scene.meter).is_ok();
         if !self.ready {
             return;
         }
-        let moved: Vec<bool> = wisps().map(|(_, held)| held.has_gone(UNSEEN * scene.options.tolerance)).collect();
+        let moved: Vec<bool> = wisps().map(|(_, held)| held.has_gone(unseen(scene.options))).collect();
         // In parts of a fixed size, put together in their order: the same touches whoever finds them.
         let groups: Vec<_> = self.pairs.groups().iter().filter(|pair| moved[pair.a as usize] || moved[pair.b as usize]).collect();
         let parts = groups.len().div_ceil(PART);
@@ -170,8 +182,9 @@ impl Touching {
         scene.crew.for_each_task(&mut self.parts[..parts], 1, 1, |parts, _| {
             for PairPart { from, touches, scratch } in parts {
                 touches.clear();
-                for group in groups[*from..].iter().take(PART) {
+                for group in groups[*from..].iter().take(PART).take_while(|_| !scene.meter.is_halted()) {
                     pairs.touches(group, &paths, within, scratch, touches);
+                    scene.meter.spend(u64::from(group.candidates()) * WORK_A_CANDIDATE);
                 }
                 if allows {
                     allowances::give_way_to_hair(all, strands, within.min(pairs.activation()), touches);
@@ -372,10 +385,11 @@ impl Touching {
         true
     }
 
-    /// Tells the islands how deep what the last search found is.
-    pub fn tell_depths(&self, scene: &Scene, strands: &[HeldStrand], islands: &mut [Island]) {
+    /// Tells the islands how deep what the last search found is, and the strands whether they are in a body, or behind it.
+    pub fn tell_depths(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island]) {
         // What springs hold apart has no depth that it may have.
         let may = if scene.options.model.is_soft() { 0.0 } else { scene.options.tolerance };
+        let mut behind = Vec::new();
         for (held, touch) in self.found(strands) {
             if touch.gap >= -may {
                 continue;
@@ -387,6 +401,12 @@ impl Touching {
                 left.deep = left.deep.max(depth);
                 left.newly = left.newly.max(if joint.deep { 0.0 } else { depth });
             }
+            if !strands[held as usize].lags() && joint.is_behind(-depth) {
+                behind.push(held);
+            }
+        }
+        for held in behind {
+            strands[held as usize].behind = true;
         }
     }
 
@@ -476,6 +496,11 @@ fn apart(one: &Joint, other: &Joint, strands: &[HeldStrand]) -> f64 {
         (Some(a), Some(b)) => first.max(off(a, b)),
         _ => first,
     }
+}
+
+/// Strands that have gone no further since they were searched are not searched again, m.
+pub(super) fn unseen(options: &ContactOptions) -> f64 {
+    UNSEEN * options.tolerance
 }
 
 /// How far to look for what touches these wisps.

@@ -265,12 +265,27 @@ fn what_was_lost_comes_back() {
     assert_eq!(solver.status(ids[0]).unwrap(), StrandStatus::Ok);
 }
 
-/// A thin capsule goes through fifty hanging strands and stops: all are before it, at once or in any number of steps.
+/// How far a strand winds about a rod along y, as seen along it, rad: below zero where it goes past it in front.
+fn winding(line: &[Vector3<f64>], rod: &Vector3<f64>) -> f64 {
+    let turned = |pair: &[Vector3<f64>]| {
+        let [a, b] = [pair[0] - rod, pair[1] - rod];
+        (a.x * b.z - a.z * b.x).atan2(a.x * b.x + a.z * b.z)
+    };
+    line.windows(2).map(turned).sum()
+}
+
+/// A rod of 1 mm goes through fifty hanging strands at any speed and stops dead: a tenth of a second later all are in front of it, whether it came through
+/// them in one step or in many. Where it passes all of them within a step, and stops at a speed that no hair follows, few are behind, those flung over
+/// it among them; some more where strands touch each other as well, for which the step's work does not do.
 #[test]
-fn nothing_comes_out_behind_a_thin_capsule() {
-    for (speed, rate) in [(0.5, 60.0), (2.0, 60.0), (0.5, 240.0), (2.0, 240.0), (10.0, 240.0)] {
+fn nothing_comes_out_behind_a_thin_rod() {
+    let alone = [(0.5, 60.0), (2.0, 60.0), (10.0, 60.0), (50.0, 60.0), (0.5, 240.0), (2.0, 240.0), (10.0, 240.0), (50.0, 240.0)];
+    let together = [(0.5, 60.0), (2.0, 60.0), (10.0, 60.0), (2.0, 240.0), (50.0, 240.0)];
+    let cases = alone.map(|case| (case, false)).into_iter().chain(together.map(|case| (case, true)));
+    for ((speed, rate), hair) in cases {
         let h = 1.0 / rate;
-        let mut solver = Solver::new(SolverOptions::default()).unwrap();
+        let contact = ContactOptions { hair, ..ContactOptions::default() };
+        let mut solver = Solver::new(SolverOptions { contact, ..SolverOptions::default() }).unwrap();
         let down = UnitQuaternion::rotation_between(&Vector3::x(), &-Vector3::z()).unwrap();
         let defs: Vec<StrandDef> = (0..50)
             .map(|k| {
@@ -283,31 +298,60 @@ fn nothing_comes_out_behind_a_thin_capsule() {
             })
             .collect();
         let ids = solver.add_strands(&defs).unwrap();
-        solver.set_contact(&ids, Some(&StrandContact::default())).unwrap();
+        solver.set_contact(&ids, Some(&StrandContact { wisp_radius: 5e-4, ..StrandContact::default() })).unwrap();
         let along = UnitQuaternion::rotation_between(&Vector3::z(), &Vector3::y()).unwrap();
         let at = |x: f64| Frame { origin: Vector3::new(x, 0.0, -0.06), rotation: along };
-        let mut capsule = BodyDef::new(Arc::new(Shape::new_capsule(-0.1 * Vector3::z(), 0.1 * Vector3::z(), 5e-4).unwrap()));
-        capsule.pose = at(-0.04);
-        let capsule = solver.add_bodies(vec![capsule]).unwrap()[0];
+        let mut rod = BodyDef::new(Arc::new(Shape::new_capsule(-0.1 * Vector3::z(), 0.1 * Vector3::z(), 5e-4).unwrap()));
+        rod.pose = at(-0.04);
+        let rod = solver.add_bodies(vec![rod]).unwrap()[0];
         for _ in 0..(rate / 2.0) as u32 {
             solver.step(h, 1).unwrap();
         }
         let (mut x, end) = (-0.04_f64, 0.06);
-        let mut parts = 1;
-        for _ in 0..((end - x) / (speed * h)).ceil() as u32 + (0.4 / h) as u32 {
+        let (mut parts, mut left) = (1, 0);
+        for _ in 0..((end - x) / (speed * h)).ceil() as u32 + (0.1 / h) as u32 {
             x = (x + speed * h).min(end);
-            solver.set_body_frames(&[capsule], &[at(x)], h).unwrap();
-            parts = parts.max(solver.step(h, 1).unwrap().parts);
+            solver.set_body_frames(&[rod], &[at(x)], h).unwrap();
+            let report = solver.step(h, 1).unwrap();
+            (parts, left) = (parts.max(report.parts), left + report.left);
+            assert_eq!(report.quarantined, 0);
         }
         let mut lines = vec![Vec::new(); ids.len()];
         solver.sample_strands(&ids, 401, |strand, _, sample| lines[strand].push(sample.position)).unwrap();
-        let behind = |line: &&Vec<Vector3<f64>>| {
-            let crosses = line.windows(2).find(|pair| (pair[0].z + 0.06) * (pair[1].z + 0.06) <= 0.0);
-            crosses.is_none_or(|pair| pair[0].x < end)
+        let behind = lines.iter().filter(|line| winding(line, &at(end).origin) > 0.0).count();
+        println!("{speed} m/s, 1/{rate} s, hair on hair {hair}: {behind} behind, {parts} parts, {left} left");
+        let may = match (hair, speed * h > 0.02) {
+            (_, false) => usize::from(hair),
+            (false, true) => {
+                if speed * h > 0.1 {
+                    5
+                } else {
+                    0
+                }
+            }
+            (true, true) => 8,
         };
-        let behind = lines.iter().filter(behind).count();
-        println!("{speed} m/s, 1/{rate} s: {behind} behind, {parts} parts");
-        assert_eq!(behind, 0, "{speed} m/s, 1/{rate} s");
+        assert!(behind <= may, "{speed} m/s, 1/{rate} s, hair on hair {hair}: {behind} behind");
         assert!(parts > 1 || speed * h < 0.004);
     }
+}
+
+/// A strand that a step leaves out moves on as its root does, not as fast as it was when it could not be solved: the next one is easy.
+#[test]
+fn a_strand_that_is_left_out_does_not_keep_its_speed() {
+    let mut solver = Solver::new(SolverOptions::default()).unwrap();
+    let mut def = StrandDef::straight(0.1, 5);
+    def.initial_rates = Some(vec![[0.0, 300.0, 0.0]; 5]);
+    let ids = solver.add_strands(&[def]).unwrap();
+    let fast = solver.energies(ids[0]).unwrap().kinetic;
+    solver.set_contact(&ids, Some(&StrandContact::default())).unwrap();
+    solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(0.01).unwrap()))]).unwrap();
+    let to = Frame { origin: Vector3::x() * 0.01, ..Frame::default() };
+    solver.set_root_frames(&ids, &[to], H).unwrap();
+    let report = solver.step_within(H, 1, &StepLimits { work: Some(1), ..StepLimits::default() }).unwrap();
+    assert_eq!((report.stopped, report.left), (Stopped::Work, 1));
+    let mut speeds = Vec::new();
+    solver.sample_strands(&ids, 3, |_, _, sample| speeds.push(sample.velocity)).unwrap();
+    println!("{fast} J before, {speeds:?}");
+    assert!(speeds.iter().all(|velocity| (velocity - Vector3::x() * 0.01 / H).norm() < 1e-9), "{speeds:?}");
 }

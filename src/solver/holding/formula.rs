@@ -25,12 +25,20 @@ impl Holding {
         }
         let mut refreshed: Vec<&mut Island> =
             islands.iter_mut().zip(&asked).filter(|(_, asked)| **asked).map(|(island, _)| island).collect();
-        scene.crew.for_each(&mut refreshed, |island, _| island.refresh(strands, scene.bodies));
+        let meter = scene.meter;
+        scene.crew.for_each(&mut refreshed, |island, _| {
+            if !meter.is_halted() {
+                island.refresh(strands, scene.bodies);
+            }
+        });
         scene.crew.for_each(strands, |held, _| {
-            if asked[held.island as usize] {
+            if asked[held.island as usize] && !meter.is_halted() {
                 held.look_ahead(&islands[held.island as usize]);
             }
         });
+        if meter.is_halted() {
+            return;
+        }
         let mut pressed = Vec::new();
         for (island, _) in islands.iter_mut().zip(&asked).filter(|(_, asked)| **asked) {
             island.about_to_press(strands, &mut pressed);

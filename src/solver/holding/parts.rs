@@ -57,12 +57,7 @@ impl Holding {
     pub(super) fn take_parts(&mut self, scene: &mut Scene, h: f64, levels: u32, parted: &[Parted]) -> Parts {
         let index = |holding: &Self, parted: &Parted| holding.strands[parted.held].index as usize;
         let whole: Vec<Strand> = parted.iter().map(|parted| scene.strands[index(self, parted)].clone()).collect();
-        let mut bodies = if scene.is_part { Vec::new() } else { (scene.copies)() };
-        for body in &mut bodies {
-            body.begin(h);
-            body.finish(h);
-            body.rest();
-        }
+        let bodies = Self::bodies_at_end(scene, h);
         while self.islands[..self.island_count].iter().any(|island| island.takes_parts) {
             for parted in parted.iter().filter(|parted| self.takes_parts(parted.held)) {
                 scene.strands[index(self, parted)].clone_from(&parted.before);
@@ -78,7 +73,7 @@ impl Holding {
             }
             // Of the parts' own ends the first ones are on the way, and none knows of the others.
             parts.told.penetration = 0.0;
-            let (left, mut some_go_back) = (self.depths(scene, &bodies), false);
+            let (left, mut some_go_back) = (self.depths(scene, &bodies, |held| self.takes_parts(held)), false);
             for (k, island) in self.islands[..self.island_count].iter_mut().enumerate().filter(|(_, island)| island.takes_parts) {
                 let most = island.left.deep.max(DEEP * scene.options.tolerance) + scene.options.tolerance;
                 // (Where strands had to stay as the step found them, there is nothing to go back to.)
@@ -158,9 +153,31 @@ impl Holding {
         self.islands[self.strands[held].island as usize].takes_parts
     }
 
-    /// How deep the islands in question are in what there is, m: as everything is now, whatever touches there were. Of a part of a substep
-    /// that cannot be told: other strands are elsewhere then.
-    fn depths(&self, scene: &Scene, bodies: &[Body]) -> Vec<f64> {
+    /// Tells the islands how deep those of their strands are that go along with their roots after all.
+    pub(super) fn tell_carried(&mut self, scene: &Scene, h: f64) {
+        if scene.meter.is_halted() || !self.strands[..self.count].iter().any(|held| held.carried) {
+            return;
+        }
+        let depths = self.depths(scene, &Self::bodies_at_end(scene, h), |held| self.strands[held].carried);
+        for (island, depth) in self.islands[..self.island_count].iter_mut().zip(depths) {
+            island.left.deep = island.left.deep.max(depth);
+        }
+    }
+
+    /// Where bodies rest when a substep of `h` seconds is over. Not in a part of one, where nobody is to ask.
+    fn bodies_at_end(scene: &Scene, h: f64) -> Vec<Body> {
+        let mut bodies = if scene.is_part { Vec::new() } else { (scene.copies)() };
+        for body in &mut bodies {
+            body.begin(h);
+            body.finish(h);
+            body.rest();
+        }
+        bodies
+    }
+
+    /// How deep the islands of the strands in question are in what there is, m: as everything is now, whatever touches there were. Of a part of a
+    /// substep that cannot be told: other strands are elsewhere then.
+    fn depths(&self, scene: &Scene, bodies: &[Body], asked: impl Fn(usize) -> bool + Sync) -> Vec<f64> {
         let mut depths = vec![0.0_f64; self.island_count];
         if scene.is_part {
             return depths;
@@ -168,10 +185,10 @@ impl Holding {
         let held = &self.strands[..self.count];
         let island = |index: usize| {
             let found = held.binary_search_by_key(&(index as u32), |held| held.index);
-            found.ok().filter(|place| self.takes_parts(*place)).map(|place| held[place].island as usize)
+            found.ok().filter(|place| asked(*place)).map(|place| held[place].island as usize)
         };
         let bodies: Vec<BodyAt> = bodies.iter().enumerate().map(|(k, body)| body.still(k as u32)).collect();
-        let Scene { strands: &mut ref strands, slots, constraints: &mut ref constraints, crew, options, .. } = *scene;
+        let Scene { ref strands, slots, ref constraints, crew, options, .. } = *scene;
         let now = AsItIs { strands, slots, constraints, bodies: &bodies, hair: options.hair, crew };
         for deep in now.deep_places(|index| island(index).is_some()) {
             let (place, other) = match deep.partner {

@@ -36,6 +36,10 @@ impl Writer {
                 self.u32(2);
                 self.f64(*seconds);
             }
+            Whereabouts::Behind { seconds } => {
+                self.u32(4);
+                self.f64(*seconds);
+            }
             Whereabouts::Returning { seconds, from } => {
                 self.u32(3);
                 self.f64(*seconds);
@@ -107,6 +111,7 @@ impl Reader<'_> {
                 }
                 Whereabouts::Returning { seconds, from: from.into() }
             }
+            4 => Whereabouts::Behind { seconds: self.finite("how long a strand is behind a body")? },
             other => return Err(bad(format!("a strand is in a state {other}"))),
         };
         let count = self.count(8 * 7)?;
