@@ -80,6 +80,13 @@ impl<'a> Meter<'a> {
         self.spent.fetch_add(work, Ordering::Relaxed);
     }
 
+    /// Does something that is not counted: it only looks at what was done. While no other thread works.
+    pub fn uncounted(&self, look: impl FnOnce()) {
+        let spent = self.spent.load(Ordering::Relaxed);
+        look();
+        self.spent.store(spent, Ordering::Relaxed);
+    }
+
     /// What is left, in the same measure. To be asked while no thread works, so that it is the same for any number of them.
     pub fn left(&self) -> u64 {
         self.most.saturating_sub(self.spent.load(Ordering::Relaxed))
@@ -131,6 +138,9 @@ mod tests {
         assert_eq!((meter.stopped(), meter.units()), (Stopped::No, 1));
         meter.spend(5);
         assert_eq!((meter.stopped(), meter.left(), meter.is_halted()), (Stopped::Work, 0, false));
+        let other = Meter::new(2, None, None);
+        other.uncounted(|| other.spend(5000));
+        assert_eq!((other.units(), other.left()), (0, 2000));
         flag.store(1, Ordering::Relaxed);
         assert_eq!(meter.stopped(), Stopped::Cancelled);
         let late = Meter::new(u64::MAX, Some(Instant::now()), None);

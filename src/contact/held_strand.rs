@@ -95,6 +95,8 @@ pub struct HeldStrand {
     pub ways: Vec<[Frame; 2]>,
     /// Where they come to so, if one of them is still to come after it when the step ends; else none.
     pub came_to: Vec<Frame>,
+    /// Whether it meets bodies only: where bodies are still to come after it other strands would hold it back.
+    pub alone: bool,
     /// How many joints hold it, as far as they were counted last.
     pub touches_there: usize,
     /// Touches with bodies that were found last.
@@ -129,8 +131,9 @@ impl HeldStrand {
         !self.came_to.is_empty()
     }
 
-    /// Has bodies go to where they are after all: how deep it is in them is to be seen.
-    pub fn look_at_bodies(&mut self, bodies: &[BodyAt]) {
+    /// Has bodies go to where they are after all, and meets the others: how deep it is in them is to be seen.
+    pub fn look_around(&mut self, bodies: &[BodyAt]) {
+        self.alone = false;
         for (way, body) in self.ways.iter_mut().zip(bodies) {
             way[1] = body.end;
         }

@@ -188,7 +188,7 @@ impl Holding {
         self.foresee_pressing(scene, h);
         let begin = begins.map(|begins| begins.elapsed().as_secs_f64());
         self.solve(scene, h, account.contact, searches);
-        self.look_at_failures(scene);
+        scene.meter.uncounted(|| self.look_at_failures(scene));
         let ends = scene.meter.has_deadline().then(Instant::now);
         let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
         let parted = if goes_on { self.choose_parts(scene) } else { Vec::new() };
@@ -280,17 +280,17 @@ impl Holding {
             held.held.gone = if all || is_looked_at(held) { f64::INFINITY } else { 0.0 };
         }
         self.touching.find(scene, strands, false);
-        self.touching.tell_depths(scene, strands, islands);
+        self.touching.tell_depths(scene, strands, islands, true);
         if scene.meter.is_halted() || !strands.iter().any(HeldStrand::lags) {
             return;
         }
         // Bodies that are still to come after strands are there all the same.
         for held in strands.iter_mut() {
-            held.look_at_bodies(scene.bodies);
+            held.look_around(scene.bodies);
             held.held.gone = if held.lags() { f64::INFINITY } else { 0.0 };
         }
         self.touching.find(scene, strands, false);
-        self.touching.tell_depths(scene, strands, islands);
+        self.touching.tell_depths(scene, strands, islands, false);
     }
 
     /// The marked strands, each with its place in `strands`.
@@ -327,6 +327,7 @@ impl Holding {
                 } else {
                     strand.carry_along(h, bodies, setting.rules)
                 };
+                held.carried = true;
                 return;
             }
             let at_end = held.resting || island.ending.came_to_end;
@@ -338,7 +339,7 @@ impl Holding {
                 // What a cut iteration, or one that did not find through as a body went far, has left there is worse than where it was: it
                 // stays on its side.
                 held.held.outcome = StrandOutcome { left, ..strand.carry_along(h, bodies, setting.rules) };
-                held.carried = !left;
+                held.carried = true;
                 return;
             }
             let root = strand.state.root;
@@ -374,6 +375,7 @@ impl Holding {
             if held.ways.iter().zip(scene.bodies).any(|([_, end], body)| *end != body.end) {
                 held.came_to.extend(held.ways.iter().map(|[_, end]| *end));
             }
+            held.alone = held.lags();
             (held.first_order, held.begins_again, held.ended, held.resting) = (strand.touched, false, None, false);
             (held.left_deep, held.overlooked, held.behind, held.carried) = (false, false, false, false);
             (held.root_gap, held.looked_ahead, held.advanced) = (f64::INFINITY, false, false);

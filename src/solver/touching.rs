@@ -150,8 +150,7 @@ impl Touching {
 
     fn find_hair(&mut self, scene: &Scene, strands: &[HeldStrand], at_start: bool) {
         let within = if at_start { NEAR } else { 0.0 };
-        // (A strand that a body is still to come after would be held back by the others.)
-        let meets_hair = |held: &HeldStrand| held.touches && held.contact.wisp_radius > 0.0 && !held.lags();
+        let meets_hair = |held: &HeldStrand| held.touches && held.contact.wisp_radius > 0.0 && !held.alone;
         let wisps = || strands.iter().enumerate().filter(|(_, held)| meets_hair(held));
         let paths: Vec<StrandPath> = wisps().map(|(k, held)| StrandPath { index: k as u32, ..held.path() }).collect();
         let same = self.of.len() == paths.len() && wisps().zip(&self.of).all(|((_, held), of)| held.index == *of);
@@ -385,8 +384,9 @@ impl Touching {
         true
     }
 
-    /// Tells the islands how deep what the last search found is, and the strands whether they are in a body, or behind it.
-    pub fn tell_depths(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island]) {
+    /// Tells the islands how deep what the last search found is; where it is the `step`'s doing also that it is new, and the strands whether they are
+    /// in a body, or behind it.
+    pub fn tell_depths(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island], step: bool) {
         // What springs hold apart has no depth that it may have.
         let may = if scene.options.model.is_soft() { 0.0 } else { scene.options.tolerance };
         let mut behind = Vec::new();
@@ -399,9 +399,9 @@ impl Touching {
             for end in joint.ends() {
                 let left = &mut islands[strands[end.held as usize].island as usize].left;
                 left.deep = left.deep.max(depth);
-                left.newly = left.newly.max(if joint.deep { 0.0 } else { depth });
+                left.newly = left.newly.max(if joint.deep || !step { 0.0 } else { depth });
             }
-            if !strands[held as usize].lags() && joint.is_behind(-depth) {
+            if step && !strands[held as usize].lags() && joint.is_behind(-depth) {
                 behind.push(held);
             }
         }

@@ -59,6 +59,22 @@ fn a_groom_goes_through_every_format() {
     assert!(!directory.join("s.obj").exists() && !directory.join("u.tfx").exists());
 }
 
+/// A groom that is written to itself would be lost where the format has no place for all of it.
+#[test]
+fn a_groom_is_not_written_over_itself() {
+    let directory = directory("convert_itself");
+    let groom = directory.join("groom.tfx");
+    std::fs::copy(data("amd_ponytail_back.tfx"), &groom).unwrap();
+    let before = std::fs::read(&groom).unwrap();
+    let other = directory.join(".").join("groom.tfx");
+    for output in [&groom, &other] {
+        let output = superhelix(&["convert".as_ref(), groom.as_os_str(), output.as_os_str()]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(errors(&output).contains("groom.tfx") && errors(&output).contains("another file"), "{}", errors(&output));
+    }
+    assert!(std::fs::read(&groom).unwrap() == before);
+}
+
 #[test]
 fn a_simulation_leaves_a_cache_with_velocities_and_reads_the_unit() {
     let directory = directory("usda_cache");

@@ -84,7 +84,7 @@ fn course(model: ContactModel, workers: Workers, together: bool) -> (Vec<StepRep
 const GOLDEN: [(ContactModel, bool, u64); 3] = [
     (ContactModel::Penalty, false, 0xaf16_9471_3f2e_4d5a),
     (ContactModel::Coulomb, false, 0xb565_bbe9_2334_9836),
-    (ContactModel::Coulomb, true, 0x12b0_5ed7_1626_3404),
+    (ContactModel::Coulomb, true, 0x4872_7700_0865_6f71),
 ];
 
 #[test]

@@ -1,5 +1,7 @@
 //! Values of flags, read for clap.
 
+use std::path::PathBuf;
+
 use nalgebra::Vector3;
 
 /// A finite number.
@@ -24,6 +26,13 @@ pub fn triple(text: &str) -> Result<Vector3<f64>, String> {
 /// A number, zero or above.
 pub fn not_negative(text: &str) -> Result<f64, String> {
     finite(text).ok().filter(|value| *value >= 0.0).ok_or_else(|| "expected a finite number, zero or above".to_string())
+}
+
+/// A path that a picture is written to: what is written is PNG, whatever the name says.
+pub fn png(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let is_png = path.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
+    if is_png { Ok(path) } else { Err("expected a name that ends in .png".to_string()) }
 }
 
 /// One of some names.

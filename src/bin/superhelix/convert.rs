@@ -64,6 +64,12 @@ enum FrameFormat {
 
 /// Runs the command.
 pub fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
+    let same = |path: &Path| path.canonicalize().ok();
+    if let (Some(input), Some(output)) = (same(&arguments.input), same(&arguments.output))
+        && input == output
+    {
+        return Err(Failure::file(&arguments.output, "is what is read: write to another file"));
+    }
     match (arguments.input.is_dir(), arguments.fps) {
         (true, None) => Err(Failure::file(&arguments.input, "is a directory of frames: give --fps")),
         (true, Some(fps)) => frames_to_cache(arguments, fps),

@@ -208,6 +208,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
     if let Some(path) = &arguments.out {
         let recipe = StrandRecipe {
             elements: 0,
+            refine: false,
             hair,
             natural: arguments.natural,
             stiffening: arguments.stiffening.stiffening(),

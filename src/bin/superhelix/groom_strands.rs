@@ -1,5 +1,7 @@
 //! A groom's polylines made into strands: fitted, given a material and a natural shape.
 
+use std::f64::consts::FRAC_PI_2;
+
 use clap::ValueEnum;
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -9,12 +11,18 @@ use superhelix::groom::fit::{Fit, FitOptions, fit_polyline, natural_under_gravit
 use superhelix::groom::hair_parameters::curled_shape;
 use superhelix::groom::stability::stability_under_gravity;
 use superhelix::rod::material::Material;
+use superhelix::rod::turning::largest_turn;
 use superhelix::solver::Stiffening;
 use superhelix::solver::definition::StrandDef;
 
 use crate::failure::Failure;
 use crate::material_arguments::{GroomHair, MaterialArguments};
 use crate::rest_arguments::StiffeningArguments;
+
+/// Most elements of a strand where it is not said how many there are.
+const MOST_ELEMENTS: usize = 100;
+/// How often a strand is fitted again by more: a finer fit follows curls that a coarser one cut short.
+const REFITS: usize = 12;
 
 /// What a strand's natural shape is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -30,6 +38,8 @@ pub enum NaturalShape {
 pub struct StrandRecipe {
     /// Helical elements a strand.
     pub elements: usize,
+    /// Whether a strand with a sharper stretch than these can follow has more.
+    pub refine: bool,
     /// Section, material, and what the sliders do to natural shapes.
     pub hair: GroomHair,
     /// Natural shape.
@@ -96,10 +106,25 @@ pub fn make(
 fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Result<GroomStrand, String> {
     let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     check_length(length, &recipe.hair.material)?;
-    let fit = fit_polyline(points, &FitOptions::elements(recipe.elements)).map_err(|error| error.to_string())?;
+    let fit = fit(points, recipe)?;
     let fit_error = (fit.rms_error, fit.max_error);
     let definition = definition(index, fit, recipe).map_err(|error| error.to_string())?;
     Ok(GroomStrand { index, definition, fit_error })
+}
+
+/// A fit by the recipe's elements, or by as many as keep each within a quarter turn, but no more than four a point of the polyline.
+fn fit(points: &[Vector3<f64>], recipe: &StrandRecipe) -> Result<Fit, String> {
+    let by = |elements: usize| fit_polyline(points, &FitOptions::elements(elements)).map_err(|error| error.to_string());
+    let mut fit = by(recipe.elements)?;
+    let most = (4 * points.len()).min(MOST_ELEMENTS);
+    for _ in 0..REFITS {
+        let (elements, turn) = (fit.element_lengths.len(), largest_turn(&fit.element_lengths, &fit.curvatures));
+        if !recipe.refine || turn <= FRAC_PI_2 || elements >= most {
+            break;
+        }
+        fit = by(((elements as f64 * turn / FRAC_PI_2).ceil() as usize).clamp(elements + 1, most))?;
+    }
+    Ok(fit)
 }
 
 /// Strands whose natural shape is the drawn one hang in another, which is not known yet.

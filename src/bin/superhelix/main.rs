@@ -3,6 +3,7 @@
 mod argument_values;
 mod atomic_file;
 mod bake;
+mod baked_body;
 mod bench;
 mod cache;
 mod convert;

@@ -17,7 +17,7 @@ use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
 use superhelix::study::presets::Preset;
 use superhelix::study::settings::HairShape;
 
-use crate::argument_values::{named, not_negative, positive, triple};
+use crate::argument_values::{named, not_negative, png, positive, triple};
 use crate::failure::Failure;
 use crate::film::Film;
 use crate::groom_statistics::{GroomStatistics, Spread, is_plausible_length};
@@ -30,7 +30,7 @@ use crate::resolution::Shapes;
 use crate::rest_arguments::StiffeningArguments;
 use crate::settings::preset;
 use crate::simulate_body::{BodyArguments, HeadBody};
-use crate::simulate_report::{FitReport, SimulateReport};
+use crate::simulate_report::{FitReport, SimulateReport, Stiffened};
 use crate::{progress, resolution, scene, settled, unit};
 
 /// Simulates a groom on a moving head: fits strands, steps them, writes a cache of frames and a picture.
@@ -73,7 +73,8 @@ pub struct SimulateArguments {
     /// Settings by name: preview, balanced or accurate. Flags given beside it win.
     #[arg(long, value_name = "NAME", value_parser = preset)]
     preset: Option<Preset>,
-    /// Helical elements a strand. Default: 10, or the preset's for the curl of nine tenths of the strands.
+    /// Helical elements a strand. Default: 10, or the preset's for the curl of nine tenths of the strands; more for each strand whose sharpest stretch
+    /// needs them.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     elements: Option<u32>,
     /// Natural shape of the strands.
@@ -143,7 +144,7 @@ pub struct SimulateArguments {
     #[arg(long, requires = "out")]
     pub overwrite: bool,
     /// A contact sheet of the motion.
-    #[arg(long, value_name = "FILE.png")]
+    #[arg(long, value_name = "FILE.png", value_parser = png)]
     pub picture: Option<PathBuf>,
     /// The axis that the face looks along, for the contact sheet. Default: +z where y is up, -y where z is up.
     #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
@@ -182,18 +183,23 @@ fn precision(text: &str) -> Result<Precision, String> {
     named(text, &scene::PRECISIONS)
 }
 
+/// Most frames of a run: nine hours of film at 30 a second.
+const MOST_FRAMES: f64 = 1e6;
+
 /// Runs the command.
 pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let begun = Instant::now();
     groom_strands::check_stiffening(arguments.natural, &arguments.stiffening, &arguments.material)?;
     let (motion, duration) = read_motion(arguments)?;
+    let frame_count = count_frames(duration, arguments.fps)?;
     let curves = Curves::read(&arguments.groom)?;
     arguments.up.check_groom(&arguments.groom, &curves)?;
     let scale = choose_scale(arguments, &curves)?;
     let fineness = Fineness::choose(arguments, &curves)?;
-    let body = arguments.bodies.read(scale)?;
+    let body = arguments.bodies.read(scale, arguments.quiet)?;
     let recipe = StrandRecipe {
         elements: fineness.elements as usize,
+        refine: arguments.elements.is_none(),
         hair: arguments.material.groom()?,
         natural: arguments.natural,
         stiffening: arguments.stiffening.stiffening(),
@@ -241,7 +247,6 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let ids = solver.add_strands(&definitions)?;
     let body_id = arguments.bodies.begin(&mut solver, &ids, arguments.material.contact()?, body.as_ref())?;
 
-    let frame_count = (duration * arguments.fps + 1e-9).floor() as usize + 1;
     let mut film = Film::create(arguments, scale, ids.len(), frame_count, fineness.elements)?;
     let preparing_seconds = begun.elapsed().as_secs_f64();
     let mut report = Report::default();
@@ -274,6 +279,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let (cache_frames, picture) = film.finish(arguments, &strands, scale)?;
 
     report.contact = report.contact.filter(|_| arguments.bodies.touches());
+    let stiffened = Stiffened::of(strands.iter().map(|strand| &strand.definition.material), &recipe.hair.material);
     let turns = coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
     let answer = SimulateReport {
         version: 1,
@@ -283,6 +289,8 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         strands_in_file: curves.strand_count(),
         strands: strands.len(),
         elements: fineness.elements,
+        most_elements: strands.iter().map(|strand| strand.definition.element_lengths.len()).max().unwrap_or(0),
+        stiffened: arguments.stiffening.stiffening().map(|_| stiffened),
         skipped,
         fit: FitReport {
             rms_metres: Spread::of(strands.iter().map(|strand| strand.fit_error.0).collect()),
@@ -308,6 +316,17 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         picture: picture.map(|path| path.display().to_string()),
     };
     crate::print_answer(arguments.json, &answer, || answer.in_words())
+}
+
+/// Frames of a run, the one at the start included.
+fn count_frames(duration: f64, fps: f64) -> Result<usize, Failure> {
+    let frames = (duration * fps + 1e-9).floor() + 1.0;
+    if frames > MOST_FRAMES {
+        return Err(Failure::Other(format!(
+            "{duration} s at {fps} frames a second are {frames:.0} frames; expected {MOST_FRAMES} at most"
+        )));
+    }
+    Ok(frames as usize)
 }
 
 /// The motion in the groom's axes, and how long to simulate.

@@ -1,9 +1,9 @@
 //! `superhelix simulate`: what the hair touches.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde::Serialize;
 use superhelix::contact::body::BodyDef;
@@ -15,6 +15,7 @@ use superhelix::solver::Solver;
 use superhelix::solver::id::{BodyId, StrandId};
 
 use crate::argument_values::{not_negative, positive};
+use crate::baked_body::{self, Baked};
 use crate::failure::Failure;
 use crate::head::Head;
 use crate::scene::contact::MODELS;
@@ -27,7 +28,14 @@ pub struct BodyArguments {
     /// then it keeps hair in front of its faces.
     #[arg(long, value_name = "MESH.obj")]
     body: Option<PathBuf>,
-    /// How far behind the faces of an open mesh hair is still pushed to the front, m. Default: 0.02.
+    /// What the mesh becomes: a grid of distances, which costs the same however fine it is and is kept beside it for the next time, or the mesh
+    /// itself. Default: a grid where the mesh has an inside (open at the neck is no matter).
+    #[arg(long, value_enum, value_name = "WHAT", requires = "body")]
+    body_as: Option<BodyAs>,
+    /// Distance of the grid's nodes, m: what is finer is rounded off. Default: a hundredth of the body's longest side, 1 to 5 mm.
+    #[arg(long, value_name = "METRES", requires = "body", value_parser = positive)]
+    body_cell: Option<f64>,
+    /// How far behind the faces of an open mesh hair is still pushed to the front, m: of a mesh that is not made a grid. Default: 0.02.
     #[arg(long, value_name = "METRES", requires = "body", value_parser = positive)]
     body_depth: Option<f64>,
     /// How touches are answered: penalty, regularised or coulomb (docs/scene_format.md). Default: coulomb.
@@ -44,6 +52,15 @@ pub struct BodyArguments {
     allow_overlaps: bool,
 }
 
+/// What a mesh becomes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum BodyAs {
+    /// A grid of signed distances.
+    Grid,
+    /// The mesh itself.
+    Mesh,
+}
+
 fn model(text: &str) -> Result<ContactModel, String> {
     let names: Vec<&str> = MODELS.iter().map(|(name, _)| *name).collect();
     let found = MODELS.iter().find(|(name, _)| *name == text);
@@ -57,14 +74,22 @@ pub struct BodyReport {
     pub mesh: String,
     /// Its triangles.
     pub triangles: usize,
-    /// Which sides of it keep hair off: "solid" or "front".
+    /// What keeps hair off: "grid", a "solid" mesh, or the "front" of one.
     pub sides: &'static str,
+    /// Distance of the grid's nodes, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cell: Option<f64>,
+    /// Where the grid is kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grid: Option<String>,
 }
 
 /// A mesh on the head.
 #[derive(Debug)]
 pub struct HeadBody {
     shape: Arc<Shape>,
+    vertices: Vec<Vector3<f64>>,
+    triangles: Vec<[u32; 3]>,
     /// What the report says of it.
     pub report: BodyReport,
 }
@@ -81,26 +106,49 @@ impl BodyArguments {
         ContactOptions { model: self.contact.unwrap_or(defaults.model), hair: self.hair_contact.is_some(), ..defaults }
     }
 
-    /// Reads the mesh, in metres a unit of `scale`.
-    pub fn read(&self, scale: f64) -> Result<Option<HeadBody>, Failure> {
+    /// Reads the mesh, in metres a unit of `scale`, and makes it what it is to be.
+    pub fn read(&self, scale: f64, quiet: bool) -> Result<Option<HeadBody>, Failure> {
         let Some(path) = &self.body else { return Ok(None) };
+        if self.body_as == Some(BodyAs::Grid) && self.body_depth.is_some() {
+            return Err(Failure::Other("--body-depth is of a mesh that is not made a grid: give --body-as mesh".into()));
+        }
         let file = obj_mesh::read(path)?;
         let vertices: Vec<Vector3<f64>> = file.vertices.iter().map(|vertex| vertex * scale).collect();
-        let depth = self.body_depth.unwrap_or(0.02);
-        // A mesh that holds a volume is solid, unless a depth says that only its front is meant.
-        let solid = match self.body_depth {
-            None => Shape::new_mesh(vertices.clone(), file.triangles.clone(), Sides::Solid).ok(),
-            Some(_) => None,
-        };
-        let (shape, sides) = match solid {
-            Some(shape) => (shape, "solid"),
-            None => {
-                let shape = Shape::new_mesh(vertices, file.triangles.clone(), Sides::Front { depth });
-                (shape.map_err(|error| Failure::file(path, error))?, "front")
+        let triangles = file.triangles;
+        let mut report =
+            BodyReport { mesh: path.display().to_string(), triangles: triangles.len(), sides: "grid", cell: None, grid: None };
+        let as_grid = self.body_as != Some(BodyAs::Mesh) && self.body_depth.is_none();
+        let baked = as_grid.then(|| baked_body::bake(path, &vertices, &triangles, self.body_cell, quiet)).transpose();
+        let shape = match baked {
+            Ok(Some(Baked { grid, kept })) => {
+                (report.cell, report.grid) = (Some(grid.cell()), kept.map(|path| path.display().to_string()));
+                Shape::new_grid(grid)
+            }
+            Err(error) if self.body_as == Some(BodyAs::Grid) || self.body_cell.is_some() => return Err(error),
+            without => {
+                if let Err(error) = without
+                    && !quiet
+                {
+                    eprintln!("warning: the body stays a mesh, which costs more: {error}");
+                }
+                let shape;
+                (shape, report.sides) = self.mesh(path, &vertices, &triangles)?;
+                shape
             }
         };
-        let report = BodyReport { mesh: path.display().to_string(), triangles: file.triangles.len(), sides };
-        Ok(Some(HeadBody { shape: Arc::new(shape), report }))
+        Ok(Some(HeadBody { shape: Arc::new(shape), vertices, triangles, report }))
+    }
+
+    /// A mesh that holds a volume is solid, unless a depth says that only its front is meant.
+    fn mesh(&self, path: &Path, vertices: &[Vector3<f64>], triangles: &[[u32; 3]]) -> Result<(Shape, &'static str), Failure> {
+        let new = |sides| Shape::new_mesh(vertices.to_vec(), triangles.to_vec(), sides);
+        if self.body_depth.is_none()
+            && let Ok(solid) = new(Sides::Solid)
+        {
+            return Ok((solid, "solid"));
+        }
+        let front = new(Sides::Front { depth: self.body_depth.unwrap_or(0.02) });
+        Ok((front.map_err(|error| Failure::file(path, error))?, "front"))
     }
 
     /// Gives strands their contact, `own` but for what these arguments say, and adds the body.
@@ -137,8 +185,7 @@ impl HeadBody {
     /// Its surface `elapsed` seconds after the start, world, m.
     pub fn surface(&self, head: &Head, elapsed: f64) -> Surface {
         let pose = Self::pose(head, elapsed);
-        let mesh = self.shape.mesh().map(|mesh| (mesh.vertices(), mesh.triangles()));
-        let (vertices, triangles) = mesh.unwrap_or_default();
-        Surface { vertices: vertices.iter().map(|at| pose.origin + pose.rotation * at).collect(), triangles: triangles.to_vec() }
+        let (vertices, triangles) = (&self.vertices, &self.triangles);
+        Surface { vertices: vertices.iter().map(|at| pose.origin + pose.rotation * at).collect(), triangles: triangles.clone() }
     }
 }

@@ -1,6 +1,7 @@
 //! What `superhelix simulate` tells afterwards.
 
 use serde::Serialize;
+use superhelix::rod::material::Material;
 
 use crate::groom_statistics::Spread;
 use crate::groom_strands::Skipped;
@@ -19,6 +20,25 @@ pub struct FitReport {
     pub strands_with_coarse_elements: usize,
 }
 
+/// How many strands were made stiffer, and how much: bending stiffness over what it was.
+#[derive(Debug, Serialize)]
+pub struct Stiffened {
+    /// Strands.
+    pub strands: usize,
+    /// By how much, of these.
+    pub factor: Option<Spread>,
+}
+
+impl Stiffened {
+    /// By their materials and what these were.
+    pub fn of<'a>(materials: impl Iterator<Item = &'a Material>, before: &Material) -> Self {
+        let bending = |material: &Material| material.youngs_modulus * (material.radius[0] * material.radius[1]).powi(2);
+        let factors: Vec<f64> =
+            materials.map(|material| bending(material) / bending(before)).filter(|factor| *factor > 1.0 + 1e-9).collect();
+        Self { strands: factors.len(), factor: Spread::of(factors) }
+    }
+}
+
 /// The whole report.
 #[derive(Debug, Serialize)]
 pub struct SimulateReport {
@@ -34,8 +54,13 @@ pub struct SimulateReport {
     pub strands_in_file: usize,
     /// Strands simulated.
     pub strands: usize,
-    /// Helical elements a strand.
+    /// Helical elements a strand, at least.
     pub elements: u32,
+    /// Of the strand that has most.
+    pub most_elements: usize,
+    /// What `--stiffen` did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffened: Option<Stiffened>,
     /// Strands that could not be simulated.
     pub skipped: Vec<Skipped>,
     /// The fit.
@@ -72,9 +97,38 @@ impl SimulateReport {
     /// For people.
     pub fn in_words(&self) -> String {
         let mut text = format!(
-            "{}: {} of {} strands, {} elements each, {} m a unit\n",
-            self.groom, self.strands, self.strands_in_file, self.elements, self.metres_per_unit
+            "{}: {} of {} strands, {} elements, {} m a unit\n",
+            self.groom,
+            self.strands,
+            self.strands_in_file,
+            if self.most_elements > self.elements as usize {
+                format!("{} to {}", self.elements, self.most_elements)
+            } else {
+                format!("{}", self.elements)
+            },
+            self.metres_per_unit
         );
+        if let Some(stiffened) = &self.stiffened {
+            text += &match stiffened.factor {
+                Some(factor) => format!(
+                    "made stiffer to rest as drawn: {} of {} strands, {:.1} times (median), {:.0} times at most\n",
+                    stiffened.strands, self.strands, factor.median, factor.max
+                ),
+                None => "made stiffer to rest as drawn: none\n".to_string(),
+            };
+        }
+        if let Some(body) = &self.body {
+            text += &match (body.cell, &body.grid) {
+                (Some(cell), kept) => format!(
+                    "{}: {} triangles, as a grid of distances {:.1} mm apart{}\n",
+                    body.mesh,
+                    body.triangles,
+                    cell * 1e3,
+                    kept.as_ref().map_or_else(String::new, |kept| format!(" ({kept})"))
+                ),
+                (None, _) => format!("{}: {} triangles, as a mesh ({})\n", body.mesh, body.triangles, body.sides),
+            };
+        }
         if let (Some(rms), Some(max)) = (self.fit.rms_metres, self.fit.max_metres) {
             text += &format!(
                 "fit: rms {:.2} mm (median strand), {:.2} mm (99 %), farthest point {:.2} mm\n",

@@ -34,7 +34,7 @@ pub struct PictureArguments {
     #[arg(value_name = "CACHE", required = true)]
     inputs: Vec<PathBuf>,
     /// Where the picture goes.
-    #[arg(long, value_name = "SHEET.png")]
+    #[arg(long, value_name = "SHEET.png", value_parser = crate::argument_values::png)]
     out: PathBuf,
     /// The scene whose result is drawn (it must have asked for points): with its colliders, in metres.
     #[arg(long, value_name = "SCENE.json", conflicts_with_all = ["fps", "scale"])]

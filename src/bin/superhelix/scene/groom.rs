@@ -42,6 +42,7 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
         .map_err(in_words_of_the_scene)?;
     let recipe = StrandRecipe {
         elements,
+        refine: false,
         hair: GroomHair { material, curliness: 0.0, variation: Variation::none() },
         natural,
         stiffening: None,
