@@ -4,14 +4,14 @@
 //! not part of it is to meet in those to come, so that the side that the strand is on is never forgotten. For it the body comes after by no more
 //! in a substep than such a strand can follow, until it is where it is for all others.
 
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 
 use super::fast_bodies::Passing;
 use super::strand::{self, Strand};
 use crate::contact::body::BodyAt;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
-use crate::math::rotation::rotation_vector;
+use crate::math::rotation::{from_rotation_vector, rotation_vector};
 use crate::step::StrandOutcome;
 
 /// A strand that is rolled back for so many seconds on end is brought back: from the shape that it had to its natural one, in so many.
@@ -214,10 +214,7 @@ impl Strand {
 /// The pose at a share of the way from one to another.
 fn between(from: &Frame, to: &Frame, share: f64) -> Frame {
     let turn = rotation_vector(&(to.rotation * from.rotation.inverse())) * share;
-    Frame {
-        origin: from.origin + (to.origin - from.origin) * share,
-        rotation: UnitQuaternion::from_scaled_axis(turn) * from.rotation,
-    }
+    Frame { origin: from.origin + (to.origin - from.origin) * share, rotation: from_rotation_vector(turn) * from.rotation }
 }
 
 /// Takes frames along as a root goes from place to place.
