@@ -814,6 +814,18 @@ typedef struct shx_material {
   double air_drag;
 } shx_material;
 
+// The hairs that a guide of a groom stands for, which lie and move together. Fill with shx_wisp_init.
+typedef struct shx_wisp {
+  // Set by shx_wisp_init.
+  uint32_t struct_size;
+  // 0.
+  uint32_t reserved0;
+  // Hairs; 1 to 1e6. Default 200.
+  double hairs;
+  // How firmly they hold to each other and to their style: 0 (bare hair, free to slide) to 1 (lacquered). Default 0.6.
+  double hold;
+} shx_wisp;
+
 // How strands are dragged and brushed. Fill with shx_pose_options_init, then change what you need.
 typedef struct shx_pose_options {
   // Set by shx_pose_options_init.
@@ -1974,6 +1986,22 @@ SHX_API shx_result shx_solver_set_materials(shx_solver *solver, const shx_strand
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID. May run beside other reading calls.
 SHX_API shx_result shx_solver_get_material(const shx_solver *solver, shx_strand_id id, shx_material *out_material);
 
+// ---- Wisps ---------------------------------------------------------------------------------------------------------
+
+// Fills a wisp with the defaults. size is sizeof(shx_wisp).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+SHX_API shx_result shx_wisp_init(shx_wisp *wisp, size_t size);
+
+// The material of the rod that moves as a wisp of such hairs does, into out_material, which shx_material_init has filled. Its section is that of
+// all hairs without air between them; for its weight it is hairs^hold times as stiff as one hair; friction within it goes with stiffness (and 0.1 hold seconds of viscosity on top), air
+// drag with the number of hairs (a bundle of n fibres bends with n EI where they slide and n^2 EI where they are bonded: Bathe et al. 2008,
+// Heussinger et al. 2007). Beside it, each a place for one value or null:
+// out_radius: within which the hairs lie, m: for shx_strand_contact's wisp_radius.
+// out_margin: for shx_solver_stiffen_strands, so that the wisp rests as drawn: 0.9 hold. 0 where hold is 0: bare hair rests where it can.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+SHX_API shx_result shx_wisp_material(const shx_wisp *wisp, const shx_material *hair, shx_material *out_material,
+    double *out_radius, double *out_margin);
+
 // ---- How strands are posed -----------------------------------------------------------------------------------------
 
 // Fills options with the defaults. size is sizeof(shx_pose_options).
@@ -2240,6 +2268,18 @@ SHX_API shx_result shx_solver_set_allowance(shx_solver *solver, shx_strand_id id
 // reading calls.
 SHX_API shx_result shx_solver_get_allowance(const shx_solver *solver, shx_strand_id id, double *out_along,
     double *out_wisp_shares, double *out_sunk, size_t capacity, size_t *out_station_count);
+
+// Brings curves that are drawn inside a body out of it, where it is now, by the least that does: before strands are fitted to them. points: world,
+// m, three doubles a point, changed in place; curve after curve, counts[i] points of curve i, count curves. Every point comes to at least clearance
+// (m, 0 or above) from the surface; roots stay, and after one that is inside the curve may be as deep as a way out at one in two needs; edges keep
+// their lengths. A curve that is clear is not touched, nor is one that would have to be moved by more than twice its depth and 5 mm. Each output
+// holds count values or is null:
+// out_depths: m, how deep in the body the deepest point was that was too near; 0: none was in it.
+// out_moved: m, how far a point was moved at most.
+// out_stuck: 1 where no way out was found, and the curve is as it was; else 0.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Then no point has moved. Alone with the solver.
+SHX_API shx_result shx_solver_bring_out_curves(shx_solver *solver, shx_body_id body, double clearance,
+    const uint32_t *counts, size_t count, double *points, double *out_depths, double *out_moved, uint32_t *out_stuck);
 
 // ---- Constraints ---------------------------------------------------------------------------------------------------
 

@@ -47,7 +47,7 @@ unsafe impl Versioned for shx_material {
 }
 
 impl shx_material {
-    fn of(material: &Material) -> Self {
+    pub(super) fn of(material: &Material) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved0: 0,
@@ -61,7 +61,7 @@ impl shx_material {
         }
     }
 
-    fn material(&self, argument: &str) -> Result<Material> {
+    pub(super) fn material(&self, argument: &str) -> Result<Material> {
         if self.reserved0 != 0 {
             return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
         }

@@ -59,4 +59,5 @@ mod thread;
 pub mod types;
 pub mod version;
 mod versioned;
+pub mod wisp;
 mod wrenches;

@@ -4,10 +4,13 @@ use super::buffers::{Place, Places, array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 use super::types::{shx_body_id, shx_strand_id};
+use nalgebra::Vector3;
+
 use crate::contact::allowance::Allowance;
 use crate::error::Error;
+use crate::groom::outside::BroughtOut;
 use crate::solver::Overlap;
-use crate::solver::id::StrandId;
+use crate::solver::id::{BodyId, StrandId};
 
 /// How deep count strands are in others (where the contact options' hair is set) and in bodies as they are now, less what they are allowed.
 /// Strands without contact overlap nothing; what is exempt or filtered out does not count. Moves nothing. Each output holds count values
@@ -129,6 +132,52 @@ pub unsafe extern "C" fn shx_solver_get_allowance(
             }
             count.write(allowance.along.len());
             Ok(())
+        })
+    }
+}
+
+/// Brings curves that are drawn inside a body out of it, where it is now, by the least that does: before strands are fitted to them. points: world,
+/// m, three doubles a point, changed in place; curve after curve, counts[i] points of curve i, count curves. Every point comes to at least clearance
+/// (m, 0 or above) from the surface; roots stay, and after one that is inside the curve may be as deep as a way out at one in two needs; edges keep
+/// their lengths. A curve that is clear is not touched, nor is one that would have to be moved by more than twice its depth and 5 mm. Each output
+/// holds count values or is null:
+/// out_depths: m, how deep in the body the deepest point was that was too near; 0: none was in it.
+/// out_moved: m, how far a point was moved at most.
+/// out_stuck: 1 where no way out was found, and the curve is as it was; else 0.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Then no point has moved. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_bring_out_curves(
+    solver: *mut shx_solver,
+    body: shx_body_id,
+    clearance: f64,
+    counts: *const u32,
+    count: usize,
+    points: *mut f64,
+    out_depths: *mut f64,
+    out_moved: *mut f64,
+    out_stuck: *mut u32,
+) -> shx_result {
+    // SAFETY: the caller's handle, count counts, three doubles a point, and places for count values.
+    unsafe {
+        write("shx_solver_bring_out_curves", solver, |core, _| {
+            let counts: Vec<usize> = array("counts", "count", counts, count)?.iter().map(|count| *count as usize).collect();
+            let numbers = counts.iter().try_fold(0usize, |sum, count| sum.checked_add(*count)).and_then(|sum| sum.checked_mul(3));
+            let numbers = numbers.ok_or_else(|| Error::invalid("counts", "more than can be", "counts of points in memory"))?;
+            let mut moved: Vec<Vector3<f64>> = array("points", "counts", points.cast_const(), numbers)?
+                .chunks_exact(3)
+                .map(Vector3::from_column_slice)
+                .collect();
+            let depths = Places::optional("out_depths", "count", out_depths, count)?;
+            let farthest = Places::optional("out_moved", "count", out_moved, count)?;
+            let stuck = Places::optional("out_stuck", "count", out_stuck, count)?;
+            let brought = core.bring_out(BodyId::from_bits(body.bits), clearance, &counts, &mut moved)?;
+            Places::new("points", "counts", points, numbers)?.write(&moved.iter().flatten().copied().collect::<Vec<_>>())?;
+            let list = |of: fn(&BroughtOut) -> f64| brought.iter().map(of).collect::<Vec<f64>>();
+            depths.map_or(Ok(()), |places| places.write(&list(|brought| brought.deepest)))?;
+            farthest.map_or(Ok(()), |places| places.write(&list(|brought| brought.moved)))?;
+            stuck.map_or(Ok(()), |places| {
+                places.write(&brought.iter().map(|brought| u32::from(brought.stuck)).collect::<Vec<_>>())
+            })
         })
     }
 }

@@ -82,6 +82,15 @@ enum PrimKind {
     Mesh,
 }
 
+/// What a prim is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Purpose {
+    /// To be seen: `default`, `render`.
+    Seen,
+    /// To work with: `guide`, `proxy`.
+    Aid,
+}
+
 /// A prim: its name, the prim that it is in, its curves, its mesh and its placement if it has any. Small prims are many, so what most have not is
 /// made when the first of it is read.
 #[derive(Debug)]
@@ -91,6 +100,12 @@ pub(super) struct Prim {
     /// Whether it and all above it are defined, active and not abstract.
     alive: bool,
     kind: PrimKind,
+    /// Whether it says that it, and what is in it, is not to be seen.
+    invisible: bool,
+    /// What it is for, if it says so; else what the prim that it is in is for.
+    purpose: Option<Purpose>,
+    /// Whether it says that a skeleton moves it, and what is in it.
+    skinned: bool,
     pub curves: Option<Box<CurvesPrim>>,
     pub mesh: Option<Box<MeshPrim>>,
     pub placement: Option<Box<Placement>>,
@@ -112,14 +127,22 @@ pub(super) struct Layer {
 impl Layer {
     /// The prims that are in use and have curves.
     pub fn curves(&self) -> impl Iterator<Item = (usize, &CurvesPrim)> {
-        let alive = self.prims.iter().enumerate().filter(|(_, prim)| prim.alive);
-        alive.filter_map(|(index, prim)| prim.curves.as_deref().map(|curves| (index, curves)))
+        self.in_use(|prim| prim.curves.as_deref())
     }
 
     /// The prims that are in use and have meshes.
     pub fn meshes(&self) -> impl Iterator<Item = (usize, &MeshPrim)> {
-        let alive = self.prims.iter().enumerate().filter(|(_, prim)| prim.alive);
-        alive.filter_map(|(index, prim)| prim.mesh.as_deref().map(|mesh| (index, mesh)))
+        self.in_use(|prim| prim.mesh.as_deref())
+    }
+
+    /// Prims that are alive and visible and have something: those to be seen, or, where there are none, guides and proxies.
+    fn in_use<'a, T: 'a>(&'a self, of: impl Fn(&'a Prim) -> Option<&'a T> + 'a) -> impl Iterator<Item = (usize, &'a T)> {
+        let visible = move |index: &usize| self.prims[*index].alive && !self.ancestry(*index).any(|prim| prim.invisible);
+        let found: Vec<(usize, &T)> =
+            (0..self.prims.len()).filter(visible).filter_map(|index| Some((index, of(&self.prims[index])?))).collect();
+        let is_aid = |index: usize| self.ancestry(index).find_map(|prim| prim.purpose) == Some(Purpose::Aid);
+        let only_aids = found.iter().all(|(index, _)| is_aid(*index));
+        found.into_iter().filter(move |(index, _)| only_aids || !is_aid(*index))
     }
 
     /// Where a prim is in the world at a time, as the placements of it and of those it is in say.
@@ -223,9 +246,14 @@ impl Layer {
         }
     }
 
+    /// Whether a skeleton moves what is in a prim.
+    fn is_skinned(&self, prim: Option<u32>) -> bool {
+        prim.is_some_and(|prim| self.ancestry(prim as usize).any(|prim| prim.skinned))
+    }
+
     /// `[Type] "name" [( metadata )] {`.
     fn begin_prim(&mut self, scan: &mut Scan<'_>, defined: bool, parent: Option<u32>) -> Result<u32> {
-        let kind = if scan.peek() == Some(b'"') { "" } else { scan.word()? };
+        let kind_name = if scan.peek() == Some(b'"') { "" } else { scan.word()? };
         let name = scan.string()?;
         let mut active = true;
         if scan.accept(b'(') {
@@ -239,12 +267,21 @@ impl Layer {
         }
         scan.expect(b'{', format_args!("to begin {name:?}"))?;
         let above = parent.is_none_or(|parent| self.prims[parent as usize].alive);
-        let kind = match (kind, self.wanted) {
+        let kind = match (kind_name, self.wanted) {
             ("BasisCurves", Wanted::Curves) => PrimKind::Basis,
             ("NurbsCurves", Wanted::Curves) => PrimKind::Nurbs,
             ("Mesh", Wanted::Meshes) => PrimKind::Mesh,
             _ => PrimKind::None,
         };
+        let alive = above && defined && active;
+        if alive && kind_name == "PointInstancer" {
+            return Err(scan.error(format_args!(
+                "{name:?} is a PointInstancer, whose instances are not read; make them prims of their own first"
+            )));
+        }
+        if alive && kind != PrimKind::None && self.is_skinned(parent) {
+            return Err(skeleton(scan));
+        }
         let index = u32::try_from(self.prims.len()).map_err(|_| scan.error("more than 4294967295 prims"))?;
         if self.prims.len() == self.prims.capacity() {
             let bytes = 2 * self.prims.len() * size_of::<Prim>();
@@ -253,14 +290,22 @@ impl Layer {
         self.prims.push(Prim {
             name: name.into(),
             parent,
-            alive: above && defined && active,
+            alive,
             kind,
+            invisible: false,
+            purpose: None,
+            skinned: false,
             curves: None,
             mesh: None,
             placement: None,
         });
         Ok(index)
     }
+}
+
+/// The error that a skeleton moves what is wanted.
+fn skeleton(scan: &Scan<'_>) -> Error {
+    scan.error("a skeleton moves these points, which is not read; bake them first (one time sample a frame, no skel: properties)")
 }
 
 /// The error that a layer asks for more than itself.
@@ -319,7 +364,23 @@ fn property(scan: &mut Scan<'_>, prim: &mut Prim) -> Result<()> {
         None => (full, false),
     };
     if scan.accept(b'=') {
-        let taken = if name.starts_with("xformOp") {
+        let taken = if name == "visibility" {
+            if over_time {
+                return Err(scan.error("visibility over time is not read; leave out what is not always to be seen"));
+            }
+            prim.invisible = !scan.accept_none() && scan.string()? == "invisible";
+            true
+        } else if name == "purpose" && !over_time {
+            let is_aid = !scan.accept_none() && matches!(scan.string()?, "guide" | "proxy");
+            prim.purpose = Some(if is_aid { Purpose::Aid } else { Purpose::Seen });
+            true
+        } else if name == "primvars:skel:jointIndices" {
+            if prim.alive && prim.kind != PrimKind::None {
+                return Err(skeleton(scan));
+            }
+            prim.skinned = true;
+            false
+        } else if name.starts_with("xformOp") {
             prim.placement.get_or_insert_default().take(scan, name, over_time)?;
             true
         } else if prim.kind == PrimKind::Mesh {

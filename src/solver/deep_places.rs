@@ -27,6 +27,9 @@ pub(super) struct DeepPlace {
     room: f64,
 }
 
+/// Places an element at which it is asked how deep it is in a body.
+const PLACES: u32 = 16;
+
 /// A scene as it is now.
 pub(super) struct AsItIs<'a> {
     pub strands: &'a [Strand],
@@ -100,6 +103,32 @@ impl AsItIs<'_> {
             self.deep_in_hair(&curves, &asked, &mut deep);
         }
         deep
+    }
+
+    /// How deep elements of strands that are asked for are in bodies, surface in surface, m: at places evenly along each, of those that are.
+    pub fn depths_in_bodies(&self, asked: impl Fn(usize) -> bool + Sync) -> Vec<(Place, f64)> {
+        let mut found: Vec<(usize, Vec<(Place, f64)>)> = (0..self.strands.len()).map(|index| (index, Vec::new())).collect();
+        self.crew.for_each(&mut found, |(index, found), _| {
+            let Strand { model, state, contact, .. } = &self.strands[*index];
+            let Some(contact) = contact.as_deref().filter(|_| asked(*index)) else { return };
+            let mut elements = Vec::new();
+            element_states(rotation_matrix(&state.root), model.lengths.iter().copied(), &state.curvatures, &mut elements);
+            let curve = StrandCurve { origin: state.root.origin, elements: &elements };
+            for body in self.bodies.iter().filter(|body| body.meets(contact.groups, contact.mask)) {
+                let (to_body, thickness) = (body.end.rotation.inverse(), contact.radius + body.thickness);
+                for (element, length) in model.lengths.iter().enumerate() {
+                    for k in 0..=PLACES {
+                        let s = length * f64::from(k) / f64::from(PLACES);
+                        let at = to_body * (curve.position(element, s) - body.end.origin);
+                        if let Some(surface) = body.shape.closest(at, thickness) {
+                            let place = Place { strand: *index as u32, element: element as u32, s };
+                            found.push((place, thickness - surface.distance));
+                        }
+                    }
+                }
+            }
+        });
+        found.into_iter().flat_map(|(_, found)| found).collect()
     }
 
     fn deep_in_hair(&self, curves: &[(usize, Curve)], asked: impl Fn(usize) -> bool, deep: &mut Vec<DeepPlace>) {

@@ -350,6 +350,8 @@ impl Holding {
             let most_elastic = strand.energies.elastic + held.mass * speed * speed;
             strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.step.rule));
             let outcome = held.held.outcome;
+            // (Its end may be no shape at all: then it is rolled back, and not behind.)
+            let behind = behind && !outcome.quarantined;
             let astray = strand.astray.take_if(|_| behind);
             strand.ended(outcome, setting, h, bodies, &mut scratch.step);
             if behind {

@@ -2,6 +2,7 @@
 
 mod astray;
 pub mod bodies;
+mod bringing_out;
 mod bulk_sampling;
 pub mod constraints;
 mod deep_places;

@@ -113,6 +113,14 @@ impl Solver {
                 }
             }
         }
+        // A touch is where the distance is least; what lies in a body on both sides of it, or all along, is to press nothing either.
+        for (place, depth) in scene.depths_in_bodies(|index| named[index]) {
+            let (index, element) = (place.strand as usize, place.element as usize);
+            let allowance = made[index].get_or_insert_with(|| stations(index));
+            for sunk in &mut allowance.sunk[element..element + 2] {
+                *sunk = sunk.max(depth);
+            }
+        }
         for (index, allowance) in made.into_iter().enumerate() {
             if let Some(allowance) = allowance {
                 self.strands[index].allowance = Some(Box::new(allowance));
@@ -148,7 +156,7 @@ impl Solver {
     }
 
     /// Leaves what drew the bodies on their last ways behind.
-    fn rest_bodies(&mut self) {
+    pub(super) fn rest_bodies(&mut self) {
         for body in &mut self.bodies {
             body.body.rest();
         }

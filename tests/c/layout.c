@@ -454,6 +454,12 @@ AT(shx_material, poisson_ratio, 40);
 AT(shx_material, internal_friction, 48);
 AT(shx_material, viscosity, 56);
 AT(shx_material, air_drag, 64);
+
+SIZE(shx_wisp, 24);
+AT(shx_wisp, struct_size, 0);
+AT(shx_wisp, reserved0, 4);
+AT(shx_wisp, hairs, 8);
+AT(shx_wisp, hold, 16);
 SIZE(shx_render_settings, 192);
 AT(shx_render_settings, struct_size, 0);
 AT(shx_render_settings, points_per_strand, 4);

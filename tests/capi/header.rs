@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The sources in the order of the header.
-const SOURCES: [&str; 40] = [
+const SOURCES: [&str; 41] = [
     "version",
     "errors",
     "types",
@@ -22,6 +22,7 @@ const SOURCES: [&str; 40] = [
     "settle",
     "restyling",
     "materials",
+    "wisp",
     "pose_def",
     "posing",
     "sampling",
@@ -48,7 +49,7 @@ const SOURCES: [&str; 40] = [
 ];
 
 /// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 50] = [
+const SECTIONS: [(&str, &str); 51] = [
     ("#define SHX_VERSION_MAJOR ", "Version"),
     ("#define SHX_OK ", "Results"),
     ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
@@ -79,6 +80,7 @@ const SECTIONS: [(&str, &str); 50] = [
     ("SHX_API shx_result shx_settle_def_init(", "Static rest"),
     ("SHX_API shx_result shx_solver_take_natural_shapes(", "Shapes taken as they are"),
     ("SHX_API shx_result shx_material_init(", "Materials"),
+    ("SHX_API shx_result shx_wisp_init(", "Wisps"),
     ("SHX_API shx_result shx_pose_options_init(", "How strands are posed"),
     ("SHX_API shx_result shx_solver_drag_strands(", "Posing"),
     ("SHX_API shx_result shx_sample_def_init(", "Sampling"),

@@ -91,6 +91,7 @@ fn a_simulation_leaves_a_cache_with_velocities_and_reads_the_unit() {
         "4",
         "--natural",
         "as-drawn",
+        "--bare",
         "--out",
         &path("cache"),
         "--format",

@@ -17,3 +17,4 @@ mod scene_render_hair;
 mod settings;
 mod simulate;
 mod support;
+mod wisps;

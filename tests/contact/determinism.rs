@@ -84,7 +84,7 @@ fn course(model: ContactModel, workers: Workers, together: bool) -> (Vec<StepRep
 const GOLDEN: [(ContactModel, bool, u64); 3] = [
     (ContactModel::Penalty, false, 0xaf16_9471_3f2e_4d5a),
     (ContactModel::Coulomb, false, 0xb565_bbe9_2334_9836),
-    (ContactModel::Coulomb, true, 0x4872_7700_0865_6f71),
+    (ContactModel::Coulomb, true, 0x7dbd_fed0_42fa_a131),
 ];
 
 #[test]
@@ -151,6 +151,9 @@ fn contact_uses_no_function_of_the_platform() {
             let path = entry.unwrap().path();
             if path.is_dir() {
                 folders.push(path);
+                continue;
+            }
+            if path.file_name().is_some_and(|name| name == "tests.rs") {
                 continue;
             }
             let text = std::fs::read_to_string(&path).unwrap();

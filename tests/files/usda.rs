@@ -393,3 +393,49 @@ fn deep_nesting_and_many_prims_are_no_danger() {
     let many = format!("#usda 1.0\n{}", "def \"\"{}".repeat(200_000));
     assert!(usda::read_from_bytes("many", many.as_bytes()).is_err());
 }
+
+/// A strand of two points that begins at x, of a prim with these properties.
+fn strand(name: &str, properties: &str, x: u32) -> String {
+    format!(
+        "def BasisCurves \"{name}\" {{ {properties} uniform token type = \"linear\" int[] curveVertexCounts = [2] point3f[] points = [({x},0,0),({x},0,1)] }}\n"
+    )
+}
+
+fn first_numbers(text: &str) -> Vec<f32> {
+    let curves = usda::read_from_bytes("p.usda", format!("#usda 1.0\n{text}").as_bytes()).unwrap();
+    curves.strands().map(|strand| strand[0][0]).collect()
+}
+
+#[test]
+fn what_is_not_to_be_seen_is_left_out() {
+    let hidden = "token visibility = \"invisible\"";
+    let seen = strand("a", "token visibility = \"inherited\"", 1);
+    assert_eq!(first_numbers(&(seen.clone() + &strand("b", hidden, 2))), [1.0]);
+    // What is in a hidden prim is hidden, whatever it says, and though that is said after it.
+    let group = format!("def Xform \"g\" {{ {} {hidden} }}\n", strand("c", "token visibility = \"inherited\"", 3));
+    assert_eq!(first_numbers(&(group + &seen)), [1.0]);
+    // Guides beside hair are left; where all are guides they are the groom.
+    let guides = format!("def Scope \"g\" {{ token purpose = \"guide\" {} {} }}\n", strand("d", "", 4), strand("e", "", 5));
+    assert_eq!(first_numbers(&(guides.clone() + &seen)), [1.0]);
+    assert_eq!(first_numbers(&guides), [4.0, 5.0]);
+    let render = format!("def Scope \"g\" {{ token purpose = \"proxy\" {} }}\n", strand("f", "token purpose = \"render\"", 6));
+    assert_eq!(first_numbers(&(render + &guides)), [6.0]);
+}
+
+#[test]
+fn what_would_be_read_in_part_is_refused() {
+    let refused = |text: &str| match usda::read_from_bytes("p.usda", format!("#usda 1.0\n{text}").as_bytes()) {
+        Err(Error::File { reason, .. }) => reason,
+        other => panic!("{text}: {other:?}"),
+    };
+    let instancer = format!("def PointInstancer \"many\" {{ def Scope \"prototypes\" {{ {} }} }}", strand("a", "", 1));
+    assert!(refused(&instancer).contains("PointInstancer"), "{}", refused(&instancer));
+    let off = instancer.replace("\"many\"", "\"many\" (active = false)");
+    assert_eq!(first_numbers(&(off + &strand("b", "", 2))), [2.0]);
+    let joints = "int[] primvars:skel:jointIndices = [0, 0]";
+    assert!(refused(&strand("a", joints, 1)).contains("skeleton"));
+    let above = format!("def Scope \"s\" {{ {joints} {} }}", strand("a", "", 1));
+    assert!(refused(&above).contains("skeleton"));
+    let over_time = "token visibility.timeSamples = { 0: \"inherited\", 1: \"invisible\" }";
+    assert!(refused(&strand("a", over_time, 1)).contains("visibility"));
+}

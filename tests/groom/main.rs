@@ -11,3 +11,4 @@ mod posing_living;
 mod render_hair;
 mod rest_shapes;
 mod scalp;
+mod wisp;

@@ -214,6 +214,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
             stiffening: arguments.stiffening.stiffening(),
             gravity: arguments.up.gravity(),
             quadrature_tolerance: superhelix::math::quadrature::DEFAULT_TOLERANCE,
+            outside: None,
         };
         let mut strands = Vec::new();
         for (index, fit) in last {

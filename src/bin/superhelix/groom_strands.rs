@@ -1,15 +1,18 @@
 //! A groom's polylines made into strands: fitted, given a material and a natural shape.
 
+use std::borrow::Cow;
 use std::f64::consts::FRAC_PI_2;
 
 use clap::ValueEnum;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use serde::Serialize;
+use superhelix::contact::shape::Shape;
 use superhelix::error::Error;
 use superhelix::groom::fit::{Fit, FitOptions, fit_polyline, natural_under_gravity_with};
 use superhelix::groom::hair_parameters::curled_shape;
-use superhelix::groom::stability::stability_under_gravity;
+use superhelix::groom::outside::{BroughtOut, bring_out};
+use superhelix::groom::stability::{Stability, stability_under_gravity};
 use superhelix::rod::material::Material;
 use superhelix::rod::turning::largest_turn;
 use superhelix::solver::Stiffening;
@@ -35,7 +38,7 @@ pub enum NaturalShape {
 
 /// How strands are made.
 #[derive(Debug, Clone, Copy)]
-pub struct StrandRecipe {
+pub struct StrandRecipe<'a> {
     /// Helical elements a strand.
     pub elements: usize,
     /// Whether a strand with a sharper stretch than these can follow has more.
@@ -50,6 +53,8 @@ pub struct StrandRecipe {
     pub gravity: Vector3<f64>,
     /// That of the solver, so that the balance is exact there.
     pub quadrature_tolerance: f64,
+    /// What strands drawn inside of it are brought out of, and how far from its surface, m.
+    pub outside: Option<(&'a Shape, f64)>,
 }
 
 /// A strand of the groom that is not simulated.
@@ -70,12 +75,16 @@ pub struct GroomStrand {
     pub definition: StrandDef,
     /// Distance between polyline and centreline at equal arclength, m: root mean square and largest.
     pub fit_error: (f64, f64),
+    /// How firmly it rests as drawn by its own stiffness, where it is to.
+    pub stability: Option<Stability>,
+    /// What was brought out of the body.
+    pub brought_out: BroughtOut,
 }
 
 /// Makes strands from polylines (index in the file, points in metres, root first). `done` is called after each, from any thread.
 pub fn make(
     polylines: &[(usize, Vec<Vector3<f64>>)],
-    recipe: &StrandRecipe,
+    recipe: &StrandRecipe<'_>,
     threads: usize,
     done: impl Fn() + Sync,
 ) -> Result<(Vec<GroomStrand>, Vec<Skipped>), Failure> {
@@ -103,17 +112,22 @@ pub fn make(
     Ok((strands, skipped))
 }
 
-fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe) -> Result<GroomStrand, String> {
+fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe<'_>) -> Result<GroomStrand, String> {
     let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     check_length(length, &recipe.hair.material)?;
-    let fit = fit(points, recipe)?;
+    let mut outside = Cow::Borrowed(points);
+    let mut brought_out = BroughtOut::default();
+    if let Some((body, clearance)) = recipe.outside {
+        brought_out = bring_out(outside.to_mut(), body, clearance).map_err(|error| error.to_string())?;
+    }
+    let fit = fit(&outside, recipe)?;
     let fit_error = (fit.rms_error, fit.max_error);
-    let definition = definition(index, fit, recipe).map_err(|error| error.to_string())?;
-    Ok(GroomStrand { index, definition, fit_error })
+    let (definition, stability) = definition(index, fit, recipe).map_err(|error| error.to_string())?;
+    Ok(GroomStrand { index, definition, fit_error, stability, brought_out })
 }
 
 /// A fit by the recipe's elements, or by as many as keep each within a quarter turn, but no more than four a point of the polyline.
-fn fit(points: &[Vector3<f64>], recipe: &StrandRecipe) -> Result<Fit, String> {
+fn fit(points: &[Vector3<f64>], recipe: &StrandRecipe<'_>) -> Result<Fit, String> {
     let by = |elements: usize| fit_polyline(points, &FitOptions::elements(elements)).map_err(|error| error.to_string());
     let mut fit = by(recipe.elements)?;
     let most = (4 * points.len()).min(MOST_ELEMENTS);
@@ -157,13 +171,14 @@ pub fn check_length(length: f64, material: &Material) -> Result<(), String> {
 }
 
 /// A fitted strand, number `index` of its file, made into one that can be simulated; else why not.
-pub fn of_fit(index: usize, fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, String> {
+pub fn of_fit(index: usize, fit: Fit, recipe: &StrandRecipe<'_>) -> Result<StrandDef, String> {
     check_length(fit.element_lengths.iter().sum(), &recipe.hair.material)?;
-    definition(index, fit, recipe).map_err(|error| error.to_string())
+    definition(index, fit, recipe).map(|(definition, _)| definition).map_err(|error| error.to_string())
 }
 
-/// A fitted strand with a material and a natural shape. It begins as it was drawn.
-fn definition(index: usize, fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef, Error> {
+/// A fitted strand with a material and a natural shape, and how firmly that would have rested without stiffening. It begins as it was drawn.
+fn definition(index: usize, fit: Fit, recipe: &StrandRecipe<'_>) -> Result<(StrandDef, Option<Stability>), Error> {
+    let mut stability = None;
     let mut definition = StrandDef {
         element_lengths: fit.element_lengths,
         material: recipe.hair.material,
@@ -172,9 +187,10 @@ fn definition(index: usize, fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef
         ..StrandDef::straight(1.0, 1)
     };
     if recipe.natural == NaturalShape::SagFree {
+        let found = stability_under_gravity(&definition, &fit.curvatures, recipe.gravity)?;
+        stability = Some(found);
         if let Some((by, margin)) = recipe.stiffening {
-            let stability = stability_under_gravity(&definition, &fit.curvatures, recipe.gravity)?;
-            definition.material = by.applied(&definition.material, by.scale(&stability, margin)?);
+            definition.material = by.applied(&definition.material, by.scale(&found, margin)?);
         }
         definition.natural =
             natural_under_gravity_with(&definition, &fit.curvatures, recipe.gravity, recipe.quadrature_tolerance)?;
@@ -186,6 +202,7 @@ fn definition(index: usize, fit: Fit, recipe: &StrandRecipe) -> Result<StrandDef
         let GroomHair { curliness, variation, .. } = &recipe.hair;
         let curled = curled_shape(&definition.element_lengths, &definition.natural, *curliness)?;
         definition.natural = variation.of_shape(index as u64, &definition.element_lengths, &curled)?;
+        stability = None;
     }
-    Ok(definition)
+    Ok((definition, stability))
 }

@@ -1,5 +1,6 @@
 //! `superhelix lock`: a lock of hair of a kind, as a scene.
 
+use std::f64::consts::FRAC_PI_2;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -7,6 +8,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::groom::hair_parameters::{CurlFormula, HairParameters};
 use superhelix::groom::variation::Variation;
 use superhelix::math::frame::Frame;
+use superhelix::rod::turning::largest_turn;
 use superhelix::solver::definition::StrandDef;
 
 use crate::argument_values::{not_negative, positive, triple};
@@ -15,6 +17,10 @@ use crate::fit_scene;
 use crate::groom_strands::check_length;
 use crate::material_arguments::{MaterialArguments, in_words_of_flags};
 use crate::picture::view::Up;
+
+/// Elements a strand where it is not said how many there are, unless a stretch of it turns them by more than a quarter turn; and the most then.
+const USUAL_ELEMENTS: u32 = 40;
+const MOST_ELEMENTS: usize = 1000;
 
 /// Makes a lock of hair of a kind as a scene: strands side by side with the natural curl that was measured, and what varies between and along
 /// them.
@@ -26,9 +32,9 @@ pub struct LockArguments {
     /// Their length, m.
     #[arg(long, value_name = "METRES", default_value_t = 0.2, value_parser = positive)]
     length: f64,
-    /// Helical elements a strand.
-    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    elements: u32,
+    /// Helical elements a strand. Default: 40, more for each strand whose sharpest stretch needs them.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    elements: Option<u32>,
     /// Distance of neighbouring roots, m.
     #[arg(long, value_name = "METRES", default_value_t = 1e-3, value_parser = not_negative)]
     spacing: f64,
@@ -80,11 +86,13 @@ pub fn run(arguments: &LockArguments) -> Result<(), Failure> {
     fit_scene::write(&arguments.out, &strands, arguments.up.gravity())?;
     let [a1, a2] = hair.material.radius.map(|radius| radius * 1e6);
     let [twist, first, second] = hair.natural;
+    let counts = strands.iter().map(|strand| strand.element_lengths.len());
+    let (least, most) = (counts.clone().min().unwrap_or(0), counts.max().unwrap_or(0));
+    let more = if most > least { format!(" to {most}") } else { String::new() };
     crate::print_line(&format!(
-        "{}: {} strands of {} elements, {} m; semi-axes {a1:.1} and {a2:.1} um, natural twist {twist:.1}, curvatures {first:.1} and {second:.1} rad/m",
+        "{}: {} strands of {least}{more} elements, {} m; semi-axes {a1:.1} and {a2:.1} um, natural twist {twist:.1}, curvatures {first:.1} and {second:.1} rad/m",
         arguments.out.display(),
         strands.len(),
-        arguments.elements,
         arguments.length
     ))
 }
@@ -95,9 +103,16 @@ fn strand(
     frame: &UnitQuaternion<f64>,
     index: u32,
 ) -> Result<StrandDef, Failure> {
-    let count = arguments.elements as usize;
-    let lengths = vec![arguments.length / count as f64; count];
-    let varied = hair.strand(u64::from(index), &lengths).map_err(in_words_of_flags)?;
+    let mut count = arguments.elements.unwrap_or(USUAL_ELEMENTS) as usize;
+    let (lengths, varied) = loop {
+        let lengths = vec![arguments.length / count as f64; count];
+        let varied = hair.strand(u64::from(index), &lengths).map_err(in_words_of_flags)?;
+        let turn = largest_turn(&lengths, &varied.natural);
+        if arguments.elements.is_some() || turn <= FRAC_PI_2 || count >= MOST_ELEMENTS {
+            break (lengths, varied);
+        }
+        count = ((count as f64 * turn / FRAC_PI_2).ceil() as usize).clamp(count + 1, MOST_ELEMENTS);
+    };
     // Roots on a spiral, by the golden angle: evenly, and as many as one likes.
     let (radius, angle) = (arguments.spacing * f64::from(index).sqrt() * 0.6, 2.399_963_229_728_653 * f64::from(index));
     let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), varied.root_turn);

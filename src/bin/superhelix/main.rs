@@ -46,10 +46,12 @@ mod settled;
 mod simulate;
 mod simulate_body;
 mod simulate_report;
+mod style;
 mod suggested;
 mod surface;
 mod timeline;
 mod unit;
+mod wisp_arguments;
 
 use std::io::Write;
 use std::process::ExitCode;

@@ -92,7 +92,7 @@ fn hair_type(text: &str) -> Result<HairType, String> {
 pub fn in_words_of_flags(error: Error) -> Failure {
     match error {
         Error::InvalidArgument { argument, value, expected } => {
-            let field = ["hair.", "material.", "sliders."].iter().find_map(|head| argument.strip_prefix(head));
+            let field = ["hair.", "material.", "sliders.", "wisp."].iter().find_map(|head| argument.strip_prefix(head));
             let flag = field.map(|field| match field {
                 "mean_radius" => "--radius".to_owned(),
                 other => format!("--{}", other.replace('_', "-")),

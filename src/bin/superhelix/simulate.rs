@@ -10,9 +10,9 @@ use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::math::frame::Frame;
 use superhelix::math::lane::Precision;
 use superhelix::rod::turning::coarse_strands;
-use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, Workers};
 use superhelix::solver::report::StrandStatus;
+use superhelix::solver::{Solver, Stiffening};
 use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
 use superhelix::study::presets::Preset;
 use superhelix::study::settings::HairShape;
@@ -23,14 +23,16 @@ use crate::film::Film;
 use crate::groom_statistics::{GroomStatistics, Spread, is_plausible_length};
 use crate::groom_strands::{self, GroomStrand, NaturalShape, StrandRecipe};
 use crate::head::Head;
-use crate::material_arguments::MaterialArguments;
+use crate::material_arguments::{GroomHair, MaterialArguments};
 use crate::picture::view::{Face, Up};
 use crate::report::Report;
 use crate::resolution::Shapes;
 use crate::rest_arguments::StiffeningArguments;
 use crate::settings::preset;
 use crate::simulate_body::{BodyArguments, HeadBody};
-use crate::simulate_report::{FitReport, SimulateReport, Stiffened};
+use crate::simulate_report::{DrawnInside, FitReport, Resting, SimulateReport};
+use crate::style::Style;
+use crate::wisp_arguments::WispArguments;
 use crate::{progress, resolution, scene, settled, unit};
 
 /// Simulates a groom on a moving head: fits strands, steps them, writes a cache of frames and a picture.
@@ -82,6 +84,8 @@ pub struct SimulateArguments {
     natural: NaturalShape,
     #[command(flatten)]
     stiffening: StiffeningArguments,
+    #[command(flatten)]
+    wisps: WispArguments,
     /// Start the strands at rest in their static equilibrium under gravity, searched for from the groom's shape.
     #[arg(long)]
     settle: bool,
@@ -197,14 +201,20 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let scale = choose_scale(arguments, &curves)?;
     let fineness = Fineness::choose(arguments, &curves)?;
     let body = arguments.bodies.read(scale, arguments.quiet)?;
+    let hair = arguments.material.groom()?;
+    let hair = GroomHair { material: arguments.wisps.material(&hair.material)?, ..hair };
+    let contact = arguments.bodies.contact(arguments.material.contact()?, &hair.material);
+    let rests = arguments.natural == NaturalShape::SagFree && !hair.reshapes();
+    let held = arguments.wisps.wisp().margin().filter(|_| rests).map(|margin| (Stiffening::YoungsModulus, margin));
     let recipe = StrandRecipe {
         elements: fineness.elements as usize,
         refine: arguments.elements.is_none(),
-        hair: arguments.material.groom()?,
+        hair,
         natural: arguments.natural,
-        stiffening: arguments.stiffening.stiffening(),
+        stiffening: arguments.stiffening.stiffening().or(held),
         gravity: arguments.up.gravity(),
         quadrature_tolerance: fineness.step.quadrature_tolerance,
+        outside: body.as_ref().filter(|_| arguments.bodies.brings_out()).map(|body| (body.shape(), contact.radius)),
     };
     let mut solver = Solver::new(SolverOptions {
         gravity: recipe.gravity,
@@ -245,7 +255,8 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         settled.warn(&arguments.groom.display().to_string(), definitions.len());
     }
     let ids = solver.add_strands(&definitions)?;
-    let body_id = arguments.bodies.begin(&mut solver, &ids, arguments.material.contact()?, body.as_ref())?;
+    let body_id = arguments.bodies.begin(&mut solver, &ids, contact, body.as_ref())?;
+    let mut style = Style::new(body.as_ref().map(HeadBody::shape), arguments.fps);
 
     let mut film = Film::create(arguments, scale, ids.len(), frame_count, fineness.elements)?;
     let preparing_seconds = begun.elapsed().as_secs_f64();
@@ -254,6 +265,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let bar = progress::bar(frame_count as u64, "frames", arguments.quiet);
     let mut roots = Vec::with_capacity(at_start.len());
     film.take(&solver, &ids, 0, || body.as_ref().map(|body| body.surface(&head, 0.0)))?;
+    style.look(&solver, &ids, &HeadBody::pose(&head, 0.0))?;
     bar.inc(1);
     let step = 1.0 / (arguments.fps * f64::from(fineness.substeps));
     for frame in 1..frame_count {
@@ -272,14 +284,16 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
             }
             report.add(&outcome);
         }
-        film.take(&solver, &ids, frame, || body.as_ref().map(|body| body.surface(&head, frame as f64 / arguments.fps)))?;
+        let elapsed = frame as f64 / arguments.fps;
+        film.take(&solver, &ids, frame, || body.as_ref().map(|body| body.surface(&head, elapsed)))?;
+        style.look(&solver, &ids, &HeadBody::pose(&head, elapsed))?;
         bar.inc(1);
     }
     bar.finish_and_clear();
     let (cache_frames, picture) = film.finish(arguments, &strands, scale)?;
 
     report.contact = report.contact.filter(|_| arguments.bodies.touches());
-    let stiffened = Stiffened::of(strands.iter().map(|strand| &strand.definition.material), &recipe.hair.material);
+    let style = style.report();
     let turns = coarse_strands(strands.iter().map(|strand| &strand.definition), Shapes::Initial).len();
     let answer = SimulateReport {
         version: 1,
@@ -290,7 +304,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         strands: strands.len(),
         elements: fineness.elements,
         most_elements: strands.iter().map(|strand| strand.definition.element_lengths.len()).max().unwrap_or(0),
-        stiffened: arguments.stiffening.stiffening().map(|_| stiffened),
+        wisps: arguments.wisps.report(),
+        resting: Resting::of(&strands, &recipe.hair.material),
+        drawn_inside: DrawnInside::of(&strands),
         skipped,
         fit: FitReport {
             rms_metres: Spread::of(strands.iter().map(|strand| strand.fit_error.0).collect()),
@@ -302,6 +318,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         frames: frame_count,
         time_step: step,
         simulated_seconds: (frame_count - 1) as f64 / arguments.fps,
+        style,
         report,
         quarantined_strands: quarantined
             .iter()
@@ -354,13 +371,24 @@ fn read_motion(arguments: &SimulateArguments) -> Result<(Option<Motion>, f64), F
     Ok((Some(motion), arguments.duration.unwrap_or(left)))
 }
 
+/// Median lengths of hair that are taken where a unit is stated, m.
+const POSSIBLE_LENGTHS: std::ops::RangeInclusive<f64> = 1e-3..=3.0;
+
 /// Metres a file unit. Not given, it is 1, unless strands of that size could not be hair.
 fn choose_scale(arguments: &SimulateArguments, curves: &Curves) -> Result<f64, Failure> {
-    if let Some(scale) = unit::stated(arguments.scale, curves) {
+    let statistics = GroomStatistics::of(curves);
+    let stated = unit::stated(arguments.scale, curves);
+    let Some(length) = statistics.length else { return Ok(stated.unwrap_or(1.0)) };
+    if let Some(scale) = stated {
+        let median = length.median * scale;
+        if median > 0.0 && !POSSIBLE_LENGTHS.contains(&median) {
+            let who = if arguments.scale.is_some() { "--scale" } else { "the file's unit" };
+            let reason =
+                format!("with {scale} m a unit ({who}) the median strand is {median} m long; expected hair of 1 mm to 3 m");
+            return Err(Failure::file(&arguments.groom, reason));
+        }
         return Ok(scale);
     }
-    let statistics = GroomStatistics::of(curves);
-    let Some(length) = statistics.length else { return Ok(1.0) };
     if is_plausible_length(length.median) {
         return Ok(1.0);
     }

@@ -11,6 +11,7 @@ use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
 use superhelix::contact::shape::{Shape, Sides};
 use superhelix::files::obj_mesh;
 use superhelix::math::frame::Frame;
+use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
 use superhelix::solver::id::{BodyId, StrandId};
 
@@ -47,9 +48,24 @@ pub struct BodyArguments {
     /// So much of each strand, from its root, touches nothing, m.
     #[arg(long, value_name = "METRES", default_value_t = 0.0, value_parser = not_negative)]
     exempt: f64,
-    /// What the groom overlaps as it is drawn, strands in strands and in the body, is allowed: only what comes on top of it is kept apart.
-    #[arg(long)]
+    /// What becomes of strands that are drawn inside the body. What is left of that, and strands drawn into each other, may stay as they begin,
+    /// unless they are parted: only what comes on top of it is kept apart.
+    #[arg(long, value_enum, value_name = "WHAT", default_value_t = DrawnInside::BroughtOut)]
+    drawn_inside: DrawnInside,
+    /// The same as --drawn-inside kept.
+    #[arg(long, conflicts_with = "drawn_inside")]
     allow_overlaps: bool,
+}
+
+/// What becomes of strands that are drawn inside the body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum DrawnInside {
+    /// They are drawn anew outside of it, by the least that does.
+    BroughtOut,
+    /// They stay as drawn.
+    Kept,
+    /// Contact pushes them out, and strands apart, as soon as the run begins.
+    Parted,
 }
 
 /// What a mesh becomes.
@@ -98,6 +114,17 @@ impl BodyArguments {
     /// Whether anything touches the hair.
     pub fn touches(&self) -> bool {
         self.body.is_some() || self.hair_contact.is_some()
+    }
+
+    /// Whether what is drawn inside is brought out before it is made a strand.
+    pub fn brings_out(&self) -> bool {
+        self.drawn_inside == DrawnInside::BroughtOut && !self.allow_overlaps
+    }
+
+    /// What strands of this material are to contact: `hair` is what one of their hairs is.
+    pub fn contact(&self, hair: StrandContact, material: &Material) -> StrandContact {
+        let [a1, a2] = material.radius;
+        StrandContact { radius: a1.max(a2), wisp_radius: self.hair_contact.unwrap_or(0.0), exempt_length: self.exempt, ..hair }
     }
 
     /// How contact is answered.
@@ -151,23 +178,21 @@ impl BodyArguments {
         Ok((front.map_err(|error| Failure::file(path, error))?, "front"))
     }
 
-    /// Gives strands their contact, `own` but for what these arguments say, and adds the body.
+    /// Gives strands their contact and adds the body.
     pub fn begin(
         &self,
         solver: &mut Solver,
         strands: &[StrandId],
-        own: StrandContact,
+        contact: StrandContact,
         body: Option<&HeadBody>,
     ) -> Result<Option<BodyId>, Failure> {
         if !self.touches() {
             return Ok(None);
         }
-        let wisp_radius = self.hair_contact.unwrap_or(0.0);
-        let contact = StrandContact { wisp_radius, exempt_length: self.exempt, ..own };
         solver.set_contact(strands, Some(&contact))?;
         let bodies = body.map(|body| BodyDef::new(Arc::clone(&body.shape)));
         let added = solver.add_bodies(bodies.into_iter().collect())?;
-        if self.allow_overlaps {
+        if self.allow_overlaps || self.drawn_inside != DrawnInside::Parted {
             solver.allow_overlaps(strands)?;
         }
         Ok(added.first().copied())
@@ -175,6 +200,11 @@ impl BodyArguments {
 }
 
 impl HeadBody {
+    /// What keeps hair out, in the axes that it has at the start.
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
     /// Where it is, `elapsed` seconds after the start: its axes are the world's at the start.
     pub fn pose(head: &Head, elapsed: f64) -> Frame {
         let mut frames = Vec::with_capacity(1);

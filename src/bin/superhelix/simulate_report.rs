@@ -4,10 +4,12 @@ use serde::Serialize;
 use superhelix::rod::material::Material;
 
 use crate::groom_statistics::Spread;
-use crate::groom_strands::Skipped;
+use crate::groom_strands::{GroomStrand, Skipped};
 use crate::report::Report;
 use crate::settled::Settled;
 use crate::simulate_body::BodyReport;
+use crate::style::StyleReport;
+use crate::wisp_arguments::WispReport;
 
 /// How well strands follow the groom's polylines.
 #[derive(Debug, Serialize)]
@@ -20,22 +22,78 @@ pub struct FitReport {
     pub strands_with_coarse_elements: usize,
 }
 
-/// How many strands were made stiffer, and how much: bending stiffness over what it was.
+/// How strands rest in the shapes that they were drawn in.
 #[derive(Debug, Serialize)]
-pub struct Stiffened {
-    /// Strands.
-    pub strands: usize,
+pub struct Resting {
+    /// Strands that their own stiffness lets rest as drawn.
+    pub by_themselves: usize,
+    /// Strands that were made stiffer to rest so more firmly.
+    pub stiffened: usize,
     /// By how much, of these.
     pub factor: Option<Spread>,
+    /// Strands that do not rest as drawn, and sag at a touch.
+    pub limp: usize,
 }
 
-impl Stiffened {
-    /// By their materials and what these were.
-    pub fn of<'a>(materials: impl Iterator<Item = &'a Material>, before: &Material) -> Self {
+impl Resting {
+    /// Of strands of the material `before` that are to rest as drawn; none where they are not.
+    pub fn of(strands: &[GroomStrand], before: &Material) -> Option<Self> {
         let bending = |material: &Material| material.youngs_modulus * (material.radius[0] * material.radius[1]).powi(2);
-        let factors: Vec<f64> =
-            materials.map(|material| bending(material) / bending(before)).filter(|factor| *factor > 1.0 + 1e-9).collect();
-        Self { strands: factors.len(), factor: Spread::of(factors) }
+        let (mut resting, mut factors) = (Self { by_themselves: 0, stiffened: 0, factor: None, limp: 0 }, Vec::new());
+        for strand in strands {
+            let factor = bending(&strand.definition.material) / bending(before);
+            let stable = strand.stability?.is_stable();
+            if factor > 1.0 + 1e-9 {
+                factors.push(factor);
+            } else if !stable {
+                resting.limp += 1;
+            }
+            resting.by_themselves += usize::from(stable);
+        }
+        resting.stiffened = factors.len();
+        resting.factor = Spread::of(factors);
+        Some(resting)
+    }
+
+    fn in_words(&self, strands: usize) -> String {
+        let mut text = format!("rest as drawn: {} of {strands} strands by their own stiffness", self.by_themselves);
+        if let Some(factor) = &self.factor {
+            text += &format!(
+                "; {} made stiffer to rest firmly, {:.1} times (median), {:.1} times at most",
+                self.stiffened, factor.median, factor.max
+            );
+        }
+        if self.limp > 0 {
+            text += &format!("; {} are too limp and will sag (--hold, --stiffen)", self.limp);
+        }
+        text + "\n"
+    }
+}
+
+/// What was drawn inside the body.
+#[derive(Debug, Serialize)]
+pub struct DrawnInside {
+    /// Strands with points inside it, or nearer than they are wide.
+    pub strands: usize,
+    /// The deepest of the points, m.
+    pub deepest: f64,
+    /// How far a point was moved at most to be outside, m.
+    pub moved: f64,
+    /// Strands that no way out was found for.
+    pub left: usize,
+}
+
+impl DrawnInside {
+    /// Of all strands; none where nothing was inside.
+    pub fn of(strands: &[GroomStrand]) -> Option<Self> {
+        let mut all = Self { strands: 0, deepest: 0.0, moved: 0.0, left: 0 };
+        for brought in strands.iter().map(|strand| &strand.brought_out).filter(|brought| brought.inside > 0) {
+            all.strands += 1;
+            all.deepest = all.deepest.max(brought.deepest);
+            all.moved = all.moved.max(brought.moved);
+            all.left += usize::from(brought.stuck);
+        }
+        (all.strands > 0).then_some(all)
     }
 }
 
@@ -58,9 +116,14 @@ pub struct SimulateReport {
     pub elements: u32,
     /// Of the strand that has most.
     pub most_elements: usize,
-    /// What `--stiffen` did.
+    /// What each strand stands for.
+    pub wisps: WispReport,
+    /// How strands rest as drawn, where they are to.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub stiffened: Option<Stiffened>,
+    pub resting: Option<Resting>,
+    /// What was drawn inside the body and brought out of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drawn_inside: Option<DrawnInside>,
     /// Strands that could not be simulated.
     pub skipped: Vec<Skipped>,
     /// The fit.
@@ -77,6 +140,8 @@ pub struct SimulateReport {
     pub time_step: f64,
     /// Length of the motion that was simulated, s.
     pub simulated_seconds: f64,
+    /// How the style held.
+    pub style: StyleReport,
     /// How the steps went.
     pub report: Report,
     /// Indices in the file of strands that were rolled back at some step.
@@ -108,14 +173,14 @@ impl SimulateReport {
             },
             self.metres_per_unit
         );
-        if let Some(stiffened) = &self.stiffened {
-            text += &match stiffened.factor {
-                Some(factor) => format!(
-                    "made stiffer to rest as drawn: {} of {} strands, {:.1} times (median), {:.0} times at most\n",
-                    stiffened.strands, self.strands, factor.median, factor.max
-                ),
-                None => "made stiffer to rest as drawn: none\n".to_string(),
-            };
+        if self.wisps.hairs > 1.0 {
+            text += &format!(
+                "each strand a wisp of {:.0} hairs, hold {}: {:.1} times as stiff as they are\n",
+                self.wisps.hairs, self.wisps.hold, self.wisps.stiffer
+            );
+        }
+        if let Some(resting) = &self.resting {
+            text += &resting.in_words(self.strands);
         }
         if let Some(body) = &self.body {
             text += &match (body.cell, &body.grid) {
@@ -128,6 +193,18 @@ impl SimulateReport {
                 ),
                 (None, _) => format!("{}: {} triangles, as a mesh ({})\n", body.mesh, body.triangles, body.sides),
             };
+        }
+        if let Some(drawn) = &self.drawn_inside {
+            text += &format!(
+                "drawn inside: {} strands, {:.1} mm deep at most; brought out, by {:.1} mm at most",
+                drawn.strands,
+                drawn.deepest * 1e3,
+                drawn.moved * 1e3
+            );
+            if drawn.left > 0 {
+                text += &format!("; {} stay where no way out was found", drawn.left);
+            }
+            text += "\n";
         }
         if let (Some(rms), Some(max)) = (self.fit.rms_metres, self.fit.max_metres) {
             text += &format!(
@@ -183,6 +260,21 @@ impl SimulateReport {
                     contact.roots_inside_max
                 );
             }
+        }
+        let style = &self.style;
+        text += &format!(
+            "style: {:.1} % of a length from where it was drawn in the end (rms), volume {:.0} %, fastest tip {:.1} m/s beside the head\n",
+            style.distance * 1e2,
+            style.volume * 1e2,
+            style.fastest_tip
+        );
+        if let Some(inside) = &style.inside {
+            text += &format!(
+                "inside the body by more than 2 mm: {:.2} % of the points ({:.2} % at the start), {:.1} mm at most\n",
+                inside.share * 1e2,
+                inside.share_at_start * 1e2,
+                inside.deepest * 1e3
+            );
         }
         if let Some(cache) = &self.cache {
             text += &format!("cache: {} frames in {cache}\n", self.cache_frames);

@@ -28,6 +28,7 @@ mod shape;
 mod solver;
 mod strands;
 mod suggest;
+mod wisp;
 
 use std::collections::BTreeSet;
 use std::ptr::{null, null_mut};
@@ -66,6 +67,7 @@ use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
 use superhelix::capi::suggest::*;
 use superhelix::capi::types::*;
+use superhelix::capi::wisp::*;
 
 /// One line of the table.
 pub struct Case {
@@ -167,6 +169,7 @@ fn table() -> Vec<Case> {
         settle::cases,
         restyling::cases,
         posing::cases,
+        wisp::cases,
         level_of_detail::cases,
         suggest::cases,
         sampling::cases,

@@ -48,6 +48,7 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
         stiffening: None,
         gravity: options.gravity,
         quadrature_tolerance: options.step.quadrature_tolerance,
+        outside: None,
     };
     let strand = |((index, _), fit): (&(usize, Vec<Vector3<f64>>), Outcome<Fit>)| {
         let made = fit.map_err(|error| error.to_string()).and_then(|fit| {

@@ -1,0 +1,178 @@
+//! `superhelix simulate` of grooms as somebody makes it on the first day: a style holds as firmly as was asked for, and hair drawn into a head comes
+//! out of it.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::support::{data, directory, errors, superhelix};
+
+fn simulate(arguments: &[&str]) -> Value {
+    let output = superhelix(&[&["simulate", "--json", "--quiet"], arguments].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// Three seconds of a motion, and a second in which the head stays where it is then.
+fn motion(directory: &Path, name: &str) -> String {
+    let text = std::fs::read_to_string(data(name)).unwrap();
+    let (head, rows) = text.split_once('\n').unwrap();
+    let time = |row: &str| row.split(',').next().unwrap().parse::<f64>().unwrap();
+    let mut kept: Vec<String> = rows.lines().filter(|row| time(row) <= 3.0).map(str::to_owned).collect();
+    let (last, pose) = (time(kept.last().unwrap()), kept.last().unwrap().split_once(',').unwrap().1.to_owned());
+    kept.extend((1..=30).map(|k| format!("{},{pose}", last + f64::from(k) / 30.0)));
+    let path = directory.join(name);
+    std::fs::write(&path, format!("{head}\n{}\n", kept.join("\n"))).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+/// The bust in a directory of its own: what is baked of it is kept beside it.
+fn bust_in(directory: &Path) -> String {
+    let head = directory.join("bust.obj");
+    std::fs::copy(data("sintel_bust.obj"), &head).unwrap();
+    head.to_str().unwrap().to_string()
+}
+
+/// Every so many-th strand of each groom, the head that it was drawn on where we have it.
+const GROOMS: [(&str, &str, &str); 6] = [
+    ("sintel_hair_001.tfx", "0.01", "6"),
+    ("amd_ponytail_tail.tfx", "0.0031", "16"),
+    ("amd_ponytail_back.tfx", "0.0031", "16"),
+    ("blender_wavy.hair", "1", "60"),
+    ("blender_curly.hair", "1", "60"),
+    ("fibermesh_1k.tfx", "0.0012", "20"),
+];
+
+/// After 3 s of a walk or of jumping and a second of rest: within 2, 5 and 15 % of its length at hold 1, 0.7 and 0.4; bare hair further off; volume
+/// within a tenth at 0.7; every step converged; not more than half a percent of the points deeper than 2 mm in the head.
+#[test]
+fn a_style_holds_as_firmly_as_it_is_asked_to() {
+    let directory = directory("wisps_hold");
+    let bust = bust_in(&directory);
+    for (name, motion_name) in [("walk", "walk_figure8_head.csv"), ("jumping", "cmu_jumping_jacks_head.csv")] {
+        let motion = motion(&directory, motion_name);
+        for (groom, scale, every) in GROOMS {
+            if name == "jumping" && every == "60" {
+                continue;
+            }
+            let path = data(groom);
+            let mut fixed = vec![path.as_str(), "--scale", scale, "--every", every, "--motion", &motion];
+            if groom.starts_with("sintel") {
+                fixed.extend(["--body", &bust]);
+            }
+            let mut before = 0.0;
+            for (flags, most) in [
+                (&["--hold", "1"][..], 0.02),
+                (&["--hold", "0.7"], 0.05),
+                (&[], 0.1),
+                (&["--hold", "0.4"], 0.15),
+                (&["--bare"], 1.0),
+            ] {
+                let report = simulate(&[&fixed[..], flags].concat());
+                let style = &report["style"];
+                let (distance, volume) = (style["distance"].as_f64().unwrap(), style["volume"].as_f64().unwrap());
+                println!("{groom} {name} {flags:?}: {distance:.4} of a length, volume {volume:.3}");
+                assert!(distance < most, "{groom} {flags:?}: {distance}");
+                // (Where nothing moves by more than a millionth there is nothing to compare.)
+                assert!(distance > 0.7 * before || distance < 1e-3, "{groom} {flags:?}: {distance} after {before}");
+                before = distance;
+                if flags == ["--bare"] {
+                    continue;
+                }
+                let unconverged = (report["report"]["unconverged"].as_u64(), report["report"]["quarantined"].as_u64());
+                assert_eq!(unconverged, (Some(0), Some(0)), "{groom} {flags:?}");
+                if flags == ["--hold", "0.7"] {
+                    assert!((volume - 1.0).abs() < 0.1, "{groom}: {volume}");
+                }
+                if let Some(inside) = style.get("inside") {
+                    assert!(inside["share"].as_f64().unwrap() < 5e-3, "{groom} {flags:?}: {inside}");
+                }
+            }
+        }
+    }
+}
+
+/// How many strands rest as drawn, and what was done for the others, is said.
+#[test]
+fn it_is_said_who_rests_as_drawn() {
+    let groom = data("amd_ponytail_tail.tfx");
+    let fixed = [groom.as_str(), "--scale", "0.0031", "--every", "40", "--duration", "0.1"];
+    let report = simulate(&[&fixed[..], &["--bare"]].concat());
+    let (strands, resting) = (report["strands"].as_u64().unwrap(), &report["resting"]);
+    let (stable, limp) = (resting["by_themselves"].as_u64().unwrap(), resting["limp"].as_u64().unwrap());
+    assert!(limp > 0 && stable + limp == strands, "{resting}");
+    let report = simulate(&[&fixed[..], &["--hold", "0.1"]].concat());
+    let resting = &report["resting"];
+    assert_eq!(resting["limp"], 0, "{resting}");
+    assert!(resting["stiffened"].as_u64().unwrap() > 0 && resting["factor"]["max"].as_f64().unwrap() > 1.0, "{resting}");
+    let output = superhelix(&[&["simulate"], &fixed[..], &["--bare"]].concat());
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains(&format!("{limp} are too limp and will sag")), "{said}");
+    // What is not to rest as drawn is not said to.
+    assert!(simulate(&[&fixed[..], &["--natural", "as-drawn"]].concat()).get("resting").is_none());
+}
+
+/// Hair drawn centimetres into a head: outside of it by default, inside on request, pushed out by contact on another.
+#[test]
+fn hair_drawn_inside_a_head_is_brought_out() {
+    let directory = directory("wisps_inside");
+    let bust = bust_in(&directory);
+    let groom = directory.join("inside.obj");
+    let curves = superhelix::files::curves::Curves::read(data("sintel_hair_001.tfx")).unwrap();
+    // A place well inside the skull.
+    let roots: Vec<[f32; 3]> = curves.strands().map(|strand| strand[0]).collect();
+    let middle: Vec<f32> = (0..3).map(|axis| roots.iter().map(|root| root[axis]).sum::<f32>() / roots.len() as f32).collect();
+    let mut text = String::new();
+    let mut count = 0;
+    for strand in curves.strands().step_by(20) {
+        // A root on the scalp, all else 2.5 cm nearer to the middle of the head.
+        for (k, point) in strand.iter().enumerate() {
+            let share = (k as f32 / 8.0).min(1.0) * 2.5;
+            let to: Vec<f32> = (0..3).map(|axis| middle[axis] - point[axis]).collect();
+            let distance = to.iter().map(|x| x * x).sum::<f32>().sqrt();
+            let moved: Vec<f32> = (0..3).map(|axis| point[axis] + to[axis] / distance * share).collect();
+            text += &format!("v {} {} {}\n", moved[0], moved[1], moved[2]);
+        }
+        let points: Vec<String> = (1..=strand.len()).map(|k| (count + k).to_string()).collect();
+        text += &format!("l {}\n", points.join(" "));
+        count += strand.len();
+    }
+    std::fs::write(&groom, text).unwrap();
+    let fixed = [groom.to_str().unwrap(), "--scale", "0.01", "--duration", "0.3", "--body", &bust];
+    let inside = |flags: &[&str]| {
+        let report = simulate(&[&fixed[..], flags].concat());
+        assert_eq!(report["report"]["quarantined"], 0);
+        println!("{flags:?}: {} {}", report["drawn_inside"], report["style"]);
+        let inside = &report["style"]["inside"];
+        (
+            report["drawn_inside"].clone(),
+            inside["share_at_start"].as_f64().unwrap(),
+            report["style"]["distance"].as_f64().unwrap(),
+        )
+    };
+    let (told, share, moved) = inside(&[]);
+    assert!(told["strands"].as_u64().unwrap() > 4 && told["deepest"].as_f64().unwrap() > 5e-3, "{told}");
+    assert_eq!(told["left"], 0, "{told}");
+    assert!(share < 5e-3 && moved < 1e-3, "{share} {moved}");
+    let (told, kept, moved) = inside(&["--drawn-inside", "kept"]);
+    assert!(told.is_null() && kept > 0.1 && moved < 1e-3, "{told} {kept} {moved}");
+    let (told, parted, _) = inside(&["--drawn-inside", "parted"]);
+    assert!(told.is_null() && parted == kept, "{told} {parted}");
+    assert_eq!(inside(&["--allow-overlaps"]).1, kept);
+}
+
+#[test]
+fn bad_wisps_are_explained() {
+    let groom = data("fibermesh_1k.tfx");
+    for (flags, expected) in [
+        (&["--hold", "1.5"][..], "--hold is 1.5; expected a number from 0 to 1"),
+        (&["--hold", "-0.1"], "--hold is -0.1"),
+        (&["--hairs", "0"], "--hairs is 0; expected a number from 1 to 1e6"),
+        (&["--bare", "--hold", "0.5"], "cannot be used with"),
+        (&["--drawn-inside", "gone"], "--drawn-inside"),
+    ] {
+        let output = superhelix(&[&["simulate", &groom, "--scale", "0.0012", "--duration", "0.1"], flags].concat());
+        assert_eq!(output.status.code(), Some(1), "{flags:?}");
+        assert!(errors(&output).contains(expected), "{flags:?}: {}", errors(&output));
+    }
+}
