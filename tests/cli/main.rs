@@ -4,6 +4,7 @@
 mod bench;
 mod contact;
 mod convert;
+mod drawing;
 mod fit;
 mod fit_friction;
 mod info_and_picture;

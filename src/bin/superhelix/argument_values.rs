@@ -35,6 +35,13 @@ pub fn png(text: &str) -> Result<PathBuf, String> {
     if is_png { Ok(path) } else { Err("expected a name that ends in .png".to_string()) }
 }
 
+/// A path that an animated PNG is written to.
+pub fn animation_name(text: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(text);
+    let fits = |end: &std::ffi::OsStr| end.eq_ignore_ascii_case("png") || end.eq_ignore_ascii_case("apng");
+    if path.extension().is_some_and(fits) { Ok(path) } else { Err("expected a name that ends in .png or .apng".to_string()) }
+}
+
 /// One of some names.
 pub fn named<T: Copy>(text: &str, choices: &[(&str, T)]) -> Result<T, String> {
     let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();

@@ -9,8 +9,12 @@ use crate::atomic_file::AtomicFile;
 use crate::cache::Cache;
 use crate::failure::Failure;
 use crate::groom_strands::GroomStrand;
-use crate::picture::sheet::{Moment, SheetOptions};
-use crate::picture::{self, spread};
+use crate::moving_scalp::{ScalpFiles, ScalpRequest};
+use crate::picture::grown::{self, Grown};
+use crate::picture::moment::Moment;
+use crate::picture::sheet::{self, SheetOptions};
+use crate::picture::view::{Stand, View};
+use crate::picture::{self, HairColour, Manner, spread};
 use crate::sampled_frame::SampledFrame;
 use crate::simulate::SimulateArguments;
 use crate::surface::Surface;
@@ -97,11 +101,42 @@ impl Film {
                 strands.len(),
                 self.elements
             );
-            let options =
-                SheetOptions { title, up: arguments.up, face: arguments.face, cell_width: 340, metres_per_unit: Some(scale) };
-            picture::write_png(&mut file, path, &self.moments, &options)?;
+            let options = SheetOptions {
+                title: Some(title),
+                views: views(arguments)?,
+                manner: Manner::Hair,
+                hair: HairColour::Brown,
+                cell_width: 340,
+                metres_per_unit: Some(scale),
+            };
+            picture::with_threads(arguments.threads, || {
+                grow(&mut self.moments, arguments, scale)?;
+                picture::write_png(&mut file, path, &sheet::draw(&self.moments, &options, || ())?)
+            })?;
             file.commit()?;
         }
         Ok((cache_frames, arguments.picture.as_deref()))
     }
+}
+
+fn views(arguments: &SimulateArguments) -> Result<Vec<View>, Failure> {
+    [Stand::Front, Stand::Side].iter().map(|stand| View::new(*stand, arguments.up, arguments.face)).collect()
+}
+
+/// Grows hair among the strands where they are guides, on the body where there is one. The first moment is that of the start.
+fn grow(moments: &mut [Moment], arguments: &SimulateArguments, scale: f64) -> Result<(), Failure> {
+    let Some(first) = moments.first() else { return Ok(()) };
+    if !(grown::LEAST_GUIDES..grown::MOST_GUIDES).contains(&first.strands.len()) {
+        return Ok(());
+    }
+    let scalp = arguments.bodies.path().map(|path| {
+        let still = ScalpRequest { path, scale: None, otherwise: scale, pose: None, up: None, times: &[] };
+        ScalpFiles::read(&still)
+    });
+    let threads = arguments.threads as usize;
+    let mut hair = Grown::bind(&first.strands, scale, grown::USUAL, scalp.transpose()?, threads)?;
+    for (index, moment) in moments.iter_mut().enumerate() {
+        moment.strands = hair.strands(index, &moment.strands)?;
+    }
+    Ok(())
 }

@@ -105,7 +105,40 @@ impl ScalpFiles {
 
     /// The follicles on the scalp as it deforms; none if it stands still.
     pub fn moving(self, follicles: Vec<Follicle>) -> Option<MovingScalp> {
-        (!matches!(self.over_time, OverTime::Still)).then_some(MovingScalp { scalp: self, follicles })
+        self.moves().then_some(MovingScalp { scalp: self, follicles })
+    }
+
+    /// Whether there is more than one mesh.
+    pub fn moves(&self) -> bool {
+        !matches!(self.over_time, OverTime::Still)
+    }
+
+    /// The vertices at a frame, m.
+    pub fn vertices(&self, frame: usize) -> Result<Vec<Vector3<f64>>, Failure> {
+        let scalp = &self.rest.scalp;
+        let vertices = match &self.over_time {
+            // The first was read already.
+            _ if frame == 0 => return Ok(scalp.vertices().to_vec()),
+            OverTime::Still => return Ok(scalp.vertices().to_vec()),
+            OverTime::Files(files) => {
+                let read = obj_mesh::read(&files[frame])?;
+                if read.triangles != scalp.triangles() {
+                    return Err(Failure::file(&files[frame], format!("has other faces than {}", files[0].display())));
+                }
+                read.vertices
+            }
+            OverTime::Cache(_, cache, times) => cache.vertices(times[frame])?,
+        };
+        Ok(vertices.iter().map(|vertex| self.placed.place(vertex)).collect())
+    }
+
+    /// The file of a frame after the first; empty where there is none.
+    fn path_of(&self, frame: usize) -> &Path {
+        match &self.over_time {
+            OverTime::Still => Path::new(""),
+            OverTime::Files(files) => &files[frame],
+            OverTime::Cache(path, ..) => path,
+        }
     }
 }
 
@@ -127,25 +160,13 @@ pub struct MovingScalp {
 impl MovingScalp {
     /// Where the follicles are at a frame, m.
     pub fn roots(&self, frame: usize) -> Result<Vec<Vector3<f64>>, Failure> {
-        let ScalpFiles { rest, placed, over_time } = &self.scalp;
-        let scalp = &rest.scalp;
-        // The first was read already.
-        let at_rest = || Ok(self.follicles.iter().map(|follicle| scalp.place(follicle)).collect());
-        let (path, vertices) = match over_time {
-            _ if frame == 0 => return at_rest(),
-            OverTime::Still => return at_rest(),
-            OverTime::Files(files) => {
-                let path = &files[frame];
-                let read = obj_mesh::read(path)?;
-                if read.triangles != scalp.triangles() {
-                    return Err(Failure::file(path, format!("has other faces than {}", files[0].display())));
-                }
-                (path, read.vertices)
-            }
-            OverTime::Cache(path, cache, times) => (path, cache.vertices(times[frame])?),
-        };
-        let vertices: Vec<_> = vertices.iter().map(|vertex| placed.place(vertex)).collect();
-        let frames = scalp.frames(&vertices, &self.follicles).map_err(|error| Failure::file(path, error))?;
+        let scalp = &self.scalp.rest.scalp;
+        if frame == 0 {
+            return Ok(self.follicles.iter().map(|follicle| scalp.place(follicle)).collect());
+        }
+        let vertices = self.scalp.vertices(frame)?;
+        let frames = scalp.frames(&vertices, &self.follicles);
+        let frames = frames.map_err(|error| Failure::file(self.scalp.path_of(frame), error))?;
         Ok(frames.into_iter().map(|frame| frame.origin).collect())
     }
 }

@@ -8,7 +8,7 @@ use superhelix::groom::scalp::{Amount, Density};
 use crate::moving_scalp::{MovingScalp, ScalpFiles};
 
 /// How far guides count that have no other beside them, m.
-const LONE: f64 = 0.01;
+pub const LONE: f64 = 0.01;
 
 /// What render strands grow on.
 #[derive(Debug)]

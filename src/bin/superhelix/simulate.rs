@@ -93,7 +93,7 @@ pub struct SimulateArguments {
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = triple)]
     wind: Option<Vector3<f64>>,
     #[command(flatten)]
-    bodies: BodyArguments,
+    pub bodies: BodyArguments,
     #[command(flatten)]
     pub material: MaterialArguments,
     /// Frames a second.
@@ -134,7 +134,7 @@ pub struct SimulateArguments {
     quadrature_tolerance: Option<f64>,
     /// Threads.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
-    threads: u32,
+    pub threads: u32,
     /// Directory of the cache: one file a frame, in the groom's units.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

@@ -111,6 +111,11 @@ pub struct HeadBody {
 }
 
 impl BodyArguments {
+    /// The mesh's file.
+    pub fn path(&self) -> Option<&Path> {
+        self.body.as_deref()
+    }
+
     /// Whether anything touches the hair.
     pub fn touches(&self) -> bool {
         self.body.is_some() || self.hair_contact.is_some()

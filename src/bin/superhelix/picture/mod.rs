@@ -1,12 +1,20 @@
-//! `superhelix picture`: a contact sheet of simulated frames.
+//! `superhelix picture`: contact sheets and animations of simulated frames.
 
-mod bodies;
+mod animation;
+mod body;
+mod cell;
 pub mod colour;
+mod footage;
+mod framing;
+pub mod grown;
 mod lettering;
+mod lines;
+mod lit;
+pub mod moment;
 mod replay;
 pub mod sheet;
-mod strands;
 pub mod view;
+mod window;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,18 +22,24 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::{Curves, CurvesFormat};
+use tiny_skia::Pixmap;
 
+use crate::argument_values::{animation_name, png, positive};
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
 use crate::progress;
-use sheet::{Moment, SheetOptions};
-use view::{Face, Up};
+use animation::{Animation, MOST_PER_SECOND};
+pub use cell::Manner;
+use cell::Pen;
+use footage::{Footage, Request};
+use framing::Finder;
+pub use lit::HairColour;
+use sheet::SheetOptions;
+use view::{Face, Stand, Up, View};
 
-/// Draws a contact sheet of simulated frames: several moments, each from the front and from the side, all at one scale.
+/// Draws simulated frames: a contact sheet of several moments, or an animation, or both; as hair, lit, or as lines.
 ///
-/// Strands are coloured by where their root is. The cells follow the middle of the roots.
+/// All moments are at one scale, and the cells follow the middle of the roots. Hair is grown among strands that are guides.
 #[derive(Debug, Args)]
 #[command(allow_negative_numbers = true)]
 pub struct PictureArguments {
@@ -33,12 +47,36 @@ pub struct PictureArguments {
     /// result of that scene.
     #[arg(value_name = "CACHE", required = true)]
     inputs: Vec<PathBuf>,
-    /// Where the picture goes.
-    #[arg(long, value_name = "SHEET.png", value_parser = crate::argument_values::png)]
-    out: PathBuf,
+    /// Where the contact sheet goes.
+    #[arg(long, value_name = "SHEET.png", required_unless_present = "animate", value_parser = png)]
+    out: Option<PathBuf>,
+    /// Where an animation goes: an animated PNG, which browsers play.
+    #[arg(long, value_name = "FILE.png|.apng", value_parser = animation_name)]
+    animate: Option<PathBuf>,
     /// The scene whose result is drawn (it must have asked for points): with its colliders, in metres.
-    #[arg(long, value_name = "SCENE.json", conflicts_with_all = ["fps", "scale"])]
+    #[arg(long, value_name = "SCENE.json", conflicts_with_all = ["fps", "scale", "body"])]
     scene: Option<PathBuf>,
+    /// A body: a mesh in the cache's units and axes as it stands at the first frame, which goes with the roots; or a directory of meshes
+    /// (head.0001.obj ...), one for each frame, or a .usda mesh with time samples.
+    #[arg(long, value_name = "MESH|DIR")]
+    body: Option<PathBuf>,
+    /// Metres a unit of the body's files. Default: what a .usda file says, else that of the cache.
+    #[arg(long, value_name = "METRES", requires_all = ["body", "scale"], value_parser = positive)]
+    body_scale: Option<f64>,
+    /// Hairs that are grown among the strands, on the body where there is one; 0: none, the strands are drawn themselves. Default: 20000 where a
+    /// cache has 30 to 2999 strands, else 0.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1_000_000))]
+    hairs: Option<u32>,
+    /// How strands are drawn. As lines nothing is grown unless --hairs says so.
+    #[arg(long = "as", value_enum, value_name = "MANNER", default_value_t = Manner::Hair)]
+    manner: Manner,
+    /// Colour of the hair.
+    #[arg(long, visible_alias = "color", value_enum, value_name = "NAME", default_value_t = HairColour::Brown)]
+    colour: HairColour,
+    /// From where, with commas between: one above the other on the sheet, side by side in the animation. Default: front,side on the sheet,
+    /// three-quarter in the animation.
+    #[arg(long, value_enum, value_name = "VIEWS", value_delimiter = ',', num_args = 1)]
+    views: Vec<Stand>,
     /// Moments on the sheet, evenly spread over the frames.
     #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..=64))]
     moments: u32,
@@ -48,106 +86,190 @@ pub struct PictureArguments {
     /// The axis that the face looks along. Default: +z where y is up, -y where z is up.
     #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
     face: Option<Face>,
-    /// Frames a second of the cache: labels are then times.
-    #[arg(long, value_parser = crate::argument_values::positive)]
+    /// Frames a second of the cache: labels are then times. Needed for an animation of a directory.
+    #[arg(long, value_parser = positive)]
     fps: Option<f64>,
+    /// Frames a second of the animation, at most 60.
+    #[arg(long, value_name = "FPS", default_value_t = 24.0, value_parser = positive, requires = "animate")]
+    rate: f64,
     /// Metres a unit of the files: the scale bar is then in centimetres.
-    #[arg(long, value_parser = crate::argument_values::positive)]
+    #[arg(long, value_parser = positive)]
     scale: Option<f64>,
     /// Draw each K-th strand only.
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     every: u32,
-    /// Width of a cell, pixels.
+    /// Width of a cell of the sheet, pixels.
     #[arg(long, value_name = "PIXELS", default_value_t = 340, value_parser = clap::value_parser!(u32).range(60..=4000))]
     cell: u32,
+    /// Width of a view in the animation, pixels.
+    #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u32).range(60..=4000), requires = "animate")]
+    size: u32,
     /// Stands above the sheet.
     #[arg(long)]
     title: Option<String>,
+    /// The sheet's cells alone: neither title nor labels nor scale bar.
+    #[arg(long, conflicts_with = "title")]
+    plain: bool,
+    /// Threads. The picture is the same for any number.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=256))]
+    threads: u32,
     /// No progress bar.
     #[arg(long, short)]
     quiet: bool,
 }
 
+/// Most frames a second of an animation that browsers keep up with.
+const MOST_RATE: f64 = 60.0;
+/// Most frames of an animation.
+const MOST_FRAMES: f64 = 10_000.0;
+/// Height over width of a view in an animation.
+const SHAPE: [f32; 2] = [0.75, 1.35];
+
 /// Runs the command.
 pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
-    let mut out = AtomicFile::create(&arguments.out)?;
-    let (moments, frame_count) = match (&arguments.scene, &arguments.inputs[..]) {
-        (None, [file]) if CurvesFormat::of_name(file) == Some(CurvesFormat::Usda) => moments_of_cache(arguments, file)?,
-        (None, inputs) => moments_of_frames(arguments, &list_frames(inputs)?)?,
-        (Some(scene), [result]) => {
-            let moments = replay::moments(result, scene, arguments.moments as usize, arguments.every as usize)?;
-            let count = moments.len();
-            (moments, count)
-        }
-        (Some(_), inputs) => {
-            return Err(Failure::Other(format!("{} files are given with --scene; expected one result", inputs.len())));
-        }
-    };
-    let title = arguments.title.clone().unwrap_or_else(|| {
-        let name = arguments.inputs[0].file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        format!("{name}   {} strands   {} frames", moments[0].strands.len(), frame_count)
-    });
-    let options = SheetOptions {
-        title,
+    if arguments.rate > MOST_RATE.min(MOST_PER_SECOND) {
+        return Err(Failure::Other(format!("--rate is {}; expected at most {MOST_RATE}", arguments.rate)));
+    }
+    let open = |path| -> Result<(&Path, AtomicFile), Failure> { Ok((path, AtomicFile::create(path)?)) };
+    let sheet = arguments.out.as_deref().map(open).transpose()?;
+    let animated = arguments.animate.as_deref().map(open).transpose()?;
+    let sheet_views = views(arguments, &[Stand::Front, Stand::Side])?;
+    let animation_views = views(arguments, &[Stand::ThreeQuarter])?;
+    let mut footage = Footage::open(&Request {
+        inputs: &arguments.inputs,
+        scene: arguments.scene.as_deref(),
+        every: arguments.every as usize,
+        fps: arguments.fps,
+        scale: arguments.scale,
         up: arguments.up,
-        face: arguments.face,
-        cell_width: arguments.cell,
-        metres_per_unit: arguments.scale.or(arguments.scene.as_ref().map(|_| 1.0)),
-    };
-    write_png(&mut out, &arguments.out, &moments, &options)?;
-    out.commit()
+        body: arguments.body.as_deref().map(|path| (path, arguments.body_scale)),
+        hairs: arguments.hairs.map(|hairs| hairs as usize).or((arguments.manner == Manner::Lines).then_some(0)),
+        threads: arguments.threads as usize,
+    })?;
+    with_threads(arguments.threads, || {
+        if let Some((path, mut file)) = sheet {
+            draw_sheet(arguments, &mut footage, sheet_views, path, &mut file)?;
+            file.commit()?;
+        }
+        if let Some((path, mut file)) = animated {
+            draw_animation(arguments, &mut footage, &animation_views, path, &mut file)?;
+            file.commit()?;
+        }
+        Ok(())
+    })
 }
 
-/// Some of a cache's frames, and how many it has.
-fn moments_of_frames(arguments: &PictureArguments, frames: &[PathBuf]) -> Result<(Vec<Moment>, usize), Failure> {
-    let chosen = spread(frames.len(), arguments.moments as usize);
-    let bar = progress::bar(chosen.len() as u64, "frames", arguments.quiet);
-    let mut moments: Vec<Moment> = Vec::new();
+fn views(arguments: &PictureArguments, usual: &[Stand]) -> Result<Vec<View>, Failure> {
+    let stands = if arguments.views.is_empty() { usual } else { &arguments.views };
+    stands.iter().map(|stand| View::new(*stand, arguments.up, arguments.face)).collect()
+}
+
+/// Does something with so many threads at hand.
+pub fn with_threads<T: Send>(threads: u32, work: impl FnOnce() -> Result<T, Failure> + Send) -> Result<T, Failure> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads as usize)
+        .build()
+        .map_err(|error| Failure::Other(format!("{threads} threads cannot be had: {error}")))?;
+    pool.install(work)
+}
+
+fn draw_sheet(
+    arguments: &PictureArguments,
+    footage: &mut Footage,
+    views: Vec<View>,
+    path: &Path,
+    file: &mut AtomicFile,
+) -> Result<(), Failure> {
+    let chosen = spread(footage.count(), arguments.moments as usize);
+    let bar = progress::bar(2 * chosen.len() as u64, "moments read and drawn", arguments.quiet);
+    let mut moments = Vec::new();
     for index in chosen {
-        let path = &frames[index];
-        let curves = Curves::read(path)?;
-        let strands: Vec<Vec<[f32; 3]>> = curves.strands().step_by(arguments.every as usize).map(<[_]>::to_vec).collect();
-        if strands.is_empty() {
-            return Err(Failure::file(path, "holds no strands"));
-        }
-        if let Some(first) = moments.first()
-            && first.strands.len() != strands.len()
-        {
-            let (here, there) = (strands.len(), first.strands.len());
-            return Err(Failure::file(path, format!("has {here} strands where the first frame has {there}")));
-        }
-        let label = match arguments.fps {
-            Some(fps) => format!("{:.2} s", index as f64 / fps),
-            None => format!("frame {}", frame_number(path).unwrap_or(index as u64)),
-        };
-        moments.push(Moment { label, strands, bodies: Vec::new() });
+        moments.push(footage.moment(index)?);
         bar.inc(1);
     }
-    bar.finish_and_clear();
-    Ok((moments, frames.len()))
-}
-
-/// Some of the time samples of a .usda file, and how many it has.
-fn moments_of_cache(arguments: &PictureArguments, path: &Path) -> Result<(Vec<Moment>, usize), Failure> {
-    let cache = CurveCache::read(path)?;
-    let count = cache.times().len();
-    let moments = spread(count, arguments.moments as usize).into_iter().map(|index| {
-        let curves = cache.frame(index)?;
-        let strands = curves.strands().step_by(arguments.every as usize).map(<[_]>::to_vec).collect();
-        Ok(Moment { label: format!("{:.2} s", cache.times()[index]), strands, bodies: Vec::new() })
+    let title = arguments.title.clone().unwrap_or_else(|| {
+        let name = arguments.inputs[0].file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        format!("{name}   {} strands   {} frames", footage.strand_count(), footage.count())
     });
-    let moments = moments.collect::<Result<Vec<Moment>, Failure>>()?;
-    if let Some(moment) = moments.iter().find(|moment| moment.strands.len() != moments[0].strands.len()) {
-        let (here, there) = (moment.strands.len(), moments[0].strands.len());
-        return Err(Failure::file(path, format!("has {here} strands at {}, where the first frame has {there}", moment.label)));
-    }
-    Ok((moments, count))
+    let options = SheetOptions {
+        title: (!arguments.plain).then_some(title),
+        views,
+        manner: arguments.manner,
+        hair: arguments.colour,
+        cell_width: arguments.cell,
+        metres_per_unit: footage.metres_per_unit,
+    };
+    write_png(file, path, &sheet::draw(&moments, &options, || bar.inc(1))?)?;
+    bar.finish_and_clear();
+    Ok(())
 }
 
-/// Draws a sheet into a file that is being written.
-pub fn write_png(out: &mut AtomicFile, path: &Path, moments: &[Moment], options: &SheetOptions) -> Result<(), Failure> {
+fn draw_animation(
+    arguments: &PictureArguments,
+    footage: &mut Footage,
+    views: &[View],
+    path: &Path,
+    file: &mut AtomicFile,
+) -> Result<(), Failure> {
+    let chosen = at_rate(&footage.times(), arguments.rate)?;
+    let bar = progress::bar(2 * chosen.len() as u64, "frames looked at and drawn", arguments.quiet);
+    let mut finder = Finder::new(views);
+    for index in &chosen {
+        finder.add(&footage.outline(*index)?);
+        bar.inc(1);
+    }
+    let framing = finder.framing(arguments.size, SHAPE, 0.0);
+    let fail = |error: png::EncodingError| Failure::file(path, format!("cannot be written: {error}"));
+    let too_large = || Failure::Other(format!("--size is {}: a picture of that size cannot be made", arguments.size));
+    let size = [framing.cell[0] * views.len() as u32, framing.cell[1]];
+    let mut animation = Animation::new(file, size, chosen.len() as u32, arguments.rate).map_err(fail)?;
+    let mut pen = None;
+    for index in chosen {
+        let moment = footage.moment(index)?;
+        let pen = pen.get_or_insert_with(|| Pen::new(arguments.manner, arguments.colour, &moment, &framing));
+        let mut frame = Pixmap::new(size[0], size[1]).ok_or_else(too_large)?;
+        for view in 0..views.len() {
+            let cell = pen.draw(&moment, &framing, view).ok_or_else(too_large)?;
+            put(&cell, &mut frame, view * framing.cell[0] as usize);
+        }
+        animation.add(&frame).map_err(fail)?;
+        bar.inc(1);
+    }
+    animation.finish().map_err(fail)?;
+    bar.finish_and_clear();
+    Ok(())
+}
+
+/// Copies a picture into a wider one of the same height.
+fn put(cell: &Pixmap, frame: &mut Pixmap, left: usize) {
+    let (narrow, wide) = (cell.width() as usize, frame.width() as usize);
+    for (from, to) in cell.pixels().chunks_exact(narrow).zip(frame.pixels_mut().chunks_exact_mut(wide)) {
+        to[left..left + narrow].copy_from_slice(from);
+    }
+}
+
+/// The frames that are nearest to every moment of an animation of so many a second.
+fn at_rate(times: &[Option<f64>], rate: f64) -> Result<Vec<usize>, Failure> {
+    let known: Option<Vec<f64>> = times.iter().copied().collect();
+    let times = known.ok_or_else(|| Failure::Other("--animate needs --fps, the frames a second of these files".into()))?;
+    let (first, last) = (times[0], times[times.len() - 1]);
+    let count = ((last - first) * rate + 1e-6).floor() + 1.0;
+    if count > MOST_FRAMES {
+        return Err(Failure::Other(format!("--rate is {rate}: {count} frames; expected {MOST_FRAMES} at most")));
+    }
+    let nearest = |k: usize| {
+        let time = first + k as f64 / rate;
+        let after = times.partition_point(|at| *at < time).min(times.len() - 1);
+        let before = after.saturating_sub(1);
+        if time - times[before] < times[after] - time { before } else { after }
+    };
+    Ok((0..count as usize).map(nearest).collect())
+}
+
+/// Writes a picture into a file that is being written.
+pub fn write_png(out: &mut AtomicFile, path: &Path, picture: &Pixmap) -> Result<(), Failure> {
     let fail = |error: &dyn std::fmt::Display| Failure::file(path, format!("cannot be written: {error}"));
-    let png = sheet::draw(moments, options)?.encode_png().map_err(|error| fail(&error))?;
+    let png = picture.encode_png().map_err(|error| fail(&error))?;
     out.write_all(&png).map_err(|error| fail(&error))
 }
 
@@ -216,6 +338,15 @@ mod tests {
         assert_eq!(spread(3, 6), [0, 1, 2]);
         assert_eq!(spread(9, 1), [0]);
         assert_eq!(spread(2, 2), [0, 1]);
+    }
+
+    #[test]
+    fn an_animation_takes_the_nearest_frames() {
+        let times = |fps: f64, count: usize| -> Vec<Option<f64>> { (0..count).map(|k| Some(k as f64 / fps)).collect() };
+        assert_eq!(at_rate(&times(60.0, 7), 20.0).unwrap(), [0, 3, 6]);
+        assert_eq!(at_rate(&times(10.0, 3), 20.0).unwrap(), [0, 1, 1, 2, 2]);
+        assert_eq!(at_rate(&times(30.0, 1), 24.0).unwrap(), [0]);
+        assert!(at_rate(&[None, None], 24.0).is_err());
     }
 
     #[test]

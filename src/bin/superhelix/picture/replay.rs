@@ -1,29 +1,51 @@
-//! Moments of a scene that was run: strands out of its result, bodies out of the scene.
+//! A scene that was run: strands out of its result, bodies out of the scene.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::sheet::Moment;
-use super::spread;
+use super::moment::Moment;
 use crate::failure::Failure;
-use crate::scene;
-use crate::surface::Surface;
+use crate::scene::{self, Scene};
 
-/// `count` moments of the result of a scene that asked for `points`, every `every`-th strand.
-pub fn moments(result: &Path, scene: &Path, count: usize, every: usize) -> Result<Vec<Moment>, Failure> {
-    let scene = scene::load(scene)?;
-    let bad = |reason: &str| Failure::file(result, format!("is no result of a scene that asks for points: {reason}"));
-    let text = fs::read_to_string(result).map_err(|error| Failure::file(result, format!("cannot be read: {error}")))?;
-    let document: Value = serde_json::from_str(&text).map_err(|error| bad(&error.to_string()))?;
-    let times: Vec<f64> = list(&document["times"]).iter().filter_map(Value::as_f64).collect();
-    let strands = list(&document["strands"]);
-    if strands.is_empty() || times.is_empty() || strands.len() != scene.strands.len() {
-        return Err(bad(&format!("{} times, {} strands of the scene's {}", times.len(), strands.len(), scene.strands.len())));
+/// A result and its scene.
+pub struct Replay {
+    path: PathBuf,
+    scene: Scene,
+    result: Value,
+    times: Vec<f64>,
+    /// Draw each so many-th strand.
+    every: usize,
+}
+
+impl Replay {
+    /// Reads the result of a scene that asked for `points`.
+    pub fn read(result: &Path, scene: &Path, every: usize) -> Result<Self, Failure> {
+        let scene = scene::load(scene)?;
+        let text = fs::read_to_string(result).map_err(|error| Failure::file(result, format!("cannot be read: {error}")))?;
+        let mut replay = Self { path: result.to_owned(), scene, result: Value::Null, times: Vec::new(), every };
+        replay.result = serde_json::from_str(&text).map_err(|error| replay.bad(&error.to_string()))?;
+        replay.times = list(&replay.result["times"]).iter().filter_map(Value::as_f64).collect();
+        let (strands, times) = (list(&replay.result["strands"]).len(), replay.times.len());
+        if strands == 0 || times == 0 || strands != replay.scene.strands.len() {
+            let expected = replay.scene.strands.len();
+            return Err(replay.bad(&format!("{times} times, {strands} strands of the scene's {expected}")));
+        }
+        Ok(replay)
     }
-    let mut moments = Vec::new();
-    for index in spread(times.len(), count) {
+
+    fn bad(&self, reason: &str) -> Failure {
+        Failure::file(&self.path, format!("is no result of a scene that asks for points: {reason}"))
+    }
+
+    /// When states were written, s; at least one.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// The state at one of the times, m.
+    pub fn moment(&self, index: usize) -> Result<Moment, Failure> {
         let points = |strand: &Value| -> Option<Vec<[f32; 3]>> {
             let points = strand["points"].as_array()?.get(index)?.as_array()?;
             let point = |value: &Value| {
@@ -32,12 +54,12 @@ pub fn moments(result: &Path, scene: &Path, count: usize, every: usize) -> Resul
             };
             points.iter().map(point).collect::<Option<Vec<_>>>().filter(|points| points.len() > 1)
         };
-        let shown = strands.iter().step_by(every).map(points).collect::<Option<Vec<_>>>();
-        let strands = shown.ok_or_else(|| bad(&format!("no points at {} s", times[index])))?;
-        let bodies = scene.colliders.iter().map(|collider| collider.surface_at(times[index])).collect::<Vec<Surface>>();
-        moments.push(Moment { label: format!("{:.2} s", times[index]), strands, bodies });
+        let time = self.times[index];
+        let shown = list(&self.result["strands"]).iter().step_by(self.every).map(points).collect::<Option<Vec<_>>>();
+        let strands = shown.ok_or_else(|| self.bad(&format!("no points at {time} s")))?;
+        let bodies = self.scene.colliders.iter().map(|collider| collider.surface_at(time)).collect();
+        Ok(Moment { label: format!("{time:.2} s"), strands, bodies })
     }
-    Ok(moments)
 }
 
 fn list(value: &Value) -> &[Value] {

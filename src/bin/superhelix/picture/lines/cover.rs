@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 
-use super::colour::Colour;
-use super::strands::Window;
-use super::view::View;
+use crate::picture::colour::Colour;
+use crate::picture::view::View;
+use crate::picture::window::Window;
 use crate::surface::Surface;
 
 /// Samples along a pixel's side.
@@ -44,7 +44,7 @@ impl Cover {
         let normal = if normal.z < 0.0 { -normal } else { normal };
         let light = 0.30 + 0.70 * normal.dot(&Vector3::new(-0.45, 0.62, 0.64).normalize()).max(0.0);
         let [a, b, c] = seen.map(|[right, up, _]| {
-            let [x, y] = window.place(right, up);
+            let [x, y] = window.place([right, up, 0.0].into());
             [x * FINE as f32, y * FINE as f32]
         });
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

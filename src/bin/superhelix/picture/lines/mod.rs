@@ -1,31 +1,15 @@
-//! Strands as lit threads: sorted by depth, dimmer with distance, each with a thin dark edge that parts it from those behind.
+//! Strands as lines that can be told apart: coloured by their roots, sorted by depth, dimmer with distance, each with a thin dark edge that
+//! parts it from those behind.
 
-use tiny_skia::{LineCap, LineJoin, Paint, PathBuilder, Pixmap, Stroke, Transform};
+mod cover;
 
-use super::bodies::Cover;
+use tiny_skia::{FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, Rect, Stroke, Transform};
+
 use super::colour::Colour;
+use super::moment::Moment;
 use super::view::View;
-
-/// How large a cell is and what part of the world it shows.
-#[derive(Debug, Clone, Copy)]
-pub struct Window {
-    /// Width and height of the cell, pixels.
-    pub cell: [f32; 2],
-    /// What lies in the middle of the cell (right, up), in the view's axes.
-    pub middle: [f32; 2],
-    /// Pixels a unit.
-    pub scale: f32,
-    /// Nearest and farthest, towards the viewer, for dimming.
-    pub depth: [f32; 2],
-}
-
-impl Window {
-    /// Where a point of the view is in the cell, pixels.
-    pub fn place(&self, right: f32, up: f32) -> [f32; 2] {
-        let [width, height] = self.cell;
-        [width / 2.0 + (right - self.middle[0]) * self.scale, height / 2.0 - (up - self.middle[1]) * self.scale]
-    }
-}
+use super::window::Window;
+use cover::Cover;
 
 /// How far behind a body's surface, in pixels, a thread is hidden: less is the surface's and the thread's own coarseness.
 const BEHIND: f32 = 3.0;
@@ -39,24 +23,24 @@ struct Piece {
     points: Vec<[f32; 2]>,
 }
 
-/// Draws strands into a cell, but for what `cover` hides. `pen` is the width of a thread in pixels.
-pub fn draw(
-    pixmap: &mut Pixmap,
-    strands: &[&[[f32; 3]]],
-    colours: &[Colour],
-    view: &View,
-    window: &Window,
-    cover: &Cover,
-    pen: f32,
-) {
+/// Draws a moment whose strands have such colours, in a cell of a sheet whose pen for one strand would be 2.6 pixels wide at the usual size.
+pub fn draw(moment: &Moment, view: &View, window: &Window, colours: &[Colour]) -> Option<Pixmap> {
+    let [width, height] = window.cell;
+    let mut pixmap = Pixmap::new(width as u32, height as u32)?;
+    paint_ground(&mut pixmap);
+    let cover = Cover::of(&moment.bodies, view, window);
+    cover.draw(&mut pixmap);
+    // Few strands get a pen one can see, many a fine one that lets them be told apart.
+    let pen =
+        (2.6 - 0.55 * (moment.strands.len().max(1) as f32).log10()).clamp(0.75, 2.4) * (width / 340.0).clamp(0.5, 3.0).sqrt();
     let mut pieces = Vec::new();
-    for (strand, colour) in strands.iter().zip(colours) {
+    for (strand, colour) in moment.strands.iter().zip(colours) {
         let seen: Vec<[f32; 3]> = strand.iter().map(|point| view.look(*point)).collect();
         let mut start = 0;
         while start + 1 < seen.len() {
             let end = (start + EDGES_A_PIECE).min(seen.len() - 1);
             let middle = seen[(start + end) / 2];
-            if !cover.hides(window.place(middle[0], middle[1]), middle[2], BEHIND / window.scale) {
+            if !cover.hides(window.place(middle.into()), middle[2], BEHIND / window.scale) {
                 pieces.push(piece(&seen[start..=end], *colour, window));
             }
             start = end;
@@ -80,6 +64,7 @@ pub fn draw(
         paint.set_color(piece.colour.to_skia(0.92));
         pixmap.stroke_path(&path, &paint, &thread, Transform::identity(), None);
     }
+    Some(pixmap)
 }
 
 fn piece(seen: &[[f32; 3]], colour: Colour, window: &Window) -> Piece {
@@ -96,6 +81,27 @@ fn piece(seen: &[[f32; 3]], colour: Colour, window: &Window) -> Piece {
     Piece {
         depth,
         colour: lit.mixed(Colour::CELL, 0.62 * (1.0 - nearness)),
-        points: seen.iter().map(|point| window.place(point[0], point[1])).collect(),
+        points: seen.iter().map(|point| window.place((*point).into())).collect(),
+    }
+}
+
+/// A ground that is a little lighter above.
+fn paint_ground(cell: &mut Pixmap) {
+    let (width, height) = (cell.width() as f32, cell.height() as f32);
+    let bands = 48;
+    for band in 0..bands {
+        let share = band as f32 / bands as f32;
+        let (top, below) = ((share * height).floor(), ((band + 1) as f32 / bands as f32 * height).floor());
+        if let Some(rect) = Rect::from_xywh(0.0, top, width, below - top) {
+            let mut paint = Paint::default();
+            paint.set_color(Colour::CELL.lit(1.22 - 0.34 * share).to_skia(1.0));
+            paint.anti_alias = false;
+            cell.fill_path(&PathBuilder::from_rect(rect), &paint, FillRule::Winding, Transform::identity(), None);
+        }
+    }
+    if let Some(rect) = Rect::from_xywh(0.5, 0.5, width - 1.0, height - 1.0) {
+        let mut paint = Paint::default();
+        paint.set_color(Colour::RULE.to_skia(1.0));
+        cell.stroke_path(&PathBuilder::from_rect(rect), &paint, &Stroke::default(), Transform::identity(), None);
     }
 }
