@@ -3,7 +3,7 @@
 use super::constraints::Constraint;
 use super::id::{SlotMap, StrandId};
 use super::strand::Strand;
-use super::touching::{pair_options, tied};
+use super::touching::{NEAR, pair_options, tied};
 use super::workers::Crew;
 use crate::contact::body::BodyAt;
 use crate::contact::hair_pairs::{HairPairs, PairOptions};
@@ -91,7 +91,7 @@ impl AsItIs<'_> {
             let (mut bounds, mut scratch) = (PathBounds::default(), strand_body::Scratch::default());
             bounds.update(&path);
             for body in self.bodies.iter().filter(|body| body.meets(groups, mask)) {
-                strand_body::touches(&path, &bounds, Span { exempt }, radius, body, 0.0, &mut scratch, &mut curve.deep);
+                strand_body::touches(&path, &bounds, Span { exempt }, radius, body, NEAR, &mut scratch, &mut curve.deep);
             }
         });
         let in_bodies = curves.iter().flat_map(|(_, curve)| &curve.deep);

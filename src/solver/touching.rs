@@ -23,7 +23,7 @@ use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
 
 /// Surfaces nearer than this at the present iterate are touches, m; nearer than this share of the largest wisp's radius for strands.
-const NEAR: f64 = 1e-3;
+pub(super) const NEAR: f64 = 1e-3;
 const NEAR_HAIR: f64 = 0.1;
 /// Pairs of strands are searched anew when one has moved by this share of the largest wisp's radius.
 const MARGIN: f64 = 0.5;
