@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex};
 use nalgebra::Vector3;
 use superhelix::files::curves::Curves;
 use superhelix::groom::render_hair::{
-    GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, resampled,
+    GuideSamples, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, resampled,
 };
 
 /// Points of a strand: a dozen a curl of the curliest groom.
@@ -56,9 +56,7 @@ fn made(settings: &RenderSettings, guides: &[Vector3<f64>], roots: &[Vector3<f64
     let mut pose = RenderPose::new(Arc::new(hair));
     pose.set(&samples).expect("a pose");
     let sink = Collect(Mutex::new(vec![Vec::new(); roots.len()]));
-    let view =
-        View { first: 0, count: roots.len(), origin: Vector3::zeros(), roots: None, rotations: false, motion: Motion::None };
-    pose.evaluate(&view, &sink).expect("strands");
+    pose.evaluate(&View::whole(pose.hair()), &sink).expect("strands");
     sink.0.into_inner().expect("no panic")
 }
 
@@ -86,10 +84,17 @@ fn main() {
             }
             let roots: Vec<_> = others.iter().map(|strand| strand[0]).collect();
             for (guides_per_strand, space, mixed) in
-                [(1, Space::Position, "nearest guide"), (3, Space::Position, "positions"), (3, Space::Curvature, "curvatures")]
+                [(1, Space::Position, "nearest guide"), (4, Space::Position, "positions"), (4, Space::Curvature, "curvatures")]
             {
-                let settings =
-                    RenderSettings { points_per_strand: POINTS, guides_per_strand, space, ..RenderSettings::default() };
+                let settings = RenderSettings {
+                    points_per_strand: POINTS,
+                    guides_per_strand,
+                    space,
+                    curliness: 0.0,
+                    flyaways: 0.0,
+                    length_variation: 0.0,
+                    ..RenderSettings::default()
+                };
                 let strands = made(&settings, &guides, &roots);
                 let kept = |value: &dyn Fn(&[Vector3<f64>]) -> f64| {
                     strands.iter().map(|strand| value(strand)).sum::<f64>()

@@ -1541,6 +1541,11 @@ typedef struct shx_scatter_def {
   uint64_t seed;
   // 0.
   uint64_t reserved[4];
+  // count 0 (default: anywhere), or the roots of guides, m: only where they cover the scalp, by how far they are apart, so that faces, ears
+  // and necks stay bare. Formats as shx_scalp_def.vertices. Multiplied with the density.
+  shx_input guide_roots;
+  // With guide_roots: instead as near as this to one of them, m. 0 (default): what they cover.
+  double within;
 } shx_scatter_def;
 
 // A place on a triangle of a scalp.
@@ -1561,19 +1566,19 @@ typedef struct shx_render_settings {
   uint32_t points_per_strand;
   // What is mixed between guides: SHX_SPACE_. Default SHX_SPACE_POSITION.
   uint32_t space;
-  // Guides that a strand follows at most, 1 to 4. Default 3.
+  // Guides that a strand follows at most, 1 to 4. Default 4.
   uint32_t guides_per_strand;
-  // 0 to 1: 0 (default) interpolated all along, 0.5 interpolated at the root and gathered in wisps at the tip, 1 disjoint locks.
+  // 0 to 1: 0 interpolated all along, 0.5 (default) interpolated at the root and gathered in wisps at the tip, 1 disjoint locks.
   double curliness;
   // 1: each guide has the curliness that is measured on its shape, instead. Default 0.
   uint32_t measure_curliness;
-  // Wisps a guide, 1 to 10000. Default 1.
+  // Wisps a guide, 1 to 10000. Default 4.
   uint32_t wisps_per_guide;
   // Guides whose tips are farther apart than their roots by more than this are not mixed; 0 (default): none is too far.
   double max_tip_distance;
   // The same as a share of the shorter guide's length; 0: none is too far. Default 0.6.
   double max_tip_ratio;
-  // A wisp's radius at root, middle and tip as a share of what it is by the roots' places, 0 or above. Default 1, 0.6, 0.25.
+  // A wisp's radius at root, middle and tip as a share of what it is by the roots' places, 0 or above. Default 1, 0.6, 0.08.
   double wisp_profile[3];
   // Root mean square distance by which strands stray from their way at the tip, 0 or above. Default 0.
   double frizz;
@@ -1600,8 +1605,29 @@ typedef struct shx_render_settings {
   void *parallel_for_user;
   // 0.
   uint64_t reserved[4];
-  // By which share strands are cut short at most, each by a random one of its own; 0 (default) to less than 1.
+  // By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.25.
   double length_variation;
+  // 0 to 1: by which share wisps' sections are flattened along the scalp's normal. 0 (default): as round as the patch of scalp that they
+  // stand on; 1: ribbons.
+  double flatness;
+  // Root mean square distance by which whole wisps stray from their way at the tip, 0 or above. Default 0.
+  double clump_noise;
+  // Waves of that along a strand, above 0 to 1000. Default 1.5.
+  double clump_noise_waves;
+  // Share of the strands that leave their wisps, 0 to 1. Default 0.02.
+  double flyaways;
+  // Root mean square distance by which those stray from their way at the tip, 0 or above. Default 5e-3.
+  double flyaway_distance;
+  // How the radius goes to that of the tip, above -1 to below 1: 0 (default) linearly; above, strands end bluntly; below, they are thin
+  // early.
+  double taper_shape;
+  // How near to a body strands come before they are pushed (shx_solver_evaluate_render_pose): what would lie deeper is brought between
+  // this and the surface, in the order of depth; above 0. Default 2e-3.
+  double clearance;
+  // 1 (default): strands are as long as their guides before they are cut short; 0: mixing may shorten them.
+  uint32_t preserve_length;
+  // 0.
+  uint32_t reserved1;
 } shx_render_settings;
 
 // Guides at one moment, as curves of the host's: from a cache, or sampled from anything. Prepare with shx_render_guides_init, then set
@@ -2655,7 +2681,7 @@ SHX_API shx_result shx_render_guides_init(shx_render_guides *guides, size_t size
 SHX_API shx_result shx_render_view_init(shx_render_view *view, size_t size);
 
 // Makes render hair from guides in their rest pose and the places of the render strands' roots at the same moment, m (formats as
-// shx_render_guides.points, or SHX_FORMAT_FRAME, of which the origin counts; one strand for each). settings may be null: the defaults.
+// shx_render_guides.points, or SHX_FORMAT_FRAME, whose n0 is the scalp's normal; one strand for each). settings may be null: the defaults.
 // Takes some microseconds a strand. *out_hair is yours; free it with shx_render_hair_destroy.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED (threads that could not be
 // started). Any thread.
@@ -2667,6 +2693,27 @@ SHX_API shx_result shx_render_hair_create(const shx_render_settings *settings, c
 // Errors: those, and SHX_ERROR_INVALID_ID. May run beside other reading calls.
 SHX_API shx_result shx_solver_create_render_hair(const shx_solver *solver, const shx_strand_id *ids, size_t count,
     const shx_render_settings *settings, const shx_input *roots, shx_render_hair **out_hair);
+
+// Writes render hair as bytes into image, which holds capacity bytes, and its size into *out_size; shx_render_hair_load makes the same hair
+// of them, so that binding need not be done again. image null: only the size, with capacity 0.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+SHX_API shx_result shx_render_hair_save(const shx_render_hair *hair, void *image, size_t capacity, size_t *out_size);
+
+// Makes render hair of size bytes that shx_render_hair_save wrote: strands come out as they did, to the bit. Of settings only worker_count,
+// parallel_for and parallel_for_user are looked at; null: the calling thread evaluates. *out_hair is yours; free it with
+// shx_render_hair_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_SNAPSHOT (no render hair, damaged, of another
+// version), SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
+SHX_API shx_result shx_render_hair_load(const void *image, size_t size, const shx_render_settings *settings,
+    shx_render_hair **out_hair);
+
+// Makes render hair of other that has lost count guides, whose numbers (counted as at creation) are in gone: the other guides keep their order,
+// and strands that follow none of the lost stay as they are, to the bit. *out_hair is yours; free it with shx_render_hair_destroy. Poses are
+// of the hair that they were made of.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (guides that are not there, given twice, or all of them),
+// SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
+SHX_API shx_result shx_render_hair_without(const shx_render_hair *hair, const uint32_t *gone, size_t count,
+    shx_render_hair **out_hair);
 
 // Frees render hair; poses of it live on by themselves. Null is nothing to free. Any thread; nobody may use it any more.
 SHX_API void shx_render_hair_destroy(shx_render_hair *hair);
@@ -2707,6 +2754,13 @@ SHX_API shx_result shx_solver_set_render_pose(const shx_solver *solver, const sh
 // came without), SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_BUSY (the pose is being set). May run beside itself.
 SHX_API shx_result shx_render_pose_evaluate(const shx_render_pose *pose, const shx_render_view *view,
     const shx_output *points, const shx_output *frames, const shx_output *velocities);
+
+// shx_render_pose_evaluate, with strands kept out of a solver's bodies where these are now (those whose group or mask is 0 left out), by
+// settings.clearance. Give heads as distance grids: a grid costs some nanoseconds a point, a mesh some microseconds. For velocities the
+// bodies are taken to have moved as they move now. The pose may be of any solver's strands, or of curves.
+// Errors: those of shx_render_pose_evaluate. May run beside other reading calls of the solver, and beside itself for other strands.
+SHX_API shx_result shx_solver_evaluate_render_pose(const shx_solver *solver, const shx_render_pose *pose,
+    const shx_render_view *view, const shx_output *points, const shx_output *frames, const shx_output *velocities);
 
 #ifdef __cplusplus
 }  // extern "C"

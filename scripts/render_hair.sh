@@ -17,11 +17,11 @@ make_hair() {
   "$superhelix" interpolate tests/data/grooms/sintel_hair_001.tfx --scale 0.01 --every 4 --scalp tests/data/grooms/sintel_bust.obj \
     --count 12000 --points 33 --out "$frames/$1.hair" "${@:2}"
 }
-make_hair a
-make_hair b --curliness 0.5 --wisps 3
-make_hair c --curliness 1 --wisps 2 --wisp-profile 1,0.5,0.15
-make_hair d --max-tip-ratio 0.25
-make_hair e --max-tip-ratio 0
+make_hair a --curliness 0 --length-variation 0
+make_hair b
+make_hair c --curliness 1 --wisps 2
+make_hair d --curliness 0 --length-variation 0 --max-tip-ratio 0.25
+make_hair e --curliness 0 --length-variation 0 --max-tip-ratio 0
 
 scripts/python_env.sh
 build/venv/bin/python docs/figures/plot_render_hair.py "$frames"

@@ -30,19 +30,19 @@ pub struct shx_render_settings {
     pub points_per_strand: u32,
     /// What is mixed between guides: SHX_SPACE_. Default SHX_SPACE_POSITION.
     pub space: u32,
-    /// Guides that a strand follows at most, 1 to 4. Default 3.
+    /// Guides that a strand follows at most, 1 to 4. Default 4.
     pub guides_per_strand: u32,
-    /// 0 to 1: 0 (default) interpolated all along, 0.5 interpolated at the root and gathered in wisps at the tip, 1 disjoint locks.
+    /// 0 to 1: 0 interpolated all along, 0.5 (default) interpolated at the root and gathered in wisps at the tip, 1 disjoint locks.
     pub curliness: f64,
     /// 1: each guide has the curliness that is measured on its shape, instead. Default 0.
     pub measure_curliness: u32,
-    /// Wisps a guide, 1 to 10000. Default 1.
+    /// Wisps a guide, 1 to 10000. Default 4.
     pub wisps_per_guide: u32,
     /// Guides whose tips are farther apart than their roots by more than this are not mixed; 0 (default): none is too far.
     pub max_tip_distance: f64,
     /// The same as a share of the shorter guide's length; 0: none is too far. Default 0.6.
     pub max_tip_ratio: f64,
-    /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places, 0 or above. Default 1, 0.6, 0.25.
+    /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places, 0 or above. Default 1, 0.6, 0.08.
     pub wisp_profile: [f64; 3],
     /// Root mean square distance by which strands stray from their way at the tip, 0 or above. Default 0.
     pub frizz: f64,
@@ -69,8 +69,29 @@ pub struct shx_render_settings {
     pub parallel_for_user: *mut c_void,
     /// 0.
     pub reserved: [u64; 4],
-    /// By which share strands are cut short at most, each by a random one of its own; 0 (default) to less than 1.
+    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.25.
     pub length_variation: f64,
+    /// 0 to 1: by which share wisps' sections are flattened along the scalp's normal. 0 (default): as round as the patch of scalp that they
+    /// stand on; 1: ribbons.
+    pub flatness: f64,
+    /// Root mean square distance by which whole wisps stray from their way at the tip, 0 or above. Default 0.
+    pub clump_noise: f64,
+    /// Waves of that along a strand, above 0 to 1000. Default 1.5.
+    pub clump_noise_waves: f64,
+    /// Share of the strands that leave their wisps, 0 to 1. Default 0.02.
+    pub flyaways: f64,
+    /// Root mean square distance by which those stray from their way at the tip, 0 or above. Default 5e-3.
+    pub flyaway_distance: f64,
+    /// How the radius goes to that of the tip, above -1 to below 1: 0 (default) linearly; above, strands end bluntly; below, they are thin
+    /// early.
+    pub taper_shape: f64,
+    /// How near to a body strands come before they are pushed (shx_solver_evaluate_render_pose): what would lie deeper is brought between
+    /// this and the surface, in the order of depth; above 0. Default 2e-3.
+    pub clearance: f64,
+    /// 1 (default): strands are as long as their guides before they are cut short; 0: mixing may shorten them.
+    pub preserve_length: u32,
+    /// 0.
+    pub reserved1: u32,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, a pointer and an optional function only.
@@ -103,12 +124,21 @@ unsafe impl Versioned for shx_render_settings {
             parallel_for_user: std::ptr::null_mut(),
             reserved: [0; 4],
             length_variation: settings.length_variation,
+            flatness: settings.flatness,
+            clump_noise: settings.clump_noise,
+            clump_noise_waves: settings.clump_noise_waves,
+            flyaways: settings.flyaways,
+            flyaway_distance: settings.flyaway_distance,
+            taper_shape: settings.taper_shape,
+            clearance: settings.clearance,
+            preserve_length: u32::from(settings.preserve_length),
+            reserved1: 0,
         }
     }
 }
 
 const _: () = {
-    assert!(size_of::<shx_render_settings>() == 192 && offset_of!(shx_render_settings, curliness) == 16);
+    assert!(size_of::<shx_render_settings>() == 256 && offset_of!(shx_render_settings, curliness) == 16);
     assert!(offset_of!(shx_render_settings, wisp_profile) == 48 && offset_of!(shx_render_settings, seed) == 120);
     assert!(offset_of!(shx_render_settings, parallel_for) == 136 && offset_of!(shx_render_settings, reserved) == 152);
 };
@@ -133,6 +163,9 @@ impl shx_render_settings {
         if self.reserved0 != 0 {
             return Err(Error::invalid("settings.reserved0", self.reserved0, "0"));
         }
+        if self.reserved1 != 0 {
+            return Err(Error::invalid("settings.reserved1", self.reserved1, "0"));
+        }
         check_reserved("settings", &self.reserved)?;
         let settings = RenderSettings {
             points_per_strand: self.points_per_strand as usize,
@@ -151,6 +184,14 @@ impl shx_render_settings {
             taper_from: self.taper_from,
             radius_variation: self.radius_variation,
             length_variation: self.length_variation,
+            flatness: self.flatness,
+            clump_noise: self.clump_noise,
+            clump_noise_waves: self.clump_noise_waves,
+            flyaways: self.flyaways,
+            flyaway_distance: self.flyaway_distance,
+            taper_shape: self.taper_shape,
+            clearance: self.clearance,
+            preserve_length: check_flag("settings.preserve_length", self.preserve_length)?,
             seed: self.seed,
             workers,
             instruction_set: None,

@@ -1,19 +1,22 @@
 //! Render hair: many strands from few guides.
 
+use std::ffi::c_void;
 use std::sync::{Arc, RwLock, TryLockError};
 
 use nalgebra::Vector3;
 
-use super::buffers::{PLACE_FORMATS, Place, Places, Reader, Writer, strand_ids};
+use super::buffers::{PLACE_FORMATS, Place, Places, Reader, Writer, array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, read, shx_solver};
 use super::render_def::{OwnedGuides, shx_render_guides, shx_render_settings, shx_render_view};
 use super::solver_def::{check_flag, check_reserved};
 use super::thread::on_own_thread;
-use super::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, shx_input, shx_output, shx_strand_id};
+use super::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F32X4, SHX_FORMAT_FRAME, shx_input, shx_output, shx_strand_id};
 use super::versioned::read_versioned;
 use crate::error::{Error, Result};
-use crate::groom::render_hair::{GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, StrandPoints, StrandSink, View};
+use crate::groom::render_hair::{
+    GuideSamples, Motion, RenderBody, RenderHair, RenderPose, RenderSettings, StrandPoints, StrandSink, VELOCITY_STEP, View,
+};
 use crate::workers::Workers;
 
 /// Which guides each render strand follows, and how. Made by shx_render_hair_create or shx_solver_create_render_hair, owned by the caller,
@@ -45,24 +48,41 @@ fn in_use<T>(error: TryLockError<T>) -> Error {
     }
 }
 
-/// # Safety
-/// `roots` is null or a shx_input whose memory is there.
-unsafe fn places(roots: *const shx_input) -> Result<Vec<Vector3<f64>>> {
-    // SAFETY: the same.
-    let reader = unsafe { Reader::new("roots", roots, PLACE_FORMATS)? };
-    Ok((0..reader.count()).map(|index| reader.point(index).into()).collect())
+/// Where strands are to grow.
+struct Ground {
+    roots: Vec<Vector3<f64>>,
+    /// The scalp's, where the host gives frames.
+    normals: Option<Vec<Vector3<f64>>>,
+}
+
+impl Ground {
+    /// # Safety
+    /// `roots` is null or a shx_input whose memory is there.
+    unsafe fn read(roots: *const shx_input) -> Result<Self> {
+        // SAFETY: the same.
+        let reader = unsafe { Reader::new("roots", roots, PLACE_FORMATS)? };
+        // SAFETY: not null, as the reader found.
+        let framed = unsafe { (*roots).format } == SHX_FORMAT_FRAME;
+        let count = reader.count();
+        let normal = |index: usize| reader.rotation("roots", index).map(|rotation| rotation * Vector3::x());
+        Ok(Self {
+            roots: (0..count).map(|index| reader.point(index).into()).collect(),
+            normals: if framed { Some((0..count).map(normal).collect::<Result<_>>()?) } else { None },
+        })
+    }
 }
 
 /// Makes the map; threads are spawned where they leave nothing behind on the host's thread.
-fn bind(settings: &RenderSettings, guides: &GuideSamples, roots: &[Vector3<f64>]) -> Result<RenderHair> {
+fn bind(settings: &RenderSettings, guides: &GuideSamples, ground: &Ground) -> Result<RenderHair> {
+    let bind = || RenderHair::bind_on(settings, guides, &ground.roots, ground.normals.as_deref());
     match settings.workers {
-        Workers::Pool(_) => on_own_thread(|| RenderHair::bind(settings, guides, roots)),
-        _ => RenderHair::bind(settings, guides, roots),
+        Workers::Pool(_) => on_own_thread(bind),
+        _ => bind(),
     }
 }
 
 /// Makes render hair from guides in their rest pose and the places of the render strands' roots at the same moment, m (formats as
-/// shx_render_guides.points, or SHX_FORMAT_FRAME, of which the origin counts; one strand for each). settings may be null: the defaults.
+/// shx_render_guides.points, or SHX_FORMAT_FRAME, whose n0 is the scalp's normal; one strand for each). settings may be null: the defaults.
 /// Takes some microseconds a strand. *out_hair is yours; free it with shx_render_hair_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED (threads that could not be
 /// started). Any thread.
@@ -77,8 +97,8 @@ pub unsafe extern "C" fn shx_render_hair_create(
     call("shx_render_hair_create", || unsafe {
         let settings = settings_from(settings)?;
         let owned = OwnedGuides::read(&read_versioned("guides", guides)?, settings.points_per_strand)?;
-        let (roots, place) = (places(roots)?, Place::new("out_hair", out_hair)?);
-        let hair = bind(&settings, &owned.samples(), &roots)?;
+        let (ground, place) = (Ground::read(roots)?, Place::new("out_hair", out_hair)?);
+        let hair = bind(&settings, &owned.samples(), &ground)?;
         place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
         Ok(())
     })
@@ -114,13 +134,87 @@ pub unsafe extern "C" fn shx_solver_create_render_hair(
                 return Err(Error::invalid("count", count, "at least 1"));
             }
             let settings = settings_from(settings)?;
-            let (roots, place) = (places(roots)?, Place::new("out_hair", out_hair)?);
+            let (ground, place) = (Ground::read(roots)?, Place::new("out_hair", out_hair)?);
             let guides = core.render_guides(&ids, settings.points_per_strand, false)?;
-            let hair = bind(&settings, &guides.samples(), &roots)?;
+            let hair = bind(&settings, &guides.samples(), &ground)?;
             place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
             Ok(())
         })
     }
+}
+
+/// Writes render hair as bytes into image, which holds capacity bytes, and its size into *out_size; shx_render_hair_load makes the same hair
+/// of them, so that binding need not be done again. image null: only the size, with capacity 0.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_hair_save(
+    hair: *const shx_render_hair,
+    image: *mut c_void,
+    capacity: usize,
+    out_size: *mut usize,
+) -> shx_result {
+    // SAFETY: the caller's handle, place for capacity bytes and for one number.
+    call("shx_render_hair_save", || unsafe {
+        let (hair, size) = (hair_from(hair)?, Place::new("out_size", out_size)?);
+        let places = if image.is_null() && capacity == 0 {
+            None
+        } else {
+            Some(Places::new("image", "capacity", image.cast::<u8>(), capacity)?)
+        };
+        let bytes = hair.to_bytes();
+        if let Some(places) = places {
+            places.write(&bytes)?;
+        }
+        size.write(bytes.len());
+        Ok(())
+    })
+}
+
+/// Makes render hair of size bytes that shx_render_hair_save wrote: strands come out as they did, to the bit. Of settings only worker_count,
+/// parallel_for and parallel_for_user are looked at; null: the calling thread evaluates. *out_hair is yours; free it with
+/// shx_render_hair_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_SNAPSHOT (no render hair, damaged, of another
+/// version), SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_hair_load(
+    image: *const c_void,
+    size: usize,
+    settings: *const shx_render_settings,
+    out_hair: *mut *mut shx_render_hair,
+) -> shx_result {
+    // SAFETY: the caller's size bytes, structure and place for one pointer.
+    call("shx_render_hair_load", || unsafe {
+        // A null image is a mistake even when its size is 0.
+        let bytes = array("image", "size", image.cast::<u8>(), size.max(usize::from(image.is_null())))?;
+        let (workers, place) = (settings_from(settings)?.workers, Place::new("out_hair", out_hair)?);
+        let load = || RenderHair::from_bytes(bytes, workers.clone());
+        let hair = if matches!(workers, Workers::Pool(_)) { on_own_thread(load) } else { load() }?;
+        place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(hair)))));
+        Ok(())
+    })
+}
+
+/// Makes render hair of other that has lost count guides, whose numbers (counted as at creation) are in gone: the other guides keep their order,
+/// and strands that follow none of the lost stay as they are, to the bit. *out_hair is yours; free it with shx_render_hair_destroy. Poses are
+/// of the hair that they were made of.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (guides that are not there, given twice, or all of them),
+/// SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_render_hair_without(
+    hair: *const shx_render_hair,
+    gone: *const u32,
+    count: usize,
+    out_hair: *mut *mut shx_render_hair,
+) -> shx_result {
+    // SAFETY: the caller's handle, count numbers and place for one pointer.
+    call("shx_render_hair_without", || unsafe {
+        let (hair, gone) = (hair_from(hair)?, array("gone", "count", gone, count)?);
+        let place = Place::new("out_hair", out_hair)?;
+        let left = || hair.without_guides(gone);
+        let left = if matches!(hair.settings().workers, Workers::Pool(_)) { on_own_thread(left) } else { left() }?;
+        place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(left)))));
+        Ok(())
+    })
 }
 
 /// Frees render hair; poses of it live on by themselves. Null is nothing to free. Any thread; nobody may use it any more.
@@ -256,7 +350,43 @@ pub unsafe extern "C" fn shx_render_pose_evaluate(
     velocities: *const shx_output,
 ) -> shx_result {
     // SAFETY: the caller's handle, structure, what it points to, and memory for the outputs.
-    call("shx_render_pose_evaluate", || unsafe {
+    call("shx_render_pose_evaluate", || unsafe { evaluate(pose, view, [points, frames, velocities], |_| Vec::new()) })
+}
+
+/// shx_render_pose_evaluate, with strands kept out of a solver's bodies where these are now (those whose group or mask is 0 left out), by
+/// settings.clearance. Give heads as distance grids: a grid costs some nanoseconds a point, a mesh some microseconds. For velocities the
+/// bodies are taken to have moved as they move now. The pose may be of any solver's strands, or of curves.
+/// Errors: those of shx_render_pose_evaluate. May run beside other reading calls of the solver, and beside itself for other strands.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_evaluate_render_pose(
+    solver: *const shx_solver,
+    pose: *const shx_render_pose,
+    view: *const shx_render_view,
+    points: *const shx_output,
+    frames: *const shx_output,
+    velocities: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handles, structure, what it points to, and memory for the outputs.
+    unsafe {
+        read("shx_solver_evaluate_render_pose", solver, |core| {
+            evaluate(pose, view, [points, frames, velocities], |seconds| core.render_bodies(seconds))
+        })
+    }
+}
+
+/// Evaluates strands into points, frames and velocities, kept out of the bodies that there are; those are asked for with how long ago the
+/// earlier moment is.
+///
+/// # Safety
+/// The handle is null or alive, the structure and what it points to are there, and the memory of the outputs.
+unsafe fn evaluate<'a>(
+    pose: *const shx_render_pose,
+    view: *const shx_render_view,
+    [points, frames, velocities]: [*const shx_output; 3],
+    bodies: impl FnOnce(f64) -> Vec<RenderBody<'a>>,
+) -> Result<()> {
+    // SAFETY: as the caller says.
+    unsafe {
         let pose = pose_from("pose", pose)?.try_read().map_err(in_use)?;
         let whole = view.is_null();
         let def =
@@ -311,6 +441,7 @@ pub unsafe extern "C" fn shx_render_pose_evaluate(
                 Motion::Since { before, seconds: def.seconds, roots: if earlier.is_some() { Some(&then) } else { None } }
             }
         };
+        let bodies = bodies(if before.is_some() { def.seconds } else { VELOCITY_STEP });
         let view = View {
             first: def.first,
             count,
@@ -318,9 +449,10 @@ pub unsafe extern "C" fn shx_render_pose_evaluate(
             roots: if roots.is_some() { Some(&now) } else { None },
             rotations: sink.frames.is_some(),
             motion,
+            bodies: &bodies,
         };
         pose.evaluate(&view, &sink).map_err(named)
-    })
+    }
 }
 
 /// The engine's errors in the names of the view's fields.

@@ -12,7 +12,8 @@ use super::solver_def::check_reserved;
 use super::types::{SHX_FORMAT_FRAME, shx_input, shx_output};
 use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
-use crate::groom::scalp::{Amount, Density, Follicle, Jitter, Scalp, ScatterOptions};
+use crate::groom::guide_roots::GuideRoots;
+use crate::groom::scalp::{Amount, Density, Follicle, Jitter, RootRegion, Scalp, ScatterOptions};
 
 /// A triangle mesh at rest, on which follicles stand. Made by shx_scalp_create, owned by the caller, freed by shx_scalp_destroy. It never
 /// changes, so any threads may use it at the same time.
@@ -107,11 +108,16 @@ pub struct shx_scatter_def {
     pub seed: u64,
     /// 0.
     pub reserved: [u64; 4],
+    /// count 0 (default: anywhere), or the roots of guides, m: only where they cover the scalp, by how far they are apart, so that faces, ears
+    /// and necks stay bare. Formats as shx_scalp_def.vertices. Multiplied with the density.
+    pub guide_roots: shx_input,
+    /// With guide_roots: instead as near as this to one of them, m. 0 (default): what they cover.
+    pub within: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
 unsafe impl Versioned for shx_scatter_def {
-    const FIRST_SIZE: usize = size_of::<Self>();
+    const FIRST_SIZE: usize = offset_of!(shx_scatter_def, guide_roots);
 
     fn defaults() -> Self {
         Self {
@@ -124,13 +130,15 @@ unsafe impl Versioned for shx_scatter_def {
             density_height: 0,
             seed: 0,
             reserved: [0; 4],
+            guide_roots: NO_INPUT,
+            within: 0.0,
         }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_scatter_def>() == 88 && offset_of!(shx_scatter_def, density) == 24);
+    assert!(size_of::<shx_scatter_def>() == 128 && offset_of!(shx_scatter_def, density) == 24);
     assert!(offset_of!(shx_scatter_def, seed) == 48 && offset_of!(shx_scatter_def, reserved) == 56);
 };
 
@@ -242,6 +250,10 @@ pub unsafe extern "C" fn shx_scalp_scatter(
             let values = array("def.density", "def.density_height", def.density, pixels)?.to_vec();
             Density::Picture { width: def.density_width, height: def.density_height, values }
         };
+        let density = match root_region(&def)? {
+            Some(region) => Density::Product(vec![density, region]),
+            None => density,
+        };
         if let (Amount::Count(needed), Some(places)) = (amount, &follicles) {
             places.check_room(needed)?;
         }
@@ -256,6 +268,27 @@ pub unsafe extern "C" fn shx_scalp_scatter(
         count.write(made.follicles.len());
         Ok(())
     })
+}
+
+/// Where a definition's guides are.
+///
+/// # Safety
+/// What the definition points to is there.
+unsafe fn root_region(def: &shx_scatter_def) -> Result<Option<Density>> {
+    if def.guide_roots.count == 0 && def.guide_roots.data.is_null() {
+        return if def.within == 0.0 { Ok(None) } else { Err(Error::invalid("def.within", def.within, "0 without guide_roots")) };
+    }
+    // SAFETY: the same.
+    let roots = GuideRoots::new(unsafe { places("def.guide_roots", &raw const def.guide_roots)? });
+    let roots = roots.map_err(|error| error.renamed("roots", "def.guide_roots"))?;
+    let region = if def.within == 0.0 {
+        let spacing = roots.spacing();
+        let one = || Error::invalid("def.within", 0, "a distance, m: guides that are all at one place are no distance apart");
+        RootRegion::Covered(spacing.ok_or_else(one)?)
+    } else {
+        RootRegion::Within(def.within)
+    };
+    Ok(Some(Density::Roots(roots, region)))
 }
 
 /// The follicles at count texture coordinates (uvs: u and v, two doubles each) into out_follicles, which holds count items. Each is first

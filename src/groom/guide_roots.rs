@@ -10,11 +10,29 @@ use crate::math::random::Seeded;
 /// Nearest roots from which a triangle's corners are taken, the root itself among them.
 const NEIGHBOURS: usize = 7;
 
+/// Nearest roots by whose directions it is told whether a place is among them, and how far away they count, in their distances from each other.
+const AROUND: usize = 8;
+const REACH: f64 = 2.5;
+/// A place is among roots where the mean of their directions is shorter than the one, beside them where it is longer than the other.
+const AMONG: f64 = 0.5;
+const BESIDE: f64 = 0.65;
+
+/// 1 up to `from`, 0 from `to` on, linear in between.
+fn fading(value: f64, from: f64, to: f64) -> f64 {
+    ((to - value) / (to - from)).clamp(0.0, 1.0)
+}
+
 /// Guides' roots, found by nearness. They do not change: any threads may use them at the same time.
 #[derive(Debug, Clone)]
 pub struct GuideRoots {
     roots: Vec<Vector3<f64>>,
     tree: PointTree,
+}
+
+impl PartialEq for GuideRoots {
+    fn eq(&self, other: &Self) -> bool {
+        self.roots == other.roots
+    }
 }
 
 impl GuideRoots {
@@ -59,8 +77,9 @@ impl GuideRoots {
         }
     }
 
-    /// How much of a place belongs to the region: 1 up to the distance `within` (m) from the nearest root, from there on linearly less, 0
-    /// from twice the distance on. A density for [`Scalp::scatter`](super::scalp::Scalp::scatter), whose mesh may be coarse.
+    /// How much of places belongs to the region: 1 up to the distance `within` (m) from the nearest root, from there on linearly less, 0
+    /// from twice the distance on. As densities of vertices for [`Scalp::scatter`](super::scalp::Scalp::scatter) they are as coarse as the mesh;
+    /// [`Density::Roots`](super::scalp::Density::Roots) is not.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] (`within`) unless it is above zero.
@@ -70,9 +89,42 @@ impl GuideRoots {
         let mut near = |place: &Vector3<f64>| {
             self.tree.nearest(*place, 1, &mut found);
             let distance = found.first().map_or(f64::INFINITY, |(squared, _)| squared.sqrt());
-            (2.0 - distance / within).clamp(0.0, 1.0)
+            fading(distance / within, 1.0, 2.0)
         };
         Ok(places.iter().map(&mut near).collect())
+    }
+
+    /// How much of a place is near the roots: 1 up to three quarters of the distance `within` (m) from the nearest, from there on linearly less,
+    /// 0 from that distance on.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] (`within`) unless it is above zero.
+    pub fn near(&self, place: Vector3<f64>, within: f64) -> Result<f64> {
+        check_positive(|| "within".into(), within)?;
+        let mut nearest = Vec::new();
+        self.tree.nearest(place, 1, &mut nearest);
+        let distance = nearest.first().map_or(f64::INFINITY, |(squared, _)| squared.sqrt());
+        Ok(fading(distance / within, 0.75, 1.0))
+    }
+
+    /// How much of a place the roots cover, by how far they are apart (`spacing`, m): 1 where it is among them and no farther from the nearest
+    /// than they are from each other, 0 from a quarter farther on; beside them 1 up to three tenths of that distance, 0 from six tenths on. Hair
+    /// grows there: not on faces, ears and necks about which there are guides.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] (`spacing`) unless it is above zero.
+    pub fn cover(&self, place: Vector3<f64>, spacing: f64) -> Result<f64> {
+        check_positive(|| "spacing".into(), spacing)?;
+        let mut found = Vec::new();
+        self.tree.nearest(place, AROUND, &mut found);
+        let away = found.first().map_or(f64::INFINITY, |(squared, _)| squared.sqrt()) / spacing;
+        // Directions of roots on all sides cancel; those of a straight border's have a mean of 2/π, the more the farther beside it.
+        let ways = found.iter().map(|(_, root)| self.roots[*root as usize] - place).filter(|way| way.norm() <= REACH * spacing);
+        let (sum, count) = ways
+            .fold((Vector3::zeros(), 0.0), |(sum, count), way| (sum + way.try_normalize(0.0).unwrap_or_default(), count + 1.0));
+        let lopsided = if count > 1.0 { sum.norm() / count } else { 1.0 };
+        let among = fading(lopsided, AMONG, BESIDE) * fading(away, 1.0, 1.25);
+        Ok(among.max(fading(away, 0.3, 0.6)))
     }
 
     /// Random places in triangles of a root and two of the six nearest to it, each root in turn: where render strands may grow when no scalp
@@ -126,7 +178,36 @@ mod tests {
         for (value, expected) in near.iter().zip([1.0, 1.0, 0.5, 0.0, 0.0]) {
             assert!((value - expected).abs() < 1e-12, "{near:?}");
         }
-        assert!(lattice().nearness(&places, 0.0).is_err() && lattice().nearness(&places, f64::NAN).is_err());
+        for (away, expected) in [(0.0, 1.0), (0.015, 1.0), (0.0175, 0.5), (0.02, 0.0), (0.5, 0.0)] {
+            let near = lattice().near(Vector3::new(-away, 0.0, 0.3), 0.02).expect("a distance");
+            assert!((near - expected).abs() < 1e-12, "{away}: {near}");
+        }
+        for distance in [0.0, f64::NAN] {
+            assert!(lattice().near(Vector3::x(), distance).is_err() && lattice().cover(Vector3::x(), distance).is_err());
+        }
+    }
+
+    #[test]
+    fn roots_cover_what_is_among_them_and_a_hem() {
+        // A lattice of 1 cm with a hole of 4 cm.
+        let roots: Vec<_> = (0..400)
+            .map(|k| Vector3::new(0.01 * f64::from(k % 20), 0.01 * f64::from(k / 20), 0.3))
+            .filter(|root| (root - Vector3::new(0.1, 0.1, 0.3)).norm() > 0.02)
+            .collect();
+        let roots = GuideRoots::new(roots).expect("finite roots");
+        let spacing = roots.spacing().expect("a spacing");
+        let cover = |x: f64, y: f64| roots.cover(Vector3::new(x, y, 0.3), spacing).expect("a spacing");
+        // Everywhere among them it is whole.
+        for k in 0..400 {
+            let (x, y) = (0.03 + 0.04 * f64::from(k % 20) / 20.0, 0.03 + 0.04 * f64::from(k / 20) / 20.0);
+            assert_eq!(cover(x, y), 1.0, "{x} {y}");
+        }
+        // The hole's middle is bare, and what is more than six tenths of a spacing beside the border.
+        assert_eq!(cover(0.1, 0.1), 0.0);
+        for away in [0.0065, 0.01, 0.05] {
+            assert_eq!(cover(-away, 0.1), 0.0, "{away}");
+        }
+        assert!(cover(-0.0025, 0.1) == 1.0 && cover(-0.0045, 0.1) > 0.0);
     }
 
     #[test]

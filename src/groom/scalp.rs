@@ -13,7 +13,7 @@ mod texture;
 
 use nalgebra::Vector3;
 
-pub use density::Density;
+pub use density::{Density, RootRegion};
 pub use scatter::{Amount, MOST_FOLLICLES, ScatterOptions, Scattered};
 pub use texture::Jitter;
 

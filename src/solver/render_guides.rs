@@ -1,4 +1,4 @@
-//! A solver's strands as the guides of render hair.
+//! A solver's strands as the guides of render hair, and its bodies as what that is kept out of.
 
 use std::sync::Mutex;
 
@@ -8,7 +8,9 @@ use super::Solver;
 use super::bulk_sampling::{SampleSink, Tile, Wanted};
 use super::id::StrandId;
 use crate::error::Result;
-use crate::groom::render_hair::{GuideSamples, RenderHair, RenderPose, RenderSettings};
+use crate::groom::render_hair::{GuideSamples, RenderBody, RenderHair, RenderPose, RenderSettings};
+use crate::math::frame::Frame;
+use crate::math::rotation::from_rotation_vector;
 
 /// Where strands are, as guides.
 #[derive(Debug, Clone, Default)]
@@ -94,5 +96,21 @@ impl Solver {
     pub fn pose_render_hair(&self, ids: &[StrandId], velocities: bool, pose: &mut RenderPose) -> Result<()> {
         let points = pose.hair().settings().points_per_strand;
         pose.set(&self.render_guides(ids, points, velocities)?.samples())
+    }
+
+    /// The bodies as they are now, for render strands to be kept out of ([`View::bodies`](crate::groom::render_hair::View::bodies)); those
+    /// whose group or mask is 0 touch nothing and are left out. `seconds` ago they are taken to have been where their velocities say.
+    pub fn render_bodies(&self, seconds: f64) -> Vec<RenderBody<'_>> {
+        let bodies = self.bodies.iter().map(|body| &body.body).filter(|body| body.def().group != 0 && body.def().mask != 0);
+        bodies
+            .map(|body| {
+                let (def, (velocity, spin)) = (body.def(), body.way.velocity());
+                let before = Frame {
+                    origin: def.pose.origin - velocity * seconds,
+                    rotation: from_rotation_vector(spin * -seconds) * def.pose.rotation,
+                };
+                RenderBody { shape: &def.shape, pose: def.pose, pose_before: before, thickness: def.thickness }
+            })
+            .collect()
     }
 }

@@ -460,7 +460,8 @@ AT(shx_wisp, struct_size, 0);
 AT(shx_wisp, reserved0, 4);
 AT(shx_wisp, hairs, 8);
 AT(shx_wisp, hold, 16);
-SIZE(shx_render_settings, 192);
+
+SIZE(shx_render_settings, 256);
 AT(shx_render_settings, struct_size, 0);
 AT(shx_render_settings, points_per_strand, 4);
 AT(shx_render_settings, space, 8);
@@ -484,6 +485,15 @@ AT(shx_render_settings, parallel_for, 136);
 AT(shx_render_settings, parallel_for_user, 144);
 AT(shx_render_settings, reserved, 152);
 AT(shx_render_settings, length_variation, 184);
+AT(shx_render_settings, flatness, 192);
+AT(shx_render_settings, clump_noise, 200);
+AT(shx_render_settings, clump_noise_waves, 208);
+AT(shx_render_settings, flyaways, 216);
+AT(shx_render_settings, flyaway_distance, 224);
+AT(shx_render_settings, taper_shape, 232);
+AT(shx_render_settings, clearance, 240);
+AT(shx_render_settings, preserve_length, 248);
+AT(shx_render_settings, reserved1, 252);
 
 SIZE(shx_render_guides, 184);
 AT(shx_render_guides, struct_size, 0);
@@ -523,7 +533,7 @@ AT(shx_scalp_def, uvs, 56);
 AT(shx_scalp_def, reference, 64);
 AT(shx_scalp_def, reserved, 88);
 
-SIZE(shx_scatter_def, 88);
+SIZE(shx_scatter_def, 128);
 AT(shx_scatter_def, struct_size, 0);
 AT(shx_scatter_def, reserved0, 4);
 AT(shx_scatter_def, count, 8);
@@ -533,5 +543,7 @@ AT(shx_scatter_def, density_width, 32);
 AT(shx_scatter_def, density_height, 40);
 AT(shx_scatter_def, seed, 48);
 AT(shx_scatter_def, reserved, 56);
+AT(shx_scatter_def, guide_roots, 88);
+AT(shx_scatter_def, within, 120);
 
 int main(void) { return 0; }

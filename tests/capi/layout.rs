@@ -87,12 +87,12 @@ fn every_size_and_offset_is_as_published() {
         shx_element_change: 48 { struct_size: 0, element: 4, twist: 8, bend: 16, stretch: 32, keep_curvature: 40, reserved: 44 }
         shx_material: 72 { struct_size: 0, reserved0: 4, radius: 8, density: 24, youngs_modulus: 32, poisson_ratio: 40, internal_friction: 48, viscosity: 56, air_drag: 64 }
         shx_wisp: 24 { struct_size: 0, reserved0: 4, hairs: 8, hold: 16 }
-        shx_render_settings: 192 { struct_size: 0, points_per_strand: 4, space: 8, guides_per_strand: 12, curliness: 16, measure_curliness: 24, wisps_per_guide: 28, max_tip_distance: 32, max_tip_ratio: 40, wisp_profile: 48, frizz: 72, frizz_waves: 80, radius: 88, tip_radius: 96, taper_from: 104, radius_variation: 112, seed: 120, worker_count: 128, reserved0: 132, parallel_for: 136, parallel_for_user: 144, reserved: 152, length_variation: 184 }
+        shx_render_settings: 256 { struct_size: 0, points_per_strand: 4, space: 8, guides_per_strand: 12, curliness: 16, measure_curliness: 24, wisps_per_guide: 28, max_tip_distance: 32, max_tip_ratio: 40, wisp_profile: 48, frizz: 72, frizz_waves: 80, radius: 88, tip_radius: 96, taper_from: 104, radius_variation: 112, seed: 120, worker_count: 128, reserved0: 132, parallel_for: 136, parallel_for_user: 144, reserved: 152, length_variation: 184, flatness: 192, clump_noise: 200, clump_noise_waves: 208, flyaways: 216, flyaway_distance: 224, taper_shape: 232, clearance: 240, preserve_length: 248, reserved1: 252 }
         shx_render_guides: 184 { struct_size: 0, reserved0: 4, guide_count: 8, points: 16, point_counts: 48, roots: 56, velocities: 88, root_angular_velocities: 120, reserved: 152 }
         shx_render_view: 160 { struct_size: 0, reserved0: 4, first: 8, count: 16, origin: 24, before: 48, seconds: 56, roots: 64, roots_before: 96, reserved: 128 }
         shx_follicle: 24 { triangle: 0, reserved: 4, shares: 8 }
         shx_scalp_def: 120 { struct_size: 0, reserved0: 4, vertices: 8, triangles: 40, triangle_count: 48, uvs: 56, reference: 64, reserved: 88 }
-        shx_scatter_def: 88 { struct_size: 0, reserved0: 4, count: 8, spacing: 16, density: 24, density_width: 32, density_height: 40, seed: 48, reserved: 56 }
+        shx_scatter_def: 128 { struct_size: 0, reserved0: 4, count: 8, spacing: 16, density: 24, density_width: 32, density_height: 40, seed: 48, reserved: 56, guide_roots: 88, within: 120 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

@@ -7,6 +7,8 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use superhelix::capi::bodies::shx_solver_add_bodies;
+use superhelix::capi::body_def::{SHX_SHAPE_SPHERE, shx_body_def, shx_body_def_init};
 use superhelix::capi::errors::SHX_OK;
 use superhelix::capi::guard::shx_solver;
 use superhelix::capi::parallel::shx_range_fn;
@@ -88,6 +90,18 @@ impl Drop for Made {
             shx_render_hair_destroy(self.hair);
             shx_render_pose_destroy(self.pose);
         }
+    }
+}
+
+/// Mixing alone.
+fn plain() -> shx_render_settings {
+    shx_render_settings {
+        points_per_strand: POINTS as u32,
+        curliness: 0.0,
+        flyaways: 0.0,
+        length_variation: 0.0,
+        preserve_length: 0,
+        ..filled(shx_render_settings_init)
     }
 }
 
@@ -212,7 +226,7 @@ fn solver(ids: &mut [shx_strand_id]) -> *mut shx_solver {
 fn a_solvers_strands_carry_render_hair_with_them() {
     let mut ids = [shx_strand_id { bits: 0 }; 9];
     let solver = solver(&mut ids);
-    let settings = shx_render_settings { points_per_strand: POINTS as u32, ..filled(shx_render_settings_init) };
+    let settings = plain();
     let roots: Vec<[f32; 3]> = (0..50).map(|k| [0.0004 * k as f32, 0.013, 0.001]).collect();
     let place = input(&roots, 50, SHX_FORMAT_F32X3);
     let mut made = Made { hair: null_mut(), pose: null_mut() };
@@ -315,5 +329,90 @@ fn roots_follow_a_scalp_that_deforms() {
         }
         assert!(highest > 0.01);
         shx_scalp_destroy(scalp);
+    }
+}
+
+#[test]
+fn strands_are_kept_out_of_a_solvers_bodies() {
+    let mut ids = [shx_strand_id { bits: 0 }; 9];
+    let solver = solver(&mut ids);
+    let roots: Vec<[f32; 3]> = (0..80).map(|k| [0.0, 0.00025 * k as f32, 0.0]).collect();
+    let place = input(&roots, 80, SHX_FORMAT_F32X3);
+    let settings = shx_render_settings { preserve_length: 1, ..plain() };
+    let mut made = Made { hair: null_mut(), pose: null_mut() };
+    // Strands along x; a ball of 2 cm in their way at x = 6 cm, beside it one that touches nothing.
+    let mut bodies = [filled(shx_body_def_init), filled(shx_body_def_init)];
+    for body in &mut bodies {
+        (body.shape, body.radius) = (SHX_SHAPE_SPHERE, 0.02);
+        body.pose.origin = [0.06, 0.01, 0.005];
+    }
+    bodies[1].pose.origin = [0.09, 0.01, 0.0];
+    bodies[1].mask = 0;
+    let mut body_ids = [shx_body_id { bits: 0 }; 2];
+    // SAFETY: living handles, structures and memory of the sizes that are stated.
+    unsafe {
+        assert_eq!(shx_solver_create_render_hair(solver, ids.as_ptr(), 9, &settings, &place, &raw mut made.hair), SHX_OK);
+        assert_eq!(shx_render_pose_create(made.hair, &raw mut made.pose), SHX_OK);
+        assert_eq!(shx_solver_set_render_pose(solver, ids.as_ptr(), 9, 1, made.pose), SHX_OK);
+        assert_eq!(shx_solver_add_bodies(solver, bodies.as_ptr(), size_of::<shx_body_def>(), 2, body_ids.as_mut_ptr()), SHX_OK);
+        let depth = |points: &[[f32; 4]]| {
+            let of = |p: &[f32; 4]| {
+                let away = [f64::from(p[0]) - 0.06, f64::from(p[1]) - 0.01, f64::from(p[2]) - 0.005];
+                0.02 - away.iter().map(|value| value * value).sum::<f64>().sqrt()
+            };
+            points.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let free = made.points(null(), 80);
+        let (mut kept, mut speeds) = (vec![[f32::NAN; 4]; 80 * POINTS], vec![[f32::NAN; 3]; 80 * POINTS]);
+        let at = output(&mut kept, 80 * POINTS, SHX_FORMAT_F32X4);
+        let moving = output(&mut speeds, 80 * POINTS, SHX_FORMAT_F32X3);
+        assert_eq!(shx_solver_evaluate_render_pose(solver, made.pose, null(), &at, null(), &moving), SHX_OK);
+        assert!(depth(&free) > 0.01 && depth(&kept) < 1e-3, "{} {}", depth(&free), depth(&kept));
+        let length = |strand: &[[f32; 4]]| {
+            let edge = |e: &[[f32; 4]]| (0..3).map(|k| (e[1][k] - e[0][k]).powi(2)).sum::<f32>().sqrt();
+            strand.windows(2).map(edge).sum::<f32>()
+        };
+        for (before, after) in free.chunks(POINTS).zip(kept.chunks(POINTS)) {
+            assert!((length(after) / length(before) - 1.0).abs() < 0.05, "{} {}", length(after), length(before));
+            assert!(before[0] == after[0] && (before[3][0] - after[3][0]).abs() < 0.01);
+        }
+        // All stands still.
+        assert!(speeds.iter().flatten().all(|speed| speed.abs() < 1e-3));
+        shx_solver_destroy(solver);
+    }
+}
+
+#[test]
+fn hair_is_saved_and_outlives_a_guide() {
+    let (points, roots) = (curves(), places(200));
+    let whole = Made::new(&settings(SHX_SPACE_CURVATURE), &guides(&points), &roots);
+    let expected = whole.points(null(), 200);
+    // SAFETY: living handles, structures and memory of the sizes that are stated.
+    unsafe {
+        let mut size = 0;
+        assert_eq!(shx_render_hair_save(whole.hair, null_mut(), 0, &raw mut size), SHX_OK);
+        let mut image = vec![0_u8; size];
+        assert_eq!(shx_render_hair_save(whole.hair, image.as_mut_ptr().cast(), size, &raw mut size), SHX_OK);
+        for threads in [1, 2] {
+            let settings = shx_render_settings { worker_count: threads, ..filled(shx_render_settings_init) };
+            let mut again = Made { hair: null_mut(), pose: null_mut() };
+            assert_eq!(shx_render_hair_load(image.as_ptr().cast(), size, &settings, &raw mut again.hair), SHX_OK);
+            assert_eq!(shx_render_pose_create(again.hair, &raw mut again.pose), SHX_OK);
+            assert_eq!(shx_render_pose_set_guides(again.pose, &guides(&points)), SHX_OK);
+            assert!(again.points(null(), 200) == expected);
+        }
+        // Without guide 7 there are 29; strands that are elsewhere stay as they are.
+        let mut fewer = Made { hair: null_mut(), pose: null_mut() };
+        assert_eq!(shx_render_hair_without(whole.hair, [7_u32].as_ptr(), 1, &raw mut fewer.hair), SHX_OK);
+        assert_eq!(shx_render_pose_create(fewer.hair, &raw mut fewer.pose), SHX_OK);
+        let left: Vec<_> = points.iter().enumerate().filter(|(item, _)| item / POINTS != 7).map(|(_, point)| *point).collect();
+        let left = shx_render_guides { guide_count: 29, ..guides(&left) };
+        assert_eq!(shx_render_pose_set_guides(fewer.pose, &left), SHX_OK);
+        let found = fewer.points(null(), 200);
+        let same = found.chunks(POINTS).zip(expected.chunks(POINTS)).filter(|(a, b)| a == b).count();
+        assert!((80..199).contains(&same), "{same}");
+        for (root, strand) in roots.iter().zip(found.chunks(POINTS)) {
+            assert!((0..3).all(|axis| (root[axis] - strand[0][axis]).abs() < 1e-6), "{root:?} {:?}", strand[0]);
+        }
     }
 }

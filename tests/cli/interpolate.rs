@@ -15,7 +15,9 @@ fn answer(arguments: &[&str]) -> Value {
 fn a_groom_is_filled_up_on_its_head() {
     let place = directory("interpolate");
     let out = place.join("render.hair").display().to_string();
-    let (groom, bust) = (data("sintel_hair_001.tfx"), data("sintel_bust.obj"));
+    let (groom, bust) = (data("sintel_hair_001.tfx"), place.join("bust.obj").display().to_string());
+    // The grid that it is baked into is kept beside it.
+    std::fs::copy(data("sintel_bust.obj"), &bust).expect("a copy");
     let common = [
         "interpolate",
         &groom,
@@ -27,6 +29,8 @@ fn a_groom_is_filled_up_on_its_head() {
         "800",
         "--within",
         "0.01",
+        "--body-cell",
+        "0.008",
         "--json",
         "--out",
         &out,
@@ -44,9 +48,33 @@ fn a_groom_is_filled_up_on_its_head() {
     for strand in made.strands() {
         let away = |root: &[f32; 3]| (0..3).map(|axis| (root[axis] - strand[0][axis]).powi(2)).sum::<f32>().sqrt();
         let nearest = roots.iter().map(away).fold(f32::INFINITY, f32::min);
-        // Within a centimetre, thinning out to two; a triangle's size more, where the mesh is coarse.
-        assert!(nearest < 3.5, "{nearest}");
+        // A centimetre, however coarse the mesh is.
+        assert!(nearest < 1.001, "{nearest}");
     }
+    assert_eq!(said["kept_out_of_body"].as_bool(), Some(true));
+    let grids = std::fs::read_dir(&place).expect("a directory").map(|entry| entry.expect("an entry").path());
+    let grid = grids.into_iter().find(|path| path.extension().is_some_and(|extension| extension == "shxgrid"));
+    let grid = superhelix::files::distance_grid::read(grid.expect("a grid")).expect("a grid");
+    let inside = |curves: &Curves| {
+        let depths = curves.strands().flat_map(|strand| &strand[1..]).map(|point| {
+            grid.closest(nalgebra::Vector3::from(point.map(f64::from)) * 0.01).map_or(0.0, |surface| -surface.distance)
+        });
+        let depths: Vec<f64> = depths.collect();
+        depths.iter().filter(|depth| **depth > 1e-3).count() as f64 / depths.len() as f64
+    };
+    assert!(inside(&made) < 0.005, "{}", inside(&made));
+    // Not kept out, and of a whole head: many lie in it, and some grow where no guide is near.
+    let free: Vec<&str> =
+        common.iter().copied().filter(|word| !["--scale", "--within", "0.01", "--body-cell", "0.008"].contains(word)).collect();
+    let said = answer(&[&free[..], &["--scale", "0.01", "--no-body", "--whole-scalp"]].concat());
+    assert_eq!(said["kept_out_of_body"].as_bool(), Some(false));
+    let whole = Curves::read(&out).expect("a groom");
+    assert!(inside(&whole) > 0.02, "{}", inside(&whole));
+    let farthest = whole.strands().map(|strand| {
+        let away = |root: &[f32; 3]| (0..3).map(|axis| (root[axis] - strand[0][axis]).powi(2)).sum::<f32>().sqrt();
+        roots.iter().map(away).fold(f32::INFINITY, f32::min)
+    });
+    assert!(farthest.fold(0.0, f32::max) > 5.0);
     let widths = made.extras().thickness.clone().expect("widths");
     // 0.1 mm and 0.04 mm in units of a centimetre, give or take a tenth.
     assert!((0.009..0.0111).contains(&widths[0]) && (0.0036..0.0044).contains(&widths[11]), "{} {}", widths[0], widths[11]);
@@ -130,7 +158,12 @@ fn frames_come_with_velocities() {
     // Along x as t^2, ten frames a second: the parabola through three frames is the motion itself.
     write_guides(&cache, 4, &|frame, [x, y, z]| [x + 100.0 * (0.1 * f64::from(frame)).powi(2), y, z]);
     let cache = cache.display().to_string();
-    let said = answer(&["interpolate", &cache, "--fps", "10", "--count", "40", "--points", "8", "--out", &out, "--json"]);
+    // Mixing alone: what puts points anew on their way rounds once more.
+    let plain = ["--curliness", "0", "--free-length", "--length-variation", "0", "--flyaways", "0"];
+    let said = answer(
+        &[&["interpolate", &cache, "--fps", "10", "--count", "40", "--points", "8", "--out", &out, "--json"][..], &plain]
+            .concat(),
+    );
     assert_eq!((said["frames"].as_u64(), said["velocities"].as_bool()), (Some(4), Some(true)));
     let frames = frames_of(&out);
     let file = CurveCache::read(&out).expect("a cache");
@@ -146,7 +179,10 @@ fn frames_come_with_velocities() {
     }
     // A file's own velocities are taken as they are, at its own times.
     let again = place.join("again.usda").display().to_string();
-    let said = answer(&["interpolate", &out, "--count", "20", "--points", "8", "--scale", "1", "--out", &again, "--json"]);
+    let said = answer(
+        &[&["interpolate", &out, "--count", "20", "--points", "8", "--scale", "1", "--out", &again, "--json"][..], &plain]
+            .concat(),
+    );
     assert_eq!((said["guides"].as_u64(), said["velocities"].as_bool()), (Some(40), Some(true)));
     for (index, (_, velocities)) in frames_of(&again).iter().enumerate() {
         let expected = [10.0, 20.0, 40.0, 50.0][index];
@@ -180,7 +216,8 @@ fn roots_stay_on_a_scalp_that_deforms() {
     };
     let scalp = mesh(&scalp, 3, "f 1 2 3 4\n");
     let cache = cache.display().to_string();
-    let fixed = ["interpolate", &cache, "--fps", "2", "--count", "50", "--points", "6", "--within", "9", "--out", &out];
+    let fixed =
+        ["interpolate", &cache, "--fps", "2", "--count", "50", "--points", "6", "--within", "9", "--no-body", "--out", &out];
     answer(&[&fixed[..], &["--scalp", &scalp, "--json"]].concat());
     let frames = frames_of(&out);
     let expected = |frame: u32, root: [f32; 3]| moved(frame, root.map(f64::from));
@@ -231,6 +268,7 @@ fn roots_stay_on_a_scalp_that_deforms() {
         "6",
         "--within",
         "9",
+        "--no-body",
         "--scalp",
         &head,
         "--out",
@@ -255,7 +293,10 @@ fn roots_stay_on_a_scalp_that_deforms() {
             [&fixed[..], &["--scalp", &short]].concat(),
             "short.usda: has samples from 0 to 0.9 s, and the guides have a frame at 1 s",
         ),
-        (vec!["interpolate", &out, "--scalp", &lying, "--out", &hair], "lying.usda: has z up, and the guides have y"),
+        (
+            vec!["interpolate", &out, "--no-body", "--scalp", &lying, "--out", &hair],
+            "lying.usda: has z up, and the guides have y",
+        ),
         (vec!["interpolate", &single, "--scalp", &short, "--out", &hair], "has 3 samples; expected one, or one for each"),
         (vec!["interpolate", &cache, "--out", &out], "give --fps"),
         (vec!["interpolate", &out, "--fps", "3", "--out", &out], "leave --fps out"),
@@ -370,7 +411,8 @@ fn texture_coordinates_place_follicles_and_pictures_say_how_densely() {
     // Render hair grows where the map says, however few the guides; without a map near them.
     let hair = place.join("render.hair").display().to_string();
     let grow = |more: &[&str]| {
-        let fixed = ["interpolate", &groom, "--scale", "0.01", "--scalp", &mesh, "--count", "200", "--out", &hair, "--json"];
+        let fixed =
+            ["interpolate", &groom, "--scale", "0.01", "--no-body", "--scalp", &mesh, "--count", "200", "--out", &hair, "--json"];
         answer(&[&fixed[..], more].concat());
         let curves = Curves::read(&hair).expect("a groom");
         curves.strands().map(|strand| strand[0]).collect::<Vec<_>>()

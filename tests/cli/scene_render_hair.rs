@@ -84,12 +84,15 @@ fn a_scene_makes_the_render_hair_that_interpolate_makes_of_its_cache() {
         "out": "render.usda", "every": 2, "count": 50, "scalp": { "file": "metres.obj", "within": 0.05 }, "points": 9,
         "space": "curvature", "guides_per_strand": 2, "curliness": 0.4, "max_tip_distance": 0.2, "max_tip_ratio": 0.9, "wisps": 2,
         "wisp_profile": [1, 0.5, 0.1], "frizz": 0.001, "frizz_waves": 4, "length_variation": 0.3, "radius": 5e-5,
-        "tip_radius": 1e-5, "taper_from": 0.3, "radius_variation": 0.2, "seed": 7
+        "tip_radius": 1e-5, "taper_from": 0.3, "radius_variation": 0.2, "seed": 7, "flatness": 0.2, "clump_noise": 0.002,
+        "clump_noise_waves": 2, "flyaways": 0.2, "flyaway_distance": 0.003, "taper_shape": -0.3, "preserve_length": false,
+        "clearance": 0.003
     });
     let flags = "--every 2 --count 50 --scalp metres.obj --within 0.05 --points 9 --space curvature --guides-per-strand 2 \
                  --curliness 0.4 --max-tip-distance 0.2 --max-tip-ratio 0.9 --wisps 2 --wisp-profile 1,0.5,0.1 --frizz 0.001 \
                  --frizz-waves 4 --length-variation 0.3 --radius 5e-5 --tip-radius 1e-5 --taper-from 0.3 --radius-variation 0.2 \
-                 --seed 7";
+                 --seed 7 --flatness 0.2 --clump-noise 0.002 --clump-noise-waves 2 --flyaways 0.2 --flyaway-distance 0.003 \
+                 --taper-shape -0.3 --free-length --clearance 0.003";
     let painted = json!({ "out": "render.usda", "count": 30, "max_tip_ratio": 0,
                           "scalp": { "file": "metres.obj", "density": "numbers.txt", "density_picture": "picture.png" } });
     let cases = [
@@ -104,6 +107,11 @@ fn a_scene_makes_the_render_hair_that_interpolate_makes_of_its_cache() {
             json!({ "out": "render.usda", "count": 40, "scalp": { "file": "meshes" }, "curliness": "measured" }),
             "render.usda",
             "--count 40 --scalp meshes --curliness measured",
+        ),
+        (
+            json!({ "out": "render.usda", "count": 40, "scalp": { "file": "metres.obj", "whole": true } }),
+            "render.usda",
+            "--count 40 --scalp metres.obj --whole-scalp",
         ),
         (
             json!({ "out": "render.usda", "count": 40, "scalp": { "file": "head.usda" } }),
@@ -126,7 +134,8 @@ fn a_scene_makes_the_render_hair_that_interpolate_makes_of_its_cache() {
         let place_of = |flag: &str| if place.join(flag).exists() { place.join(flag).display().to_string() } else { flag.into() };
         let flags = flags.split_ascii_whitespace().map(place_of);
         let (cache, other_path) = (place.join("strands.usda").display().to_string(), other.display().to_string());
-        let command = ["interpolate".to_string(), cache, "--out".into(), other_path].into_iter().chain(flags);
+        // A scene's strands are kept out of its colliders, of which there are none.
+        let command = ["interpolate".to_string(), cache, "--no-body".into(), "--out".into(), other_path].into_iter().chain(flags);
         well(&superhelix(&command.collect::<Vec<_>>()));
         let (one, other) = (bytes(&place.join(out)), bytes(&other));
         assert!(one.len() == other.len() && one == other, "case {index}: the files differ");
@@ -219,6 +228,15 @@ fn bad_sections_are_named() {
         ("frizz", json!(-0.5), "frizz", "-0.5"),
         ("frizz_waves", json!(1001), "frizz_waves", "1001"),
         ("length_variation", json!(1), "length_variation", "1"),
+        ("preserve_length", json!("yes"), "preserve_length", "\"yes\""),
+        ("flatness", json!(1.5), "flatness", "1.5"),
+        ("clump_noise", json!(-1), "clump_noise", "-1"),
+        ("clump_noise_waves", json!(1001), "clump_noise_waves", "1001"),
+        ("flyaways", json!(2), "flyaways", "2"),
+        ("flyaway_distance", json!(-1), "flyaway_distance", "-1"),
+        ("taper_shape", json!(1), "taper_shape", "1"),
+        ("clearance", json!(0), "clearance", "0"),
+        ("bodies", json!(3), "bodies", "3"),
         ("radius", json!(-1), "radius", "-1"),
         ("tip_radius", json!("thin"), "tip_radius", "\"thin\""),
         ("taper_from", json!(1), "taper_from", "1"),
@@ -233,7 +251,9 @@ fn bad_sections_are_named() {
         ("scalp", scalp(json!({ "file": "three.txt" })), "scalp.file", "\"three.txt\""),
         ("scalp", scalp(json!({ "scale": 0 })), "scalp.scale", "0"),
         ("scalp", scalp(json!({ "within": 0 })), "scalp.within", "0"),
-        ("scalp", scalp(json!({ "within": 1e-9, "pose": { "origin": [9, 9, 9] } })), "scalp.within", "0 everywhere"),
+        ("scalp", scalp(json!({ "within": 1e-9, "pose": { "origin": [9, 9, 9] } })), "scalp.within", "above zero on less than"),
+        ("scalp", scalp(json!({ "within": 0.01, "whole": true })), "scalp.whole", "within"),
+        ("scalp", scalp(json!({ "whole": 1 })), "scalp.whole", "1"),
         ("scalp", scalp(json!({ "density": "three.txt" })), "scalp.density", "3"),
         ("scalp", scalp(json!({ "density": "bare.txt" })), "scalp.density", "0 everywhere"),
         ("scalp", scalp(json!({ "density": "word.txt" })), "scalp.density", "\"word.txt\""),

@@ -16,10 +16,10 @@ use superhelix::workers::Workers;
 
 /// What a strand's points were.
 #[derive(Debug, Clone, PartialEq)]
-struct Taken {
-    points: Vec<Vector3<f64>>,
+pub struct Taken {
+    pub points: Vec<Vector3<f64>>,
     rotations: Vec<[f32; 4]>,
-    velocities: Vec<Vector3<f64>>,
+    pub velocities: Vec<Vector3<f64>>,
     radii: Vec<f32>,
 }
 
@@ -48,31 +48,36 @@ impl StrandSink for Collect {
     }
 }
 
-fn whole(pose: &RenderPose) -> View<'static> {
-    View {
-        first: 0,
-        count: pose.hair().strand_count(),
-        origin: Vector3::zeros(),
-        roots: None,
-        rotations: false,
-        motion: Motion::None,
+/// Mixing alone: nothing is gathered, cut or put anew on its way.
+pub fn plain() -> RenderSettings {
+    RenderSettings {
+        curliness: 0.0,
+        wisps_per_guide: 1,
+        flyaways: 0.0,
+        length_variation: 0.0,
+        preserve_length: false,
+        ..RenderSettings::default()
     }
 }
 
-fn evaluate(pose: &RenderPose, view: &View) -> Vec<Taken> {
+pub fn whole(pose: &RenderPose) -> View<'static> {
+    View::whole(pose.hair())
+}
+
+pub fn evaluate(pose: &RenderPose, view: &View) -> Vec<Taken> {
     let sink = Collect { first: view.first, strands: Mutex::new(vec![None; view.count]) };
     pose.evaluate(view, &sink).expect("an evaluation");
     sink.strands.into_inner().expect("no panic").into_iter().map(|taken| taken.expect("every strand")).collect()
 }
 
-fn bind(settings: &RenderSettings, guides: &GuideSamples, roots: &[Vector3<f64>]) -> RenderPose {
+pub fn bind(settings: &RenderSettings, guides: &GuideSamples, roots: &[Vector3<f64>]) -> RenderPose {
     let mut pose = RenderPose::new(Arc::new(RenderHair::bind(settings, guides, roots).expect("a map")));
     pose.set(guides).expect("a pose");
     pose
 }
 
 /// A real groom: guides of 16 points each, m, y up.
-fn groom(name: &str, scale: f64, every: usize, points: usize) -> Vec<Vector3<f64>> {
+pub fn groom(name: &str, scale: f64, every: usize, points: usize) -> Vec<Vector3<f64>> {
     let path = format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"));
     let curves = Curves::read(path).expect("a groom");
     let strands: Vec<_> = curves.strands().step_by(every).collect();
@@ -81,18 +86,18 @@ fn groom(name: &str, scale: f64, every: usize, points: usize) -> Vec<Vector3<f64
     resampled(&all, &counts, None, points).expect("curves").points
 }
 
-fn sintel() -> Vec<Vector3<f64>> {
+pub fn sintel() -> Vec<Vector3<f64>> {
     groom("sintel_hair_001.tfx", 0.01, 1, 16)
 }
 
 /// Numbers in [0, 1).
-fn noise(seed: &mut u64) -> f64 {
+pub fn noise(seed: &mut u64) -> f64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*seed >> 11) as f64 / (1_u64 << 53) as f64
 }
 
 /// Roots among those of the guides: each between one and its next two.
-fn roots_among(guides: &[Vector3<f64>], points: usize, count: usize) -> Vec<Vector3<f64>> {
+pub fn roots_among(guides: &[Vector3<f64>], points: usize, count: usize) -> Vec<Vector3<f64>> {
     let roots: Vec<_> = guides.iter().step_by(points).copied().collect();
     let mut seed = 5;
     (0..count)
@@ -107,7 +112,7 @@ fn roots_among(guides: &[Vector3<f64>], points: usize, count: usize) -> Vec<Vect
         .collect()
 }
 
-fn length(points: &[Vector3<f64>]) -> f64 {
+pub fn length(points: &[Vector3<f64>]) -> f64 {
     points.windows(2).map(|edge| (edge[1] - edge[0]).norm()).sum()
 }
 
@@ -120,11 +125,11 @@ fn a_strand_begins_at_its_root_and_on_a_guide_it_is_the_guide() {
     let roots = roots_among(&guides, 16, 500);
     for space in [Space::Position, Space::Curvature] {
         for curliness in [0.0, 0.5, 1.0] {
-            let settings = RenderSettings { space, curliness, frizz: 0.01, ..RenderSettings::default() };
+            let settings = RenderSettings { space, curliness, frizz: 0.01, ..plain() };
             for (strand, root) in evaluate_all(&settings, &guides, &roots).iter().zip(&roots) {
                 assert!((strand.points[0] - root).norm() < ROUNDING, "{:?} {root}", strand.points[0]);
             }
-            let settings = RenderSettings { space, curliness, ..RenderSettings::default() };
+            let settings = RenderSettings { space, curliness, ..plain() };
             let own: Vec<_> = guides.iter().step_by(16).copied().collect();
             for (strand, guide) in evaluate_all(&settings, &guides, &own).iter().zip(guides.chunks(16)) {
                 for (point, wanted) in strand.points.iter().zip(guide) {
@@ -136,7 +141,7 @@ fn a_strand_begins_at_its_root_and_on_a_guide_it_is_the_guide() {
     }
 }
 
-fn evaluate_all(settings: &RenderSettings, guides: &[Vector3<f64>], roots: &[Vector3<f64>]) -> Vec<Taken> {
+pub fn evaluate_all(settings: &RenderSettings, guides: &[Vector3<f64>], roots: &[Vector3<f64>]) -> Vec<Taken> {
     let pose = bind(settings, &GuideSamples::at_rest(guides), roots);
     evaluate(&pose, &whole(&pose))
 }
@@ -145,13 +150,13 @@ fn evaluate_all(settings: &RenderSettings, guides: &[Vector3<f64>], roots: &[Vec
 fn without_curls_a_strand_is_its_guides_mean_carried_to_its_root() {
     let guides = sintel();
     let roots = roots_among(&guides, 16, 400);
-    let pose = bind(&RenderSettings::default(), &GuideSamples::at_rest(&guides), &roots);
+    let pose = bind(&plain(), &GuideSamples::at_rest(&guides), &roots);
     let mut mixed = 0;
     for (index, strand) in evaluate(&pose, &whole(&pose)).iter().enumerate() {
         let weights: Vec<_> = pose.hair().guides_of(index).expect("a strand").collect();
         let sum: f64 = weights.iter().map(|(_, weight)| f64::from(*weight)).sum();
         assert!((sum - 1.0).abs() < 3e-7, "{sum}");
-        assert!(weights.iter().all(|(_, weight)| (0.0..=1.0).contains(weight)));
+        assert!(weights.iter().all(|(_, weight)| (-0.2501..=1.7501).contains(weight)));
         mixed += usize::from(weights.len() > 1 && weights[0].1 < 0.9);
         for k in 0..16 {
             let mean: Vector3<f64> = weights
@@ -165,32 +170,44 @@ fn without_curls_a_strand_is_its_guides_mean_carried_to_its_root() {
 }
 
 #[test]
-fn the_tip_of_a_gathered_strand_is_its_guides_and_its_offset() {
+fn tips_of_a_wisp_are_its_section_drawn_together() {
     let guides = sintel();
-    let roots = roots_among(&guides, 16, 400);
+    let roots = roots_among(&guides, 16, 3000);
     for space in [Space::Position, Space::Curvature] {
         for (curliness, wisps) in [(0.5, 1), (1.0, 1), (1.0, 4)] {
-            let wisp_profile = [1.0, 0.7, 0.3];
-            let settings = RenderSettings { space, curliness, wisps_per_guide: wisps, wisp_profile, ..RenderSettings::default() };
+            let settings = RenderSettings { space, curliness, wisps_per_guide: wisps, wisp_profile: [1.0, 0.7, 0.3], ..plain() };
             let pose = bind(&settings, &GuideSamples::at_rest(&guides), &roots);
-            let mut several = false;
-            for (index, strand) in evaluate(&pose, &whole(&pose)).iter().enumerate() {
+            let strands = evaluate(&pose, &whole(&pose));
+            let mut members = std::collections::HashMap::<(u32, u32), Vec<usize>>::new();
+            for index in 0..roots.len() {
                 let (guide, _) = pose.hair().guides_of(index).expect("a strand").next().expect("a guide");
-                let wisp = pose.hair().wisp_of(index).expect("a strand");
-                several |= wisp > 0;
-                let guide = &guides[guide as usize * 16..][..16];
-                let way = (guide[1] - guide[0]).normalize();
-                let away = roots[index] - guide[0];
-                let across = (away - way * way.dot(&away)).norm();
-                let tip = strand.points[15] - guide[15];
-                let last = (guide[15] - guide[14]).normalize();
-                // Sections are carried along the guide, so they keep their size and stand across it.
-                if wisp == 0 {
-                    assert!((tip.norm() - 0.3 * across).abs() < ROUNDING, "{} {}", tip.norm(), 0.3 * across);
-                }
-                assert!(tip.dot(&last).abs() < ROUNDING + 1e-5 * tip.norm(), "{}", tip.dot(&last));
+                members.entry((guide, pose.hair().wisp_of(index).expect("a strand"))).or_default().push(index);
             }
-            assert_eq!(several, wisps > 1);
+            assert_eq!(members.keys().any(|(_, wisp)| *wisp > 0), wisps > 1);
+            let mut shares = Vec::new();
+            for ((guide, _), members) in &members {
+                let guide = &guides[*guide as usize * 16..][..16];
+                // Strands that are short beside their wisp do not go over to it all the way.
+                if members.len() < 8 || length(guide) < 0.1 {
+                    continue;
+                }
+                let spread = |of: &dyn Fn(usize) -> Vector3<f64>| {
+                    let middle = members.iter().map(|index| of(*index)).sum::<Vector3<f64>>() / members.len() as f64;
+                    let squares: f64 = members.iter().map(|index| (of(*index) - middle).norm_squared()).sum();
+                    (squares / members.len() as f64).sqrt()
+                };
+                shares.push(spread(&|index| strands[index].points[15]) / spread(&|index| roots[index]));
+                // Sections are carried along the guide, so that they stand across it.
+                let last = (guide[15] - guide[14]).normalize();
+                for index in members {
+                    let tip = strands[*index].points[15] - guide[15];
+                    assert!(tip.dot(&last).abs() < 1e-5, "{}", tip.dot(&last));
+                }
+            }
+            // What a curved patch of scalp has of depth is left out of its section.
+            assert!(shares.len() > 40 && shares.iter().all(|share| *share < 0.3001), "{shares:?}");
+            let mean = shares.iter().sum::<f64>() / shares.len() as f64;
+            assert!(mean > 0.27, "{mean}");
         }
     }
 }
@@ -200,7 +217,7 @@ fn a_strand_depends_smoothly_on_its_root() {
     let guides = sintel();
     let own: Vec<_> = guides.iter().step_by(16).copied().collect();
     // Across the scalp from one guide's root to another; without the criterion on tips, and interpolated all along.
-    let settings = RenderSettings { max_tip_ratio: f64::INFINITY, ..RenderSettings::default() };
+    let settings = RenderSettings { max_tip_ratio: f64::INFINITY, ..plain() };
     let largest = |count: usize| {
         let line: Vec<_> = (0..=count).map(|k| own[0] + (own[120] - own[0]) * (k as f64 / count as f64)).collect();
         let strands = evaluate_all(&settings, &guides, &line);
@@ -227,13 +244,10 @@ fn guides_whose_tips_part_are_not_mixed() {
         let strands = evaluate_all(settings, &guides, &roots);
         strands.iter().map(|strand| (strand.points[15] - strand.points[0]).x.abs()).fold(f64::INFINITY, f64::min)
     };
-    let none = RenderSettings { max_tip_ratio: f64::INFINITY, ..RenderSettings::default() };
+    let none = RenderSettings { max_tip_ratio: f64::INFINITY, ..plain() };
     // Mixed across the parting there are strands that go to neither side; otherwise all go the whole way.
     assert!(reach(&none) < 0.2, "{}", reach(&none));
-    for settings in [
-        RenderSettings::default(),
-        RenderSettings { max_tip_distance: 0.2, max_tip_ratio: f64::INFINITY, ..RenderSettings::default() },
-    ] {
+    for settings in [plain(), RenderSettings { max_tip_distance: 0.2, max_tip_ratio: f64::INFINITY, ..plain() }] {
         assert!((reach(&settings) - 0.3).abs() < ROUNDING, "{}", reach(&settings));
     }
 }
@@ -252,8 +266,7 @@ fn what_moves_rigidly_is_moved_rigidly() {
     let frames_there: Vec<_> = frames.iter().map(|frame| turn * frame).collect();
     for space in [Space::Position, Space::Curvature] {
         for given in [false, true] {
-            let settings =
-                RenderSettings { space, curliness: 0.4, wisps_per_guide: 3, frizz: 0.004, ..RenderSettings::default() };
+            let settings = RenderSettings { space, curliness: 0.4, wisps_per_guide: 3, frizz: 0.004, ..plain() };
             let samples = GuideSamples { roots: given.then_some(&frames[..]), ..GuideSamples::at_rest(&guides) };
             let mut pose = bind(&settings, &samples, &roots);
             let view = View { rotations: true, ..whole(&pose) };
@@ -284,7 +297,7 @@ fn velocities_are_those_of_the_motion() {
     let velocities: Vec<_> = guides.iter().map(field).collect();
     let spins = vec![angular; guides.len() / 16];
     for space in [Space::Position, Space::Curvature] {
-        let settings = RenderSettings { space, curliness: 0.5, ..RenderSettings::default() };
+        let settings = RenderSettings { space, curliness: 0.5, ..plain() };
         for spins in [None, Some(&spins[..])] {
             let mut pose = bind(&settings, &GuideSamples::at_rest(&guides), &roots);
             let samples =
@@ -320,7 +333,14 @@ fn the_bits_do_not_depend_on_who_works_nor_on_the_parts_nor_on_the_machine() {
     let guides = sintel();
     let roots = roots_among(&guides, 16, 1000);
     for space in [Space::Position, Space::Curvature] {
-        let settings = RenderSettings { space, curliness: 0.4, frizz: 0.01, wisps_per_guide: 2, ..RenderSettings::default() };
+        let settings = RenderSettings {
+            space,
+            frizz: 0.01,
+            clump_noise: 0.003,
+            wisps_per_guide: 2,
+            curliness: 0.4,
+            ..RenderSettings::default()
+        };
         let one = evaluate_all(&settings, &guides, &roots);
         for threads in [2, 3] {
             let several = RenderSettings { workers: Workers::Pool(threads), ..settings.clone() };
@@ -358,7 +378,7 @@ fn strands_are_cut_short_by_seeded_shares_and_stay_on_their_way() {
     let roots = roots_among(&guides, 16, 600);
     let shift = Vector3::new(0.4, -0.3, 0.2);
     for space in [Space::Position, Space::Curvature] {
-        let whole_settings = RenderSettings { space, curliness: 0.5, ..RenderSettings::default() };
+        let whole_settings = RenderSettings { space, curliness: 0.5, ..plain() };
         let settings = RenderSettings { length_variation: 0.5, ..whole_settings.clone() };
         let uncut = evaluate_all(&whole_settings, &guides, &roots);
         let before = bind(&settings, &GuideSamples::at_rest(&guides), &roots);
@@ -429,14 +449,14 @@ fn curvatures_keep_the_curls_that_positions_lose() {
     let guides = curls(&[0.0, 2.0 * std::f64::consts::FRAC_PI_3], 0.006, 5.0, 64);
     let roots = [0.5 * (guides[0] + guides[64])];
     let curl = amplitude(&guides[..64]);
-    let settings =
-        |space| RenderSettings { space, points_per_strand: 64, max_tip_ratio: f64::INFINITY, ..RenderSettings::default() };
+    let settings = |space| RenderSettings { space, points_per_strand: 64, max_tip_ratio: f64::INFINITY, ..plain() };
     let position = &evaluate_all(&settings(Space::Position), &guides, &roots)[0];
     let curvature = &evaluate_all(&settings(Space::Curvature), &guides, &roots)[0];
     assert!((amplitude(&position.points) / curl - 0.5).abs() < 0.02, "{}", amplitude(&position.points) / curl);
     assert!((amplitude(&curvature.points) / curl - 1.0).abs() < 0.03, "{}", amplitude(&curvature.points) / curl);
     let long = length(&guides[..64]);
-    assert!((length(&curvature.points) / long - 1.0).abs() < 1e-5);
+    // Its course is changed for that of the mixed positions by a cubic, which costs little.
+    assert!((length(&curvature.points) / long - 1.0).abs() < 0.01, "{}", length(&curvature.points) / long);
     assert!(length(&position.points) / long < 0.85, "{}", length(&position.points) / long);
     // And the curl's own phase lies in between: a sixth of a turn.
     let k = 20;
@@ -460,7 +480,7 @@ fn straight_guides_mixed_in_curvatures_are_no_worse_than_in_positions() {
         }));
         frames.push(UnitQuaternion::from_scaled_axis(Vector3::from_fn(|_, _| 4.0 * noise(&mut seed) - 2.0)));
     }
-    let settings = RenderSettings { space: Space::Curvature, points_per_strand: 24, ..RenderSettings::default() };
+    let settings = RenderSettings { space: Space::Curvature, points_per_strand: 24, ..plain() };
     let samples = GuideSamples { roots: Some(&frames), ..GuideSamples::at_rest(&guides) };
     let root = Vector3::new(0.004, 0.003, 0.0);
     let pose = bind(&settings, &samples, &[root]);
@@ -480,7 +500,7 @@ fn real_curls_are_kept_in_curvatures() {
     let others: Vec<usize> = (0..count).filter(|k| k % 3 != 0).collect();
     let roots: Vec<_> = others.iter().map(|k| strand(*k)[0]).collect();
     let kept = |space| {
-        let settings = RenderSettings { space, points_per_strand: points, ..RenderSettings::default() };
+        let settings = RenderSettings { space, points_per_strand: points, ..plain() };
         let strands = evaluate_all(&settings, &guides, &roots);
         let turning = |points: &[Vector3<f64>]| -> f64 {
             let edges: Vec<_> = points.windows(2).map(|edge| edge[1] - edge[0]).collect();
@@ -502,7 +522,7 @@ fn real_curls_are_kept_in_curvatures() {
 fn frames_are_orthonormal_and_along_the_strand() {
     let guides = sintel();
     let roots = roots_among(&guides, 16, 300);
-    let settings = RenderSettings { curliness: 0.5, ..RenderSettings::default() };
+    let settings = RenderSettings { curliness: 0.5, ..plain() };
     let pose = bind(&settings, &GuideSamples::at_rest(&guides), &roots);
     for strand in evaluate(&pose, &View { rotations: true, ..whole(&pose) }) {
         let mut last: Option<Vector3<f64>> = None;
@@ -530,7 +550,7 @@ fn roots_go_where_the_host_says() {
     let roots = roots_among(&guides, 16, 100);
     let moved = |index: usize| roots[index] + Vector3::new(0.002, 0.001, index as f64 * 1e-5);
     for space in [Space::Position, Space::Curvature] {
-        let settings = RenderSettings { space, ..RenderSettings::default() };
+        let settings = RenderSettings { space, ..plain() };
         let pose = bind(&settings, &GuideSamples::at_rest(&guides), &roots);
         let plain = evaluate(&pose, &whole(&pose));
         let origin = Vector3::new(0.5, 0.25, -1.0);
@@ -571,7 +591,7 @@ fn bad_input_is_named() {
         other => panic!("{name}: {other:?}"),
     };
     type Change = fn(&mut RenderSettings);
-    let changes: [(&str, Change); 16] = [
+    let changes: [(&str, Change); 26] = [
         ("points_per_strand", |s| s.points_per_strand = 1),
         ("guides_per_strand", |s| s.guides_per_strand = 5),
         ("guides_per_strand", |s| s.guides_per_strand = 0),
@@ -587,14 +607,24 @@ fn bad_input_is_named() {
         ("taper_from", |s| s.taper_from = 1.0),
         ("length_variation", |s| s.length_variation = 1.0),
         ("length_variation", |s| s.length_variation = -0.1),
+        ("flatness", |s| s.flatness = 1.1),
+        ("clump_noise", |s| s.clump_noise = -1.0),
+        ("clump_noise_waves", |s| s.clump_noise_waves = 1001.0),
+        ("flyaways", |s| s.flyaways = -0.1),
+        ("flyaways", |s| s.flyaways = f64::NAN),
+        ("flyaway_distance", |s| s.flyaway_distance = f64::INFINITY),
+        ("taper_shape", |s| s.taper_shape = 1.0),
+        ("taper_shape", |s| s.taper_shape = -1.0),
+        ("clearance", |s| s.clearance = 0.0),
+        ("clearance", |s| s.clearance = f64::NAN),
         ("worker_count", |s| s.workers = Workers::Pool(1)),
     ];
     for (name, change) in changes {
-        let mut settings = RenderSettings::default();
+        let mut settings = plain();
         change(&mut settings);
         refused(RenderHair::bind(&settings, &samples, &roots).map(|_| ()), name);
     }
-    let settings = RenderSettings::default();
+    let settings = plain();
     refused(RenderHair::bind(&settings, &GuideSamples::at_rest(&guides[1..]), &roots).map(|_| ()), "points (count)");
     refused(RenderHair::bind(&settings, &GuideSamples::at_rest(&[]), &roots).map(|_| ()), "points (count)");
     let mut bad = guides.clone();

@@ -4,17 +4,20 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use serde_json::json;
+use superhelix::contact::shape::Shape;
 use superhelix::files::curves::{Curves, Extras, UpAxis};
+use superhelix::files::obj_mesh;
 use superhelix::groom::render_hair::{RenderSettings, Space};
 use superhelix::workers::Workers;
 
 use crate::argument_values::{not_negative, positive};
+use crate::baked_body;
 use crate::failure::Failure;
 use crate::guide_frames::GuideFrames;
 use crate::moving_scalp::{ScalpFiles, ScalpRequest};
 use crate::region::{DensityArguments, groom_roots, in_flags};
 use crate::render_output::{OutputKind, RenderOutput};
-use crate::render_roots::{Ground, Scattering};
+use crate::render_roots::{Ground, Places, Region, Scattering};
 use crate::render_run::{BoundHair, RenderRun};
 use crate::unit;
 
@@ -46,10 +49,26 @@ pub struct InterpolateArguments {
     /// guides, or a .usda mesh with time samples is a scalp that deforms and takes the roots along. Without a mesh, among the guides' roots.
     #[arg(long, value_name = "MESH|DIR")]
     scalp: Option<PathBuf>,
-    /// With --scalp: how near to a guide's root, m. Default: with a density anywhere, without one and a half times the distance within which
-    /// nine tenths of the guides have another beside them.
+    /// With --scalp: as near as this to a guide's root, m. Default: with a density anywhere; without what the guides cover, being as far apart as
+    /// they are, so that faces, ears and necks stay bare.
     #[arg(long, value_name = "METRES", value_parser = positive, requires = "scalp")]
     within: Option<f64>,
+    /// With --scalp: anywhere on it.
+    #[arg(long, requires = "scalp", conflicts_with = "within")]
+    whole_scalp: bool,
+    /// Strands are kept out of this mesh (.obj with faces, in the guides' units), which goes with the guides' roots. It is baked into a grid of
+    /// distances, which is kept beside it. Default: the scalp, where it has an inside and does not deform.
+    #[arg(long, value_name = "MESH.obj")]
+    body: Option<PathBuf>,
+    /// Distance of that grid's nodes, m. Default: a hundredth of the body's longest side, 1 to 5 mm.
+    #[arg(long, value_name = "METRES", value_parser = positive)]
+    body_cell: Option<f64>,
+    /// Strands are not kept out of anything.
+    #[arg(long, conflicts_with_all = ["body", "body_cell"])]
+    no_body: bool,
+    /// How near to the body strands come before they are pushed, m: what would lie deeper is brought between this and the surface.
+    #[arg(long, value_name = "METRES", default_value_t = 2e-3, value_parser = positive)]
+    clearance: f64,
     #[command(flatten)]
     density: DensityArguments,
     /// Roots are those of another groom's strands (in the guides' units).
@@ -62,10 +81,10 @@ pub struct InterpolateArguments {
     #[arg(long, value_enum, default_value_t = Mixed::Position)]
     space: Mixed,
     /// Guides a strand.
-    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=4))]
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=4))]
     guides_per_strand: u32,
     /// 0: interpolated all along; 0.5: in wisps at the tip; 1: disjoint locks; "measured": as each guide is.
-    #[arg(long, value_name = "U", default_value = "0", value_parser = curliness)]
+    #[arg(long, value_name = "U", default_value = "0.5", value_parser = curliness)]
     curliness: Curliness,
     /// Guides whose tips are farther apart than their roots by more than this are not mixed, m. Default: none is too far.
     #[arg(long, value_name = "METRES", value_parser = positive)]
@@ -74,20 +93,38 @@ pub struct InterpolateArguments {
     #[arg(long, value_name = "SHARE", default_value_t = 0.6, value_parser = not_negative)]
     max_tip_ratio: f64,
     /// Wisps a guide.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     wisps: u32,
     /// Radius of a wisp at root, middle and tip, as a share of what it is by the roots' places.
     #[arg(long, value_name = "ROOT,MIDDLE,TIP", value_delimiter = ',', num_args = 1, value_parser = not_negative)]
     wisp_profile: Vec<f64>,
-    /// How far strands stray at the tip, m.
+    /// By which share wisps' sections are flattened, 0 (as round as their patch of scalp) to 1 (ribbons).
+    #[arg(long, value_name = "SHARE", default_value_t = 0.0, value_parser = not_negative)]
+    flatness: f64,
+    /// How far whole wisps stray at the tip, m.
+    #[arg(long, value_name = "METRES", default_value_t = 0.0, value_parser = not_negative)]
+    clump_noise: f64,
+    /// Waves of that along a strand.
+    #[arg(long, value_name = "N", default_value_t = 1.5, value_parser = positive)]
+    clump_noise_waves: f64,
+    /// Share of the strands that leave their wisps, 0 to 1.
+    #[arg(long, value_name = "SHARE", default_value_t = 0.02, value_parser = not_negative)]
+    flyaways: f64,
+    /// How far those stray at the tip, m.
+    #[arg(long, value_name = "METRES", default_value_t = 5e-3, value_parser = not_negative)]
+    flyaway_distance: f64,
+    /// How far all strands stray at the tip, m.
     #[arg(long, value_name = "METRES", default_value_t = 0.0, value_parser = not_negative)]
     frizz: f64,
     /// Waves of that along a strand.
     #[arg(long, value_name = "N", default_value_t = 3.0, value_parser = positive)]
     frizz_waves: f64,
     /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1.
-    #[arg(long, value_name = "SHARE", default_value_t = 0.0, value_parser = not_negative)]
+    #[arg(long, value_name = "SHARE", default_value_t = 0.25, value_parser = not_negative)]
     length_variation: f64,
+    /// Mixing, wisps and bodies may shorten strands; without this they are as long as their guides before they are cut short.
+    #[arg(long)]
+    free_length: bool,
     /// Radius at the root, m.
     #[arg(long, value_name = "METRES", default_value_t = 40e-6, value_parser = not_negative)]
     radius: f64,
@@ -97,6 +134,9 @@ pub struct InterpolateArguments {
     /// From where on, as a share of the length, the radius goes to that of the tip; 0 to less than 1.
     #[arg(long, value_name = "SHARE", default_value_t = 0.5, value_parser = not_negative)]
     taper_from: f64,
+    /// How it goes there, above -1 to below 1: 0 linearly; above, strands end bluntly; below, they are thin early.
+    #[arg(long, value_name = "SHAPE", default_value_t = 0.0, allow_hyphen_values = true)]
+    taper_shape: f64,
     /// By which share radii differ between strands at most.
     #[arg(long, value_name = "SHARE", default_value_t = 0.1, value_parser = not_negative)]
     radius_variation: f64,
@@ -167,6 +207,14 @@ impl InterpolateArguments {
             taper_from: self.taper_from,
             radius_variation: self.radius_variation,
             length_variation: self.length_variation,
+            preserve_length: !self.free_length,
+            flatness: self.flatness,
+            clump_noise: self.clump_noise,
+            clump_noise_waves: self.clump_noise_waves,
+            flyaways: self.flyaways,
+            flyaway_distance: self.flyaway_distance,
+            taper_shape: self.taper_shape,
+            clearance: self.clearance,
             seed: self.seed,
             workers: if self.threads == 1 { Workers::Serial } else { Workers::Pool(self.threads as usize) },
             ..RenderSettings::default()
@@ -191,7 +239,36 @@ impl InterpolateArguments {
         let request = ScalpRequest { path, scale: self.scale, otherwise: scale, pose: None, up, times: &times };
         let scalp = ScalpFiles::read(&request)?;
         let maps = self.density.read(&scalp.rest)?;
-        Ok(Ground::Scalp(Box::new(Scattering { scalp, count, maps, within: self.within })))
+        let region = match self.within {
+            Some(within) => Region::Within(within),
+            None if self.whole_scalp => Region::Whole,
+            None => Region::Suitable,
+        };
+        Ok(Ground::Scalp(Box::new(Scattering { scalp, count, maps, region })))
+    }
+}
+
+impl InterpolateArguments {
+    /// What the strands are kept out of: in metres, in the world's axes at rest.
+    fn head(&self, places: &Places, scale: f64) -> Result<Option<Shape>, Failure> {
+        if self.no_body {
+            return Ok(None);
+        }
+        if let Some(path) = &self.body {
+            let file = obj_mesh::read(path)?;
+            let vertices: Vec<_> = file.vertices.iter().map(|vertex| vertex * scale).collect();
+            let baked = baked_body::bake(path, &vertices, &file.triangles, self.body_cell, self.json)?;
+            return Ok(Some(Shape::new_grid(baked.grid)));
+        }
+        let (Some(path), Some((vertices, triangles))) = (&self.scalp, &places.still) else { return Ok(None) };
+        match baked_body::bake(path, vertices, triangles, self.body_cell, self.json) {
+            Ok(baked) => Ok(Some(Shape::new_grid(baked.grid))),
+            Err(error) if self.body_cell.is_some() => Err(error),
+            Err(error) => {
+                eprintln!("warning: strands are not kept out of the scalp (--no-body says so): {error}");
+                Ok(None)
+            }
+        }
     }
 }
 
@@ -207,19 +284,22 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
     let rest = guides(0, &first)?;
     let point_count = rest.points.len();
     let places = arguments.ground(&frames, scale, of.up)?.places(&rest.points, settings.points_per_strand, settings.seed);
-    let bound = BoundHair::bind(&settings, places.map_err(in_flags)?, &rest)?;
+    let places = places.map_err(in_flags)?;
+    let head = arguments.head(&places, scale)?;
+    let kept_out = head.is_some();
+    let bound = BoundHair::bind(&settings, places, &rest)?;
     let kind = OutputKind::of_name(&arguments.out, frames.count(), arguments.guides.is_dir(), frames.per_second());
     let kind = kind.map_err(|reason| Failure::file(&arguments.out, reason))?;
     let out = RenderOutput::create(&arguments.out, kind, arguments.overwrite)?;
-    let mut run = RenderRun::new(bound, scale, of, out);
-    run.take(frames.name(0), frames.time(0), rest)?;
+    let mut run = RenderRun::new(bound, head, scale, of, out);
+    run.take(frames.name(0), frames.time(0), rest, Vec::new())?;
     for index in 1..frames.count() {
         let (name, guides) = (frames.name(index), guides(index, &frames.curves(index)?)?);
         if guides.points.len() != point_count {
             let [here, first] = [guides.points.len(), point_count].map(|points| points / settings.points_per_strand);
             return Err(Failure::Other(format!("{name}: has {here} guides where the first frame has {first}")));
         }
-        run.take(name, frames.time(index), guides)?;
+        run.take(name, frames.time(index), guides, Vec::new())?;
     }
     let done = run.finish()?;
     let answer = json!({
@@ -228,18 +308,20 @@ pub fn run(arguments: &InterpolateArguments) -> Result<(), Failure> {
         "points_per_strand": settings.points_per_strand,
         "frames": done.frames,
         "velocities": done.with_velocities,
+        "kept_out_of_body": kept_out,
         "bind_seconds": done.bind_seconds,
         "evaluate_seconds": done.evaluate_seconds,
     });
     crate::print_answer(arguments.json, &answer, || {
         format!(
-            "{}: {} strands of {} points from {} guides, {} frames{}",
+            "{}: {} strands of {} points from {} guides, {} frames{}{}",
             arguments.out.display(),
             done.strands,
             settings.points_per_strand,
             done.guides,
             done.frames,
-            if done.with_velocities { " with velocities" } else { "" }
+            if done.with_velocities { " with velocities" } else { "" },
+            if kept_out { ", kept out of the body" } else { "" }
         )
     })
 }

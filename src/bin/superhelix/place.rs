@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::{ArgGroup, Args};
 use serde_json::json;
 use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::scalp::{Amount, Follicle, Jitter, Scalp, Scattered};
+use superhelix::groom::scalp::{Amount, Follicle, Jitter, RootRegion, Scalp, Scattered};
 
 use crate::argument_values::{not_negative, positive};
 use crate::atomic_file::AtomicFile;
@@ -83,7 +83,8 @@ fn scatter(mesh: &Mesh, amount: Amount, arguments: &PlaceArguments) -> Result<Sc
     let roots = arguments.near.as_deref().map(|path| groom_roots(path, arguments.scale)).transpose()?;
     let roots = roots.map(GuideRoots::new).transpose()?;
     let maps = arguments.density.read(mesh)?;
-    mesh.scatter(amount, maps, roots.as_ref().zip(arguments.within), arguments.seed).map_err(in_flags)
+    let near = roots.zip(arguments.within.map(RootRegion::Within));
+    mesh.scatter(amount, maps, near, arguments.seed).map_err(in_flags)
 }
 
 /// Follicles where a file of texture coordinates says. How far they are apart is not looked at.

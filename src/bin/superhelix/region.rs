@@ -8,7 +8,7 @@ use superhelix::error::Error;
 use superhelix::files::curves::Curves;
 use superhelix::files::obj_mesh::{self, ObjMesh, Texture};
 use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::scalp::{Amount, Density, Scalp, ScatterOptions, Scattered};
+use superhelix::groom::scalp::{Amount, Density, RootRegion, Scalp, ScatterOptions, Scattered};
 use superhelix::math::frame::Frame;
 
 use crate::failure::Failure;
@@ -105,15 +105,14 @@ impl Mesh {
         &self,
         amount: Amount,
         mut maps: Vec<Density>,
-        near: Option<(&GuideRoots, f64)>,
+        near: Option<(GuideRoots, RootRegion)>,
         seed: u64,
     ) -> Result<Scattered, Error> {
-        if let Some((roots, within)) = near {
-            maps.push(Density::Vertices(roots.nearness(self.scalp.vertices(), within)?));
-        }
+        let by_roots = near.is_some();
+        maps.extend(near.map(|(roots, region)| Density::Roots(roots, region)));
         let options = ScatterOptions { amount, density: Density::Product(maps), seed };
         self.scalp.scatter(&options).map_err(|error| match error {
-            Error::InvalidArgument { argument, value, expected } if argument == "density" && near.is_some() => {
+            Error::InvalidArgument { argument, value, expected } if argument == "density" && by_roots => {
                 Error::InvalidArgument { argument, value, expected: format!("{expected} (with what is near the roots)") }
             }
             other => other,

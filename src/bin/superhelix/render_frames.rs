@@ -4,10 +4,12 @@ use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
 use nalgebra::Vector3;
+use superhelix::contact::shape::Shape;
 use superhelix::files::curves::{Curves, Extras};
 use superhelix::groom::render_hair::{
-    GuideSamples, Motion, RenderHair, RenderPose, RootsAt, StrandPoints, StrandSink, VELOCITY_STEP, View,
+    GuideSamples, Motion, RenderBody, RenderHair, RenderPose, RootsAt, StrandPoints, StrandSink, VELOCITY_STEP, View,
 };
+use superhelix::math::frame::Frame;
 
 use crate::failure::Failure;
 use crate::guide_frames::{GuideFrame, velocities};
@@ -22,10 +24,25 @@ pub struct Moment {
     pub guides: GuideFrame,
     /// On a scalp that deforms, m.
     pub roots: Option<Vec<Vector3<f64>>>,
+    /// What the strands are kept out of, beside the head.
+    pub bodies: Vec<BodyThen>,
+}
+
+/// A body at a moment.
+#[derive(Debug, Clone)]
+pub struct BodyThen {
+    /// Its shape.
+    pub shape: Arc<Shape>,
+    /// Where it is.
+    pub pose: Frame,
+    /// Where it was [`VELOCITY_STEP`] before.
+    pub pose_before: Frame,
+    /// How far outside its shape its surface lies, m.
+    pub thickness: f64,
 }
 
 /// Points, widths and velocities in file units.
-struct Frame {
+struct Taken {
     per_strand: usize,
     scale: f64,
     /// What positions are counted from, m.
@@ -39,7 +56,7 @@ struct Room {
     velocities: Option<Vec<[f32; 3]>>,
 }
 
-impl StrandSink for Frame {
+impl StrandSink for Taken {
     fn take(&self, strand: &StrandPoints) {
         let mut room = self.room.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let unit = |value: f32| (f64::from(value) / self.scale) as f32;
@@ -60,6 +77,8 @@ pub struct Renderer {
     now: RenderPose,
     /// [`VELOCITY_STEP`] before.
     before: RenderPose,
+    /// What the strands are kept out of that goes with the guides' roots; at rest its axes are the world's.
+    head: Option<Shape>,
     scale: f64,
     /// Unit and axis.
     of: Extras,
@@ -69,9 +88,9 @@ pub struct Renderer {
 
 impl Renderer {
     /// For frames of `scale` metres a unit; `of` has what else the file says.
-    pub fn new(hair: RenderHair, scale: f64, of: Extras) -> Self {
+    pub fn new(hair: RenderHair, head: Option<Shape>, scale: f64, of: Extras) -> Self {
         let pose = RenderPose::new(Arc::new(hair));
-        Self { now: pose.clone(), before: pose, scale, of, seconds: 0.0 }
+        Self { now: pose.clone(), before: pose, head, scale, of, seconds: 0.0 }
     }
 
     /// The strands at a moment, as curves with widths and, where it is said how guides and roots move, velocities.
@@ -101,9 +120,19 @@ impl Renderer {
             Room { points: vec![[0.0; 3]; total], widths: vec![0.0; total], velocities: moving.map(|_| vec![[0.0; 3]; total]) };
         // Velocities are differences of floats: near the hair those are finest.
         let origin = at.guides.points[0];
-        let sink = Frame { per_strand, scale: self.scale, origin, room: Mutex::new(room) };
+        let sink = Taken { per_strand, scale: self.scale, origin, room: Mutex::new(room) };
         let roots = roots.as_ref().map(|roots| roots as RootsAt<'_>);
-        let view = View { first: 0, count, origin, roots, rotations: false, motion };
+        let mut bodies: Vec<RenderBody> = Vec::with_capacity(at.bodies.len() + 1);
+        for body in &at.bodies {
+            let BodyThen { shape, pose, pose_before, thickness } = body;
+            bodies.push(RenderBody { shape, pose: *pose, pose_before: *pose_before, thickness: *thickness });
+        }
+        if let Some(shape) = &self.head {
+            let pose = self.now.head();
+            let pose_before = if moving.is_some() { self.before.head() } else { pose };
+            bodies.push(RenderBody { shape, pose, pose_before, thickness: 0.0 });
+        }
+        let view = View { origin, roots, motion, bodies: &bodies, ..View::whole(self.now.hair()) };
         self.now.evaluate(&view, &sink)?;
         let room = sink.room.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
         self.seconds += begun.elapsed().as_secs_f64();

@@ -2,13 +2,14 @@
 
 use std::time::Instant;
 
+use superhelix::contact::shape::Shape;
 use superhelix::error::Error;
 use superhelix::files::curves::Extras;
 use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderSettings};
 
 use crate::failure::Failure;
 use crate::guide_frames::GuideFrame;
-use crate::render_frames::{Moment, Renderer, Velocities};
+use crate::render_frames::{BodyThen, Moment, Renderer, Velocities};
 use crate::render_output::RenderOutput;
 use crate::render_roots::Places;
 
@@ -25,7 +26,8 @@ impl BoundHair {
     /// From the guides at rest.
     pub fn bind(settings: &RenderSettings, places: Places, rest: &GuideFrame) -> Result<Self, Error> {
         let begun = Instant::now();
-        let hair = RenderHair::bind(settings, &GuideSamples::at_rest(&rest.points), &places.roots)?;
+        let normals = places.normals.as_deref();
+        let hair = RenderHair::bind_on(settings, &GuideSamples::at_rest(&rest.points), &places.roots, normals)?;
         Ok(Self { hair, places, seconds: begun.elapsed().as_secs_f64() })
     }
 }
@@ -59,7 +61,8 @@ pub struct Done {
 
 impl RenderRun {
     /// For files of `scale` metres a unit; `of` has what else they say.
-    pub fn new(bound: BoundHair, scale: f64, of: Extras, out: RenderOutput) -> Self {
+    /// `head`: what the strands are kept out of, in the world's axes at rest, that goes with the guides' roots.
+    pub fn new(bound: BoundHair, head: Option<Shape>, scale: f64, of: Extras, out: RenderOutput) -> Self {
         let BoundHair { hair, places, seconds } = bound;
         let done = Done {
             guides: hair.guide_count(),
@@ -69,14 +72,15 @@ impl RenderRun {
             bind_seconds: seconds,
             evaluate_seconds: 0.0,
         };
-        Self { renderer: Renderer::new(hair, scale, of), places, out, before: None, now: None, done }
+        Self { renderer: Renderer::new(hair, head, scale, of), places, out, before: None, now: None, done }
     }
 
-    /// Takes the guides of the next frame, at a time (s) where it is known; `name` is what the frame is called in errors.
-    pub fn take(&mut self, name: String, time: Option<f64>, guides: GuideFrame) -> Result<(), Failure> {
+    /// Takes the guides of the next frame, and bodies beside the head, at a time (s) where it is known; `name` is what the frame is called in
+    /// errors.
+    pub fn take(&mut self, name: String, time: Option<f64>, guides: GuideFrame, bodies: Vec<BodyThen>) -> Result<(), Failure> {
         let roots = self.places.moving.as_ref().map(|scalp| scalp.roots(self.done.frames)).transpose()?;
         self.done.frames += 1;
-        let next = Moment { name, time, guides, roots };
+        let next = Moment { name, time, guides, roots, bodies };
         self.write(Some(&next))?;
         self.before = self.now.replace(next);
         Ok(())

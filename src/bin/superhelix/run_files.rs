@@ -48,7 +48,7 @@ impl RunFiles {
             cache.write(time, &self.frame)?;
         }
         if let Some(render) = &mut self.render {
-            render.write(time, &self.frame)?;
+            render.write(time, &self.frame, solver)?;
         }
         Ok(())
     }

@@ -1,11 +1,16 @@
-//! The render hair of `superhelix run`: what `superhelix interpolate` would make of the run's cache, to the bit, without the cache.
+//! The render hair of `superhelix run`: what `superhelix interpolate` would make of the run's cache, to the bit, without the cache; and kept
+//! out of the scene's colliders.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use superhelix::files::curve_cache::time_as_read;
+use superhelix::groom::render_hair::{RenderBody, VELOCITY_STEP};
+use superhelix::solver::Solver;
 
 use crate::failure::Failure;
 use crate::guide_frames::guides_of;
+use crate::render_frames::BodyThen;
 use crate::render_output::RenderOutput;
 use crate::render_run::{BoundHair, RenderRun};
 use crate::run_cache::{extras_of, per_second};
@@ -20,6 +25,7 @@ pub struct RunRender {
     per_second: f64,
     every: usize,
     per_strand: usize,
+    bodies: bool,
 }
 
 impl RunRender {
@@ -31,19 +37,34 @@ impl RunRender {
         let places = wanted.ground.places(&rest.points, per_strand, wanted.settings.seed).map_err(complain)?;
         let bound = BoundHair::bind(&wanted.settings, places, &rest).map_err(complain)?;
         let out = RenderOutput::create(&wanted.out, wanted.kind, wanted.overwrite)?;
-        let run = RenderRun::new(bound, 1.0, extras_of(scene), out);
-        Ok(Self { run, scene: path.to_owned(), per_second: per_second(scene), every, per_strand })
+        let run = RenderRun::new(bound, None, 1.0, extras_of(scene), out);
+        Ok(Self { run, scene: path.to_owned(), per_second: per_second(scene), every, per_strand, bodies: wanted.bodies })
     }
 
     /// Takes the state of a time.
-    pub fn write(&mut self, time: f64, frame: &SampledFrame) -> Result<(), Failure> {
+    pub fn write(&mut self, time: f64, frame: &SampledFrame, solver: &Solver) -> Result<(), Failure> {
         let guides = guides_of(&frame.curves()?, self.every, self.per_strand, 1.0)?;
         let name = format!("{}, at {time} s", self.scene.display());
-        self.run.take(name, Some(time_as_read(time, self.per_second)), guides)
+        let bodies = if self.bodies { bodies_of(solver)? } else { Vec::new() };
+        self.run.take(name, Some(time_as_read(time, self.per_second)), guides, bodies)
     }
 
     /// Ends the files.
     pub fn finish(self) -> Result<(), Failure> {
         self.run.finish().map(|_| ())
     }
+}
+
+/// A solver's bodies, kept for a moment that is drawn when the next is known.
+fn bodies_of(solver: &Solver) -> Result<Vec<BodyThen>, Failure> {
+    let ids = solver.body_ids();
+    let shapes: Result<Vec<_>, _> = ids.iter().map(|id| solver.body(*id).map(|def| Arc::clone(&def.shape))).collect();
+    let now = solver.render_bodies(VELOCITY_STEP);
+    let shapes = shapes?;
+    let owned = |body: &RenderBody| shapes.iter().find(|shape| std::ptr::eq(&raw const ***shape, body.shape));
+    let then = now.iter().filter_map(|body| {
+        let (shape, RenderBody { pose, pose_before, thickness, .. }) = (Arc::clone(owned(body)?), *body);
+        Some(BodyThen { shape, pose, pose_before, thickness })
+    });
+    Ok(then.collect())
 }

@@ -15,6 +15,7 @@ mod mesh_normals;
 mod mesh_patch;
 mod mesh_query;
 mod parts;
+mod planes;
 mod sphere;
 mod surface;
 mod triangle;
@@ -28,6 +29,7 @@ pub use grid::{DistanceGrid, NODE_LIMIT};
 pub use mesh::{Mesh, Sides};
 pub(in crate::contact) use mesh_patch::{Ball, Patch, Region, Tube};
 pub(crate) use parts::Parts;
+pub(crate) use planes::PlaneField;
 pub use surface::Surface;
 
 use crate::error::{Error, Result, check_finite, check_positive};

@@ -1,6 +1,7 @@
 //! Strands mixed from their guides' lengths and bends: worked out from the root to the tip, sixteen strands side by side.
 
 use super::RenderHair;
+use super::position::{STEP, gathered, lane, mixed_places};
 use super::shape::{BEND, CURL, LENGTH, Shape};
 use super::strand::{RenderCurl, RenderStrand};
 
@@ -11,12 +12,14 @@ type Lanes = [f32; WIDTH];
 /// Room for the bends and places of [`WIDTH`] strands.
 #[derive(Debug, Default)]
 pub(super) struct Room {
-    /// Bends along n1 and n2, and lengths, of one strand: rows.
+    /// Bends along n1 and n2, lengths, and how far it has gone over to its wisp, of one strand: rows.
     rows: Vec<f32>,
     /// The same of all: a point after the other, its three numbers, each for all strands.
     bends: Vec<[Lanes; 3]>,
     /// Places as they come: a point after the other, its three numbers, each for all strands.
     walked: Vec<[Lanes; 3]>,
+    /// Places of one strand from the root as its guides' places make them: rows.
+    mixed: Vec<f32>,
     /// Places from the root: three rows a strand.
     pub places: Vec<f32>,
 }
@@ -69,7 +72,7 @@ fn sine_cosine(angle: f32) -> (f32, f32) {
 pub(super) fn bend(hair: &RenderHair, shape: &Shape, strands: &[RenderStrand], curls: &[RenderCurl], room: &mut Room) {
     let reference = &hair.reference;
     let (stride, points) = (reference.stride, reference.points);
-    room.rows.resize(3 * stride, 0.0);
+    room.rows.resize(4 * stride, 0.0);
     room.bends.resize(stride, [[0.0; WIDTH]; 3]);
     room.walked.resize(stride, [[0.0; WIDTH]; 3]);
     room.places.resize(3 * stride * WIDTH, 0.0);
@@ -115,12 +118,15 @@ pub(super) fn bend(hair: &RenderHair, shape: &Shape, strands: &[RenderStrand], c
         }
         room.walked[k] = place;
     }
-    for lane in 0..strands.len() {
+    room.mixed.resize(3 * stride, 0.0);
+    for (lane, strand) in strands.iter().enumerate() {
+        mixed_places(hair, shape, strand, &mut room.mixed);
         for axis in 0..3 {
-            let row = &mut room.places[(3 * lane + axis) * stride..][..points];
+            let row = &mut room.places[(3 * lane + axis) * stride..][..stride];
             for (value, walked) in row.iter_mut().zip(&room.walked[..points]) {
                 *value = walked[axis][lane];
             }
+            hair.silhouette.bring(stride, row, &room.mixed[axis * stride..]);
         }
     }
 }
@@ -163,10 +169,13 @@ fn start(shape: &Shape, strand: &RenderStrand, curl: &RenderCurl, guides: usize,
 fn mix_bends(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, curl: &RenderCurl, rows: &mut [f32]) {
     let reference = &hair.reference;
     let (stride, size) = (reference.stride, reference.size());
-    let first = strand.guides[0] as usize;
-    let gathered = &hair.gathered[first * stride..][..stride];
     let (b1, rest) = rows.split_at_mut(stride);
-    let (b2, lengths) = rest.split_at_mut(stride);
+    let (b2, rest) = rest.split_at_mut(stride);
+    let (lengths, share) = rest.split_at_mut(stride);
+    for at in (0..stride).step_by(STEP) {
+        share[at..at + STEP].copy_from_slice(&gathered(lane(&hair.profiles.place, at), strand.gather));
+    }
+    let gathered = &share[..stride];
     b1.fill(0.0);
     b2.fill(0.0);
     lengths.fill(0.0);

@@ -2,15 +2,18 @@
 
 use nalgebra::Vector3;
 
+use super::RenderHair;
+use super::bodies::{Placed, Points, RenderBody, keep_out};
 use super::curvature::{self, WIDTH};
-use super::cut::shorten;
 use super::frames::frames;
+use super::lengths::{self, Wanted, respace, taken_along};
 use super::pose::{RenderPose, VELOCITY_STEP};
 use super::position::{Roots, mix};
 use super::settings::MOST_GUIDES;
-use super::shape::{N1, Shape};
+use super::shape::{N1, PLACE, Shape};
 use super::strand::RenderStrand;
 use crate::error::{Error, Result, check_finite, check_positive};
+use crate::math::frame::Frame;
 use crate::math::lane::Kernel;
 #[cfg(target_arch = "x86_64")]
 use crate::math::lane::Lane;
@@ -58,6 +61,23 @@ pub struct View<'a> {
     pub rotations: bool,
     /// What velocities are taken from, where they are wanted.
     pub motion: Motion<'a>,
+    /// What strands are kept out of, by [`RenderSettings::clearance`](super::RenderSettings::clearance).
+    pub bodies: &'a [RenderBody<'a>],
+}
+
+impl View<'_> {
+    /// All strands of a map: points alone, about the world's origin, kept out of nothing.
+    pub fn whole(hair: &RenderHair) -> Self {
+        Self {
+            first: 0,
+            count: hair.strand_count(),
+            origin: Vector3::zeros(),
+            roots: None,
+            rotations: false,
+            motion: Motion::None,
+            bodies: &[],
+        }
+    }
 }
 
 /// A strand's points.
@@ -92,6 +112,8 @@ pub(super) struct Scratch {
     rotations: Vec<f32>,
     guide_n1: Vec<f32>,
     room: Vec<f32>,
+    lengths: lengths::Room,
+    lengths_before: lengths::Room,
     bends: curvature::Room,
     bends_before: curvature::Room,
 }
@@ -140,6 +162,15 @@ impl RenderPose {
             }
             Ok(())
         };
+        for (index, body) in view.bodies.iter().enumerate() {
+            body.check(&format!("bodies[{index}]"))?;
+        }
+        let placed = |pose: &dyn Fn(&RenderBody) -> Frame| -> Vec<Placed> {
+            view.bodies.iter().map(|body| Placed::new(body, &pose(body), view.origin)).collect()
+        };
+        let bodies = placed(&|body| body.pose);
+        let bodies_before = if earlier.is_some() { placed(&|body| body.pose_before) } else { Vec::new() };
+        let around = [&bodies[..], &bodies_before[..]];
         check_roots("roots", view.roots)?;
         check_roots("roots_before", earlier.and_then(|earlier| earlier.roots))?;
         let mut tiles: Vec<(usize, usize)> = (view.first..view.first + view.count)
@@ -149,7 +180,7 @@ impl RenderPose {
         let set = hair.settings.instruction_set.unwrap_or_else(InstructionSet::detected);
         hair.crew.for_each_task(&mut tiles, 1, usize::MAX, |tiles, scratch| {
             for (first, count) in tiles {
-                let tile = TileWork { pose: self, view, earlier, first: *first, count: *count, scratch, sink };
+                let tile = TileWork { pose: self, view, earlier, around, first: *first, count: *count, scratch, sink };
                 match set {
                     #[cfg(target_arch = "x86_64")]
                     InstructionSet::Avx512 => F64x8::call(tile),
@@ -196,6 +227,8 @@ struct TileWork<'a, S> {
     pose: &'a RenderPose,
     view: &'a View<'a>,
     earlier: Option<Earlier<'a>>,
+    /// The bodies now and at the earlier moment.
+    around: [&'a [Placed<'a>]; 2],
     first: usize,
     count: usize,
     scratch: &'a mut Scratch,
@@ -207,12 +240,12 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
 
     #[inline(always)]
     fn run(self) {
-        let Self { pose, view, earlier, first, count, scratch, sink } = self;
+        let Self { pose, view, earlier, around, first, count, scratch, sink } = self;
         let hair = &**pose.hair();
         let (stride, points) = (hair.reference.stride, hair.reference.points);
-        let Scratch { now, before, rotations, guide_n1, room, bends, bends_before } = scratch;
-        now.resize(3 * stride, 0.0);
-        before.resize(3 * stride, 0.0);
+        let Scratch { now, before, rotations, guide_n1, room, lengths, lengths_before, bends, bends_before } = scratch;
+        now.resize(4 * stride, 0.0);
+        before.resize(4 * stride, 0.0);
         rotations.resize(4 * stride, 0.0);
         let mut done = 0;
         while done < count {
@@ -233,11 +266,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                 let roots = roots(&pose.now, strand, given.unwrap_or(followed), view.origin);
                 let range = 3 * stride * lane..3 * stride * (lane + 1);
                 mix(hair, &pose.now, strand, &roots, bends.places.get(range.clone()).filter(|_| hair.reference.curved), now);
-                // A strand that is not cut costs nothing and keeps its bits.
-                let cut = strand.length < 1.0;
-                if cut {
-                    shorten(strand.length, stride, points, now, room);
-                }
+                let moved = finish(hair, &pose.now, strand, &roots, around[0], now, (room, lengths));
                 if let Some(earlier) = &earlier {
                     let back = follow(earlier.shape, strand);
                     let root = match (earlier.carry, given) {
@@ -247,9 +276,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                     let roots = self::roots(earlier.shape, strand, root, view.origin);
                     let bent = bends_before.places.get(range).filter(|_| hair.reference.curved);
                     mix(hair, earlier.shape, strand, &roots, bent, before);
-                    if cut {
-                        shorten(strand.length, stride, points, before, room);
-                    }
+                    finish(hair, earlier.shape, strand, &roots, around[1], before, (room, lengths_before));
                     for (before, now) in before.iter_mut().zip(now.iter()) {
                         *before = (*now - *before) * earlier.rate;
                     }
@@ -257,10 +284,8 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                 if view.rotations {
                     let rows = &pose.now.rows[strand.guides[0] as usize * hair.reference.size()..];
                     let mut across = &rows[N1 * stride..(N1 + 3) * stride];
-                    if cut {
-                        guide_n1.clear();
-                        guide_n1.extend_from_slice(across);
-                        shorten(strand.length, stride, points, guide_n1, room);
+                    if moved {
+                        taken_along(&lengths.places, stride, points, across, guide_n1);
                         across = guide_n1;
                     }
                     frames(stride, points, across, now, room, rotations);
@@ -280,6 +305,39 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
             done += side_by_side;
         }
     }
+}
+
+/// Keeps a mixed strand out of bodies and at its length: rows of x, y and z, and of how far along each point is to be. Whether points have
+/// been moved along.
+#[inline(always)]
+fn finish(
+    hair: &RenderHair,
+    shape: &Shape,
+    strand: &RenderStrand,
+    roots: &Roots,
+    bodies: &[Placed],
+    rows: &mut [f32],
+    (room, lengths): (&mut Vec<f32>, &mut lengths::Room),
+) -> bool {
+    let (stride, count) = (hair.reference.stride, hair.reference.points);
+    let (rows, along) = rows.split_at_mut(3 * stride);
+    let pushed = !bodies.is_empty();
+    if pushed {
+        let guide = &shape.rows[strand.guides[0] as usize * hair.reference.size() + PLACE * stride..][..3 * stride];
+        let (length, guide_root) = (along[count - 1], roots.first);
+        let mut points = Points { rows, stride, count, length, guide, guide_root };
+        keep_out(bodies, hair.settings.clearance as f32, &mut points, room);
+    }
+    // Without either a strand costs nothing more and keeps its bits.
+    let wanted = if hair.settings.preserve_length || pushed {
+        Wanted::Along(along, strand.length)
+    } else if strand.length < 1.0 {
+        Wanted::Share(strand.length)
+    } else {
+        return false;
+    };
+    respace(wanted, stride, count, rows, lengths);
+    true
 }
 
 /// Where a strand's root is when it goes with those of its guides.

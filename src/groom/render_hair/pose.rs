@@ -8,6 +8,7 @@ use super::RenderHair;
 use super::guide_samples::GuideSamples;
 use super::shape::{Shape, closest_turn};
 use crate::error::{Error, Result};
+use crate::math::frame::Frame;
 use crate::math::rotation::from_rotation_vector;
 
 /// How far back the guides are moved by their velocities to tell those of the strands, s: the strands' velocities are those over this time.
@@ -70,6 +71,18 @@ impl RenderPose {
         };
         self.before.get_or_insert_default().update(reference, &points, &earlier);
         Ok(())
+    }
+
+    /// How the guides' roots have moved together since binding: the rigid motion that brings them closest from where they were to where they
+    /// are (Kabsch), as where to go from the origin and how to turn. A head goes so. Stillness, if the pose has never been set.
+    pub fn head(&self) -> Frame {
+        let from = &self.hair.reference.origins;
+        if !self.is_set() {
+            return Frame::default();
+        }
+        let middle = |list: &[Vector3<f64>]| list.iter().sum::<Vector3<f64>>() / list.len() as f64;
+        let rotation = closest_turn(from, &self.now.origins).unwrap_or_default();
+        Frame { origin: middle(&self.now.origins) - rotation * middle(from), rotation }
     }
 
     /// Bytes that the pose holds, the map not among them.

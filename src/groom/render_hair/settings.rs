@@ -1,6 +1,6 @@
 //! What render strands are to look like.
 
-use crate::error::{Error, Result, check_finite, check_not_negative};
+use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::math::lanes::InstructionSet;
 use crate::workers::Workers;
 
@@ -29,11 +29,13 @@ pub struct RenderSettings {
     pub points_per_strand: usize,
     /// What is mixed between guides.
     pub space: Space,
-    /// Guides that a strand follows at most, 1 to [`MOST_GUIDES`]. Default 3.
+    /// Guides that a strand follows at most, 1 to [`MOST_GUIDES`]. Default 4: with fewer, what guides do linearly over the scalp is not followed
+    /// exactly.
     pub guides_per_strand: usize,
     /// 0 to 1, from hair that is interpolated all along (0) over hair that is interpolated at the root and gathered in wisps at the tip (0.5)
     /// to disjoint locks (1). With u the curliness, strands have gone over to their wisp by the share c(s) = m S(s/e), where s runs from 0
-    /// at the root to 1 at the tip, m = min(1, 2u), e = min(1, max(0.1, 2 − 2u)) and S(x) = 3x² − 2x³ (held at 1). Default 0.
+    /// at the root to 1 at the tip, m = min(1, 2u), e = min(1, max(0.1, 2 − 2u)) and S(x) = 3x² − 2x³ (held at 1); where that would kink a strand's root,
+    /// it goes over later. Default 0.5.
     pub curliness: f64,
     /// Each guide has a curliness of its own instead, measured on its shape ([`measured_curliness`](super::measured_curliness)).
     pub measure_curliness: bool,
@@ -41,10 +43,21 @@ pub struct RenderSettings {
     pub max_tip_distance: f64,
     /// The same as a share of the shorter guide's length. Default 0.6.
     pub max_tip_ratio: f64,
-    /// Wisps a guide, 1 to [`MOST_WISPS`]: with more than one, strands near each other gather about a line beside the guide. Default 1.
+    /// Wisps a guide, 1 to [`MOST_WISPS`]: with more than one, strands near each other gather about a line beside the guide. Default 4.
     pub wisps_per_guide: usize,
-    /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places; 0 or above. Default 1, 0.6, 0.25.
+    /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places; 0 or above. Default 1, 0.6, 0.08.
     pub wisp_profile: [f64; 3],
+    /// 0 to 1: by which share wisps' sections are flattened, along the scalp's normal. 0 (default): as round as the patch of scalp that they
+    /// stand on; 1: ribbons.
+    pub flatness: f64,
+    /// Root mean square distance by which whole wisps stray from their way at the tip, from nothing at the root; 0 or above. Default 0.
+    pub clump_noise: f64,
+    /// Waves of that along a strand, above 0 to 1000. Default 1.5.
+    pub clump_noise_waves: f64,
+    /// Share of the strands that leave their wisps, 0 to 1. Default 0.02.
+    pub flyaways: f64,
+    /// Root mean square distance by which those stray from their way at the tip; 0 or above. Default 5 mm.
+    pub flyaway_distance: f64,
     /// Root mean square distance by which strands stray from their way at the tip, from nothing at the root; 0 or above. Default 0.
     pub frizz: f64,
     /// Waves of that along a strand, above 0 to 1000. Default 3.
@@ -55,10 +68,19 @@ pub struct RenderSettings {
     pub tip_radius: f64,
     /// From where on, as a share of the length, the radius goes to that of the tip (linearly); 0 to less than 1. Default 0.5.
     pub taper_from: f64,
+    /// How the radius goes there, above −1 to below 1: 0 (default) linearly; above, strands stay thick and end bluntly; below, they are thin
+    /// early.
+    pub taper_shape: f64,
     /// By which share radii differ between strands at most, 0 to 1. Default 0.1.
     pub radius_variation: f64,
-    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.
+    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.25.
     pub length_variation: f64,
+    /// Whether strands are as long as their guides (before they are cut short): their points are put on their way as far apart as the guides'
+    /// are, so that neither mixing nor wisps nor bodies shorten or stretch them. Default: yes.
+    pub preserve_length: bool,
+    /// How near to a body strands come before they are pushed ([`View::bodies`](super::View::bodies)): what would lie deeper is brought between
+    /// this and the surface, in the order of depth; above 0. Default 2 mm.
+    pub clearance: f64,
     /// Seed of all that is random.
     pub seed: u64,
     /// Who evaluates.
@@ -72,20 +94,28 @@ impl Default for RenderSettings {
         Self {
             points_per_strand: 16,
             space: Space::Position,
-            guides_per_strand: 3,
-            curliness: 0.0,
+            guides_per_strand: 4,
+            curliness: 0.5,
             measure_curliness: false,
             max_tip_distance: f64::INFINITY,
             max_tip_ratio: 0.6,
-            wisps_per_guide: 1,
-            wisp_profile: [1.0, 0.6, 0.25],
+            wisps_per_guide: 4,
+            wisp_profile: [1.0, 0.6, 0.08],
+            flatness: 0.0,
+            clump_noise: 0.0,
+            clump_noise_waves: 1.5,
+            flyaways: 0.02,
+            flyaway_distance: 5e-3,
             frizz: 0.0,
             frizz_waves: 3.0,
             radius: 40e-6,
             tip_radius: 15e-6,
             taper_from: 0.5,
+            taper_shape: 0.0,
             radius_variation: 0.1,
-            length_variation: 0.0,
+            length_variation: 0.25,
+            preserve_length: true,
+            clearance: 2e-3,
             seed: 0,
             workers: Workers::Serial,
             instruction_set: None,
@@ -129,11 +159,22 @@ impl RenderSettings {
         for (knot, value) in self.wisp_profile.iter().enumerate() {
             check_not_negative(|| format!("{outer}wisp_profile[{knot}]"), *value)?;
         }
-        check_not_negative(|| format!("{outer}frizz"), self.frizz)?;
-        check_finite(|| format!("{outer}frizz_waves"), self.frizz_waves)?;
-        if !(self.frizz_waves > 0.0 && self.frizz_waves <= 1000.0) {
-            return Err(Error::invalid(format!("{outer}frizz_waves"), self.frizz_waves, "above 0, up to 1000"));
+        within("flatness", self.flatness, 0.0, 1.0)?;
+        within("flyaways", self.flyaways, 0.0, 1.0)?;
+        for (name, value) in
+            [("frizz", self.frizz), ("clump_noise", self.clump_noise), ("flyaway_distance", self.flyaway_distance)]
+        {
+            check_not_negative(|| format!("{outer}{name}"), value)?;
         }
+        for (name, value) in [("frizz_waves", self.frizz_waves), ("clump_noise_waves", self.clump_noise_waves)] {
+            if !(value > 0.0 && value <= 1000.0) {
+                return Err(Error::invalid(format!("{outer}{name}"), value, "above 0, up to 1000"));
+            }
+        }
+        if !(self.taper_shape > -1.0 && self.taper_shape < 1.0) {
+            return Err(Error::invalid(format!("{outer}taper_shape"), self.taper_shape, "above -1, below 1"));
+        }
+        check_positive(|| format!("{outer}clearance"), self.clearance)?;
         check_not_negative(|| format!("{outer}radius"), self.radius)?;
         check_not_negative(|| format!("{outer}tip_radius"), self.tip_radius)?;
         for (name, value) in [("taper_from", self.taper_from), ("length_variation", self.length_variation)] {

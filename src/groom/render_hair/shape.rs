@@ -15,15 +15,17 @@ use crate::math::trigonometry::sine_cosine;
 pub(super) const PLACE: usize = 0;
 pub(super) const N1: usize = 3;
 pub(super) const N2: usize = 6;
+/// How long the edges from the root to a point are together.
+pub(super) const ALONG: usize = 9;
 /// Length of the edge from a point to the next.
-pub(super) const LENGTH: usize = 9;
+pub(super) const LENGTH: usize = 10;
 /// Rotation at a point from the edge before to the edge after it, along n1 and n2 of the edge before.
-pub(super) const BEND: usize = 10;
+pub(super) const BEND: usize = 11;
 /// The same with the curl's phase taken off.
-pub(super) const CURL: usize = 12;
+pub(super) const CURL: usize = 13;
 /// Rows of a guide without and with what is needed to mix curvatures.
-const ROWS_OF_POSITIONS: usize = 9;
-const ROWS_OF_CURVATURES: usize = 14;
+const ROWS_OF_POSITIONS: usize = 10;
+const ROWS_OF_CURVATURES: usize = 15;
 
 /// What shapes of all moments have in common.
 #[derive(Debug)]
@@ -32,7 +34,9 @@ pub(super) struct Reference {
     /// Floats of a row: the points, filled up with zeros.
     pub stride: usize,
     pub guides: usize,
-    /// Where roots were at binding, and how they were turned.
+    /// The guides' points at binding.
+    pub rest: Vec<Vector3<f64>>,
+    /// Where roots were then, and how they were turned.
     pub origins: Vec<Vector3<f64>>,
     pub rotations: Vec<UnitQuaternion<f64>>,
     /// Whether the host gave the rotations.
@@ -60,7 +64,8 @@ impl Reference {
         };
         let rotations_given = samples.roots.is_some();
         let stride = points.next_multiple_of(8);
-        Self { points, stride, guides, origins, rotations, rotations_given, curved, phases: Vec::new() }
+        let rest = samples.points.to_vec();
+        Self { points, stride, guides, rest, origins, rotations, rotations_given, curved, phases: Vec::new() }
     }
 
     /// Floats of a guide.
@@ -203,6 +208,11 @@ fn fill(
         put(PLACE, k, points[k] - points[0]);
         put(N1, k, n1);
         put(N2, k, tangent.cross(&n1));
+    }
+    let mut along = 0.0;
+    for k in 0..last {
+        along += (points[k + 1] - points[k]).norm();
+        rows[ALONG * stride + k + 1] = along as f32;
     }
     if !reference.curved {
         return first_frame;

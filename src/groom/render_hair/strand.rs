@@ -15,9 +15,14 @@ pub(super) struct RenderStrand {
     pub middle: [f32; 2],
     /// Its root from there.
     pub offset: [f32; 2],
-    /// Which frizz curve it has, and how that is turned and scaled.
+    /// How far it goes over to its wisp, and one over where on its way it has done so.
+    pub gather: [f32; 2],
+    /// Which curve it strays along, and how that is turned and scaled, m.
     pub frizz: u32,
     pub frizz_turn: [f32; 2],
+    /// The same of its wisp.
+    pub clump: u32,
+    pub clump_turn: [f32; 2],
     /// Factor on the radius.
     pub radius: f32,
     /// How much of its length it has.

@@ -3,8 +3,12 @@
 //! A guide's weight is (R − d)/(R d), d its root's distance and R that of the nearest root that is no longer among the strand's guides
 //! (Franke and Nielson 1980, after Shepard; they square it, which comes 3 to 5 % less close to strands left out of real grooms): it is 0
 //! where the guide leaves the strand's guides, so that strands change without jumps over the scalp, and 1 at the guide's own root.
+//!
+//! These weights are then made to reproduce what is linear over the scalp (moving least squares, Lancaster and Salkauskas 1981): they are
+//! multiplied by a linear function of the place such that the guides' roots, weighted, come to lie where the strand's root is. What guides
+//! do alike or in proportion to their places, strands between them then do too.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::settings::{MOST_GUIDES, RenderSettings};
 use crate::error::{Error, Result};
@@ -12,6 +16,11 @@ use crate::math::point_tree::PointTree;
 
 /// Candidates that are looked at for each guide that is wanted.
 const CANDIDATES: usize = 4;
+
+/// Share of the roots' spread below which a direction has none: across the scalp, and where only two guides count.
+const LEAST_SPREAD: f64 = 0.03;
+/// No weight is farther below zero: beyond the guides what they do is carried on by no more.
+const LEAST: f64 = -0.25;
 
 /// Guides at binding.
 pub(super) struct Guides {
@@ -62,12 +71,46 @@ impl Guides {
         }
         if sum.is_finite() && sum > 0.0 {
             followed.weights[..count].iter_mut().for_each(|weight| *weight /= sum);
+            self.reproduce(root, &mut followed);
         } else {
             // On a guide's root, or all equally far: the nearest alone.
             followed.weights = [0.0; MOST_GUIDES];
             followed.weights[0] = 1.0;
         }
         Ok(followed)
+    }
+}
+
+impl Guides {
+    /// Changes weights that sum to 1 such that the guides' roots, weighted by them, come to the strand's root, as far as they may.
+    fn reproduce(&self, root: Vector3<f64>, followed: &mut Followed) {
+        let of = |k: usize| self.roots[followed.guides[k] as usize];
+        let count = followed.count;
+        let middle: Vector3<f64> = (0..count).map(|k| of(k) * followed.weights[k]).sum();
+        let mut spread = Matrix3::zeros();
+        for k in 0..count {
+            let away = of(k) - middle;
+            spread += away * away.transpose() * followed.weights[k];
+        }
+        let size = spread.trace();
+        if size <= 0.0 || size.is_nan() {
+            return;
+        }
+        // Inverted at size one, since squares of small places are lost; what has no spread stays (Tikhonov).
+        let spread = spread / size;
+        let Some(inverse) = (spread * spread + Matrix3::identity() * (LEAST_SPREAD * LEAST_SPREAD)).try_inverse() else { return };
+        let slope = inverse * spread * (root - middle) / size;
+        let changes: [f64; MOST_GUIDES] =
+            std::array::from_fn(|k| if k < count { followed.weights[k] * slope.dot(&(of(k) - middle)) } else { 0.0 });
+        let mut share: f64 = 1.0;
+        for k in 0..count {
+            if changes[k] < 0.0 {
+                share = share.min((followed.weights[k] - LEAST) / -changes[k]);
+            }
+        }
+        for k in 0..count {
+            followed.weights[k] += share * changes[k];
+        }
     }
 }
 

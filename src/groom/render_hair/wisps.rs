@@ -2,45 +2,70 @@
 
 use super::strand::RenderStrand;
 
-/// Gives every strand its wisp. A guide's first wisp is about the guide; the middle of each further one is the strand farthest from all
-/// middles so far (Gonzalez 1985), and a strand belongs to the middle nearest to it. `offset` has the strands' roots from their guide's.
+/// Rounds in which middles go to the centroids of their strands (Lloyd 1982), and strands to the nearest middles.
+const ROUNDS: usize = 4;
+
+fn squared(a: [f32; 2], b: [f32; 2]) -> f64 {
+    let (x, y) = (f64::from(a[0]) - f64::from(b[0]), f64::from(a[1]) - f64::from(b[1]));
+    x * x + y * y
+}
+
+/// The middle nearest to a place, and which it is.
+pub(super) fn nearest(place: [f32; 2], middles: &[[f32; 2]]) -> usize {
+    let far = (0, f64::INFINITY);
+    let nearer = |best: (usize, f64), (at, away): (usize, f64)| if away < best.1 { (at, away) } else { best };
+    middles.iter().map(|middle| squared(place, *middle)).enumerate().fold(far, nearer).0
+}
+
+/// Gives every strand its wisp. The first middle is a guide itself, and each further one the strand farthest from all middles so far
+/// (Gonzalez 1985); a strand belongs to the nearest middle. Then middles go to the centroids of their strands. `offset` has the strands'
+/// roots from their guide's; it is counted from the middle afterwards.
 pub(super) fn share_out(strands: &mut [RenderStrand], guides: usize, wisps_per_guide: usize) {
     let mut members: Vec<u32> = (0..strands.len() as u32).collect();
     members.sort_by_key(|index| strands[*index as usize].guides[0]);
-    let mut distances = Vec::new();
+    let mut wisps: Vec<u32> = Vec::new();
     let mut begin = 0;
     for guide in 0..guides as u32 {
         let end = begin + members[begin..].partition_point(|index| strands[*index as usize].guides[0] == guide);
         let cell = &members[begin..end];
         begin = end;
-        let squared = |a: [f32; 2], b: [f32; 2]| {
-            let (x, y) = (f64::from(a[0]) - f64::from(b[0]), f64::from(a[1]) - f64::from(b[1]));
-            x * x + y * y
-        };
-        let root = |index: u32| strands[index as usize].offset;
-        distances.clear();
-        distances.extend(cell.iter().map(|index| (squared(root(*index), [0.0; 2]), 0_u32, [0.0_f32; 2])));
-        for wisp in 1..wisps_per_guide as u32 {
-            let farthest = distances
-                .iter()
-                .enumerate()
-                .fold((0, 0.0), |best, (at, entry)| if entry.0 > best.1 { (at, entry.0) } else { best });
+        let places: Vec<[f32; 2]> = cell.iter().map(|index| strands[*index as usize].offset).collect();
+        let mut middles = vec![[0.0; 2]];
+        let mut distances: Vec<f64> = places.iter().map(|place| squared(*place, [0.0; 2])).collect();
+        while middles.len() < wisps_per_guide {
+            let farthest =
+                distances.iter().enumerate().fold((0, 0.0), |best, (at, away)| if *away > best.1 { (at, *away) } else { best });
             if farthest.1 <= 0.0 {
                 break;
             }
-            let middle = root(cell[farthest.0]);
-            for (entry, index) in distances.iter_mut().zip(cell) {
-                let away = squared(root(*index), middle);
-                if away < entry.0 {
-                    *entry = (away, wisp, middle);
+            let middle = places[farthest.0];
+            middles.push(middle);
+            distances.iter_mut().zip(&places).for_each(|(away, place)| *away = away.min(squared(*place, middle)));
+        }
+        for round in 0..=ROUNDS {
+            wisps.clear();
+            wisps.extend(places.iter().map(|place| nearest(*place, &middles) as u32));
+            let mut sums = vec![([0.0_f64; 2], 0.0_f64); middles.len()];
+            for (wisp, place) in wisps.iter().zip(&places) {
+                let (sum, count) = &mut sums[*wisp as usize];
+                (0..2).for_each(|axis| sum[axis] += f64::from(place[axis]));
+                *count += 1.0;
+            }
+            for (middle, (sum, count)) in middles.iter_mut().zip(&sums) {
+                if *count > 0.0 {
+                    *middle = sum.map(|value| (value / count) as f32);
                 }
             }
+            // With one middle there is nothing to share.
+            if round == 0 && middles.len() == 1 {
+                break;
+            }
         }
-        for ((_, wisp, middle), index) in distances.iter().zip(cell) {
-            let strand = &mut strands[*index as usize];
+        for ((index, wisp), place) in cell.iter().zip(&wisps).zip(&places) {
+            let (strand, middle) = (&mut strands[*index as usize], middles[*wisp as usize]);
             strand.wisp = *wisp;
-            strand.middle = *middle;
-            strand.offset = [strand.offset[0] - middle[0], strand.offset[1] - middle[1]];
+            strand.middle = middle;
+            strand.offset = [place[0] - middle[0], place[1] - middle[1]];
         }
     }
 }

@@ -1,7 +1,8 @@
 //! How densely follicles are to stand.
 
 use super::{Follicle, Scalp};
-use crate::error::{Error, Result, check_not_negative};
+use crate::error::{Error, Result, check_not_negative, check_positive};
+use crate::groom::guide_roots::GuideRoots;
 
 /// Relative density over a scalp: numbers of 0 or above, of which only the ratios count.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -20,8 +21,19 @@ pub enum Density {
         /// width·height numbers.
         values: Vec<f64>,
     },
+    /// By guides' roots, place by place however coarse the mesh is.
+    Roots(GuideRoots, RootRegion),
     /// All of them, multiplied.
     Product(Vec<Density>),
+}
+
+/// Which region roots say.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RootRegion {
+    /// What is nearer to one than this, m: [`GuideRoots::near`].
+    Within(f64),
+    /// What they cover, being so far apart, m: [`GuideRoots::cover`]. [`GuideRoots::spacing`] says how far.
+    Covered(f64),
 }
 
 impl Density {
@@ -30,6 +42,8 @@ impl Density {
         let numbers = match self {
             Density::Uniform => return Ok(()),
             Density::Product(factors) => return factors.iter().try_for_each(|factor| factor.check(scalp)),
+            Density::Roots(_, RootRegion::Within(within)) => return check_positive(|| "within".into(), *within),
+            Density::Roots(_, RootRegion::Covered(spacing)) => return check_positive(|| "spacing".into(), *spacing),
             Density::Vertices(values) => {
                 let needed = scalp.vertices.len();
                 if values.len() != needed {
@@ -64,7 +78,7 @@ impl Density {
     /// No density is larger.
     pub(super) fn most(&self) -> f64 {
         match self {
-            Density::Uniform => 1.0,
+            Density::Uniform | Density::Roots(..) => 1.0,
             Density::Product(factors) => factors.iter().map(Density::most).product(),
             Density::Vertices(values) | Density::Picture { values, .. } => values.iter().copied().fold(0.0, f64::max),
         }
@@ -76,6 +90,9 @@ impl Density {
         match self {
             Density::Uniform => 1.0,
             Density::Product(factors) => factors.iter().map(|factor| factor.at(scalp, follicle)).product(),
+            // The distances have been checked.
+            Density::Roots(roots, RootRegion::Within(within)) => roots.near(scalp.place(follicle), *within).unwrap_or(0.0),
+            Density::Roots(roots, RootRegion::Covered(spacing)) => roots.cover(scalp.place(follicle), *spacing).unwrap_or(0.0),
             Density::Vertices(values) => {
                 let triangle = &scalp.triangles[index];
                 (0..3).map(|corner| weights[corner] * values[triangle[corner] as usize]).sum::<f64>().max(0.0)

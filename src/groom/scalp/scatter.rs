@@ -104,7 +104,9 @@ impl Candidates {
         };
         let mut tries = 0;
         while made.follicles.len() < count {
-            if tries >= TRIES * (count as u64 + 100) {
+            // Where nothing has been found, no more tries are made for many follicles than for few.
+            let wanted = if made.follicles.is_empty() { 0 } else { count as u64 };
+            if tries >= TRIES * (wanted + 100) {
                 let value = format!("above zero on less than {:.0e} of the scalp", 1.0 / TRIES as f64);
                 return Err(Error::invalid("density", value, "a density that is above zero on more of it"));
             }

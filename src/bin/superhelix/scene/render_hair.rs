@@ -16,7 +16,7 @@ use crate::json::{Complaint, Entries, Node};
 use crate::moving_scalp::{ScalpFiles, ScalpRequest};
 use crate::region::{Placement, read_picture, read_vertex_densities};
 use crate::render_output::OutputKind;
-use crate::render_roots::{Ground, Scattering};
+use crate::render_roots::{Ground, Region, Scattering};
 use crate::run_cache::per_second;
 use crate::{timeline, unit};
 
@@ -35,6 +35,8 @@ pub struct SceneRenderHair {
     pub kind: OutputKind,
     /// In place of frames that are there already.
     pub overwrite: bool,
+    /// Whether it is kept out of the scene's colliders.
+    pub bodies: bool,
     /// What complaints are about that come while roots are placed.
     pub keys: Keys,
 }
@@ -87,9 +89,18 @@ pub fn read(node: &Node, scene: &Scene, directory: &Path) -> Result<SceneRenderH
         "frizz",
         "frizz_waves",
         "length_variation",
+        "preserve_length",
+        "flatness",
+        "clump_noise",
+        "clump_noise_waves",
+        "flyaways",
+        "flyaway_distance",
+        "bodies",
+        "clearance",
         "radius",
         "tip_radius",
         "taper_from",
+        "taper_shape",
         "radius_variation",
         "seed",
     ])?;
@@ -113,6 +124,7 @@ pub fn read(node: &Node, scene: &Scene, directory: &Path) -> Result<SceneRenderH
         out,
         kind,
         overwrite: entries.or("overwrite", false, Node::truth)?,
+        bodies: entries.or("bodies", true, Node::truth)?,
         keys: Keys {
             section: node.key.clone(),
             count: entries.path("count"),
@@ -152,6 +164,14 @@ fn read_settings(node: &Node, entries: &Entries, scene: &Scene) -> Result<Render
         taper_from: number("taper_from", defaults.taper_from)?,
         radius_variation: number("radius_variation", defaults.radius_variation)?,
         length_variation: number("length_variation", defaults.length_variation)?,
+        preserve_length: entries.or("preserve_length", defaults.preserve_length, Node::truth)?,
+        flatness: number("flatness", defaults.flatness)?,
+        clump_noise: number("clump_noise", defaults.clump_noise)?,
+        clump_noise_waves: entries.or("clump_noise_waves", defaults.clump_noise_waves, Node::positive)?,
+        flyaways: number("flyaways", defaults.flyaways)?,
+        flyaway_distance: number("flyaway_distance", defaults.flyaway_distance)?,
+        taper_shape: entries.or("taper_shape", defaults.taper_shape, Node::number)?,
+        clearance: entries.or("clearance", defaults.clearance, Node::positive)?,
         seed: entries.or("seed", defaults.seed, |node| node.whole(0..=u64::MAX))?,
         workers: scene.options.workers.clone(),
         ..defaults
@@ -196,11 +216,17 @@ fn read_roots(node: &Node, directory: &Path) -> Result<Ground, Complaint> {
 const DENSITIES: [&str; 3] = ["density", "density_picture", "within"];
 
 fn read_scalp(node: &Node, count: usize, times: &[Option<f64>], directory: &Path) -> Result<Ground, Complaint> {
-    let entries = node.object(&["file", "scale", "pose", "within", "density", "density_picture"])?;
+    let entries = node.object(&["file", "scale", "pose", "within", "whole", "density", "density_picture"])?;
     let file = entries.require("file")?;
     let scale = entries.get("scale").map(Node::positive).transpose()?;
     let pose = entries.get_unless_null("pose").map(read_pose).transpose()?;
     let within = entries.get_unless_null("within").map(Node::positive).transpose()?;
+    let region = match (within, entries.or("whole", false, Node::truth)?) {
+        (Some(_), true) => return Err(Complaint::new(entries.path("whole"), "is true beside within, which says another region")),
+        (Some(within), false) => Region::Within(within),
+        (None, true) => Region::Whole,
+        (None, false) => Region::Suitable,
+    };
     let path = path_of(file, directory)?;
     let request = ScalpRequest { path: &path, scale, otherwise: 1.0, pose, up: None, times };
     let scalp = ScalpFiles::read(&request).map_err(|failure| complaint(file, &failure))?;
@@ -212,5 +238,5 @@ fn read_scalp(node: &Node, count: usize, times: &[Option<f64>], directory: &Path
         scalp.rest.check_textured("density_picture").map_err(|failure| complaint(map, &failure))?;
         maps.push(read_picture(&path_of(map, directory)?).map_err(|failure| complaint(map, &failure))?);
     }
-    Ok(Ground::Scalp(Box::new(Scattering { scalp, count, maps, within })))
+    Ok(Ground::Scalp(Box::new(Scattering { scalp, count, maps, region })))
 }

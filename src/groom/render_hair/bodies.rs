@@ -1,0 +1,257 @@
+//! Strands kept out of bodies: points that are too near go out along the distance field.
+
+use nalgebra::Vector3;
+
+use super::position::{Lane, STEP, lane};
+use crate::contact::shape::{PlaneField, Shape};
+use crate::error::{Error, Result, check_finite, check_not_negative};
+use crate::math::frame::Frame;
+
+/// A body that strands are kept out of.
+#[derive(Debug, Clone, Copy)]
+pub struct RenderBody<'a> {
+    /// Its shape. Of a distance grid tangent planes at its nodes are looked at, some nanoseconds a point; other shapes are asked in full:
+    /// of a mesh make a grid.
+    pub shape: &'a Shape,
+    /// Where it is.
+    pub pose: Frame,
+    /// Where it was at the earlier moment that velocities are taken from: [`Motion::Since`](super::Motion::Since)'s, or
+    /// [`VELOCITY_STEP`](super::VELOCITY_STEP) ago.
+    pub pose_before: Frame,
+    /// How far outside its shape the body's surface lies, m; 0 or above.
+    pub thickness: f64,
+}
+
+impl<'a> RenderBody<'a> {
+    /// A body that stands still.
+    pub fn new(shape: &'a Shape, pose: Frame) -> Self {
+        Self { shape, pose, pose_before: pose, thickness: 0.0 }
+    }
+
+    /// Checks the numbers; `name` is the body's.
+    pub(super) fn check(&self, name: &str) -> Result<()> {
+        check_not_negative(|| format!("{name}.thickness"), self.thickness)?;
+        for (field, pose) in [("pose", &self.pose), ("pose_before", &self.pose_before)] {
+            for axis in 0..3 {
+                check_finite(|| format!("{name}.{field}.origin[{axis}]"), pose.origin[axis])?;
+            }
+            let rotation = pose.rotation_xyzw();
+            if !rotation.iter().all(|number| number.is_finite()) {
+                return Err(Error::invalid(format!("{name}.{field}.rotation"), format!("{rotation:?}"), "finite numbers"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A point as near as this to where it is to go is there, m.
+const CLOSE_ENOUGH: f32 = 2e-4;
+/// Tries to bring a point out; a field that is no distance everywhere takes more than one.
+const TRIES: usize = 4;
+/// Points deeper than this go out to the side on which their guide is, m: the nearest surface may be that of the other side.
+const DEEP: f32 = 4e-3;
+/// The steepest that strands leave their root for the surface: so much farther from it for each metre along.
+const RISE: f32 = 0.25;
+/// How much nearer than the field says a surface may be, m: what planes at nodes are off by.
+const SLACK: f32 = 5e-4;
+
+/// Distances about a body in its own axes.
+#[derive(Debug, Clone, Copy)]
+enum Field<'a> {
+    /// Places are in cells from the lowest node.
+    Grid(PlaneField<'a>),
+    /// Places are in m.
+    Shape(&'a Shape),
+}
+
+impl Field<'_> {
+    /// Distance (m) and slopes, where the surface is nearer than `within` (m) or somewhat farther.
+    #[inline(always)]
+    fn at(&self, place: [f32; 3], within: f32) -> Option<(f32, [f32; 3])> {
+        match self {
+            Field::Grid(field) => field.at(place),
+            Field::Shape(shape) => {
+                let surface = shape.closest(Vector3::from(place.map(f64::from)), f64::from(within))?;
+                Some((surface.distance as f32, surface.normal.map(|value| value as f32).into()))
+            }
+        }
+    }
+}
+
+/// A body at one moment, in single precision about the strands' origin.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Placed<'a> {
+    field: Field<'a>,
+    /// From the world into the body's places: rows, then what is added.
+    into: [[f32; 3]; 3],
+    shift: [f32; 3],
+    /// m a unit of the body's places.
+    unit: f32,
+    thickness: f32,
+}
+
+impl<'a> Placed<'a> {
+    pub fn new(body: &RenderBody<'a>, pose: &Frame, origin: Vector3<f64>) -> Self {
+        let (field, low, unit) = match body.shape.grid() {
+            Some(grid) => (Field::Grid(grid.planes()), grid.low(), grid.cell()),
+            None => (Field::Shape(body.shape), Vector3::zeros(), 1.0),
+        };
+        let back = pose.rotation.inverse().to_rotation_matrix();
+        let shift = (back * (origin - pose.origin) - low) / unit;
+        Self {
+            field,
+            into: [0, 1, 2].map(|row| [0, 1, 2].map(|column| (back[(row, column)] / unit) as f32)),
+            shift: [0, 1, 2].map(|axis| shift[axis] as f32),
+            unit: unit as f32,
+            thickness: body.thickness as f32,
+        }
+    }
+
+    #[inline(always)]
+    fn place(&self, point: [f32; 3]) -> [f32; 3] {
+        [0, 1, 2].map(|row| {
+            let [a, b, c] = self.into[row];
+            (a * point[0] + b * point[1]) + (c * point[2] + self.shift[row])
+        })
+    }
+
+    /// A direction of the body's axes, times a length in m, in the world.
+    #[inline(always)]
+    fn out(&self, way: [f32; 3], length: f32) -> [f32; 3] {
+        let size = length * self.unit;
+        [0, 1, 2].map(|axis| size * ((self.into[0][axis] * way[0] + self.into[1][axis] * way[1]) + self.into[2][axis] * way[2]))
+    }
+}
+
+/// A strand's points.
+pub(super) struct Points<'a> {
+    /// Rows of x, y and z.
+    pub rows: &'a mut [f32],
+    pub stride: usize,
+    pub count: usize,
+    /// How long the strand is to be, m.
+    pub length: f32,
+    /// Its first guide's points from its root, rows as well, and that root.
+    pub guide: &'a [f32],
+    pub guide_root: [f32; 3],
+}
+
+/// Brings points that are nearer to a body than `clearance` out of it, or, those outside, to where those that come out leave them room: one
+/// `d` from the surface goes to c²/(2c − d), c the clearance, which is less near the root. The root stays.
+#[inline(always)]
+pub(super) fn keep_out(bodies: &[Placed], clearance: f32, points: &mut Points, room: &mut Vec<f32>) {
+    // What one body pushes out another may have to push back.
+    for _ in 0..bodies.len().min(2) {
+        for body in bodies {
+            out_of(body, clearance, points, room);
+        }
+    }
+}
+
+#[inline(always)]
+fn out_of(body: &Placed, clearance: f32, points: &mut Points, room: &mut Vec<f32>) {
+    let (stride, count) = (points.stride, points.count);
+    let edge = points.length / (count - 1) as f32;
+    // Of each point its place in the body, and its distance from the one before, squared.
+    room.resize(4 * stride, 0.0);
+    for at in (0..stride).step_by(STEP) {
+        let [x, y, z] = [0, 1, 2].map(|axis| lane(&points.rows[axis * stride..][..stride], at));
+        for row in 0..3 {
+            let ([a, b, c], shift) = (body.into[row], body.shift[row]);
+            let mut place: Lane = [0.0; STEP];
+            for k in 0..STEP {
+                place[k] = (a * x[k] + b * y[k]) + (c * z[k] + shift);
+            }
+            room[row * stride + at..][..STEP].copy_from_slice(&place);
+        }
+    }
+    let mut k = 1;
+    while k < count {
+        let place = [0, 1, 2].map(|row| room[row * stride + k]);
+        let clearance = clearance.min(RISE * edge * k as f32);
+        let Some((distance, slopes)) = body.field.at(place, body.thickness + clearance) else {
+            k += 1;
+            continue;
+        };
+        let distance = distance - body.thickness;
+        if distance >= clearance {
+            // The points after this one are no farther off than their edges are long together.
+            k += 1 + skipped(points.rows, stride, count, k, distance - clearance - SLACK);
+            continue;
+        }
+        let point = [0, 1, 2].map(|axis| points.rows[axis * stride + k]);
+        let out = brought_out(body, point, (distance, slopes), clearance, || {
+            [0, 1, 2].map(|axis| points.guide_root[axis] + points.guide[axis * stride + k])
+        });
+        (0..3).for_each(|axis| points.rows[axis * stride + k] = out[axis]);
+        k += 1;
+    }
+}
+
+/// How many points after point `k` lie surely within `reach` of it, by the edges between them.
+#[inline(always)]
+fn skipped(rows: &[f32], stride: usize, count: usize, k: usize, reach: f32) -> usize {
+    let (mut left, mut skipped) = (reach, 0);
+    for j in k..count - 1 {
+        let change = [0, 1, 2].map(|axis| rows[axis * stride + j + 1] - rows[axis * stride + j]);
+        // No shorter than the longest of three, no longer than their sum.
+        left -= change[0].abs() + change[1].abs() + change[2].abs();
+        if left <= 0.0 {
+            break;
+        }
+        skipped += 1;
+    }
+    skipped
+}
+
+/// Where a point goes that is nearer to a body than the clearance.
+#[inline(always)]
+fn brought_out(
+    body: &Placed,
+    point: [f32; 3],
+    (distance, slopes): (f32, [f32; 3]),
+    clearance: f32,
+    guide: impl FnOnce() -> [f32; 3],
+) -> [f32; 3] {
+    let target = clearance * clearance / (2.0 * clearance - distance);
+    let dot = |a: [f32; 3], b: [f32; 3]| (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+    let (mut point, mut distance, mut slopes) = (point, distance, slopes);
+    let mut side = None;
+    if distance < -DEEP {
+        let beside = guide();
+        if let Some((there, way)) = body.field.at(body.place(beside), f32::INFINITY) {
+            side = Some(way);
+            if dot(way, slopes) <= 0.0 {
+                // The guide is beyond the middle: from where it is, it is not far.
+                (point, distance, slopes) = (beside, there - body.thickness, way);
+            }
+        }
+        if distance >= target {
+            return point;
+        }
+    }
+    for _ in 0..TRIES {
+        let size = dot(slopes, slopes).sqrt();
+        if size < 1e-3 {
+            break;
+        }
+        let mut way = slopes.map(|slope| slope / size);
+        if let Some(side) = side {
+            let size = dot(side, side).sqrt();
+            if size > 1e-3 && distance < 0.0 {
+                way = side.map(|slope| slope / size);
+            }
+        }
+        let step = (target - distance) / dot(way, slopes).max(0.5);
+        let more = body.out(way, step);
+        (0..3).for_each(|axis| point[axis] += more[axis]);
+        match body.field.at(body.place(point), f32::INFINITY) {
+            Some((now, now_slopes)) => (distance, slopes) = (now - body.thickness, now_slopes),
+            None => break,
+        }
+        if (target - distance).abs() < CLOSE_ENOUGH {
+            break;
+        }
+    }
+    point
+}
