@@ -131,7 +131,7 @@ fn grow(moments: &mut [Moment], arguments: &SimulateArguments, scale: f64) -> Re
     }
     let scalp = arguments.bodies.path().map(|path| {
         let still = ScalpRequest { path, scale: None, otherwise: scale, pose: None, up: None, times: &[] };
-        ScalpFiles::read(&still)
+        ScalpFiles::read(&still).map(|scalp| (scalp, path))
     });
     let threads = arguments.threads as usize;
     let mut hair = Grown::bind(&first.strands, scale, grown::USUAL, scalp.transpose()?, threads)?;

@@ -103,7 +103,7 @@ impl Footage {
             return Ok(());
         }
         let times = self.times();
-        let scalp = self.mesh(request, &times)?;
+        let scalp = self.mesh(request, &times)?.zip(request.body.map(|(path, _)| path));
         self.hair = Some(Grown::bind(&first.strands, self.unit(), count, scalp, request.threads)?);
         Ok(())
     }

@@ -1,25 +1,26 @@
 //! Render hair for pictures of guides: as `interpolate` makes it, in wisps.
 
+use std::path::Path;
+
 use nalgebra::Vector3;
+use superhelix::contact::shape::Shape;
 use superhelix::error::Error;
 use superhelix::files::curves::Extras;
 use superhelix::groom::guide_roots::GuideRoots;
 use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderSettings, resampled};
 use superhelix::solver::definition::Workers;
 
+use crate::baked_body;
 use crate::failure::Failure;
 use crate::guide_frames::GuideFrame;
 use crate::moving_scalp::{MovingScalp, ScalpFiles};
 use crate::render_frames::{Moment, Renderer};
-use crate::render_roots::{Ground, LONE, Scattering};
+use crate::render_roots::{Ground, LONE, Region, Scattering};
 
 /// Points of a strand.
 const POINTS: usize = 25;
-/// How the hair is gathered and strays; lengths as shares of the guides' median length.
-const CURLINESS: f64 = 0.5;
-const WISP_PROFILE: [f64; 3] = [1.0, 0.75, 0.2];
-const FRIZZ: f64 = 0.006;
-const LENGTH_VARIATION: f64 = 0.2;
+/// How the hair strays, as a share of the guides' median length.
+const FRIZZ: f64 = 0.004;
 
 /// Fewer guides than this are too few to grow hair among, and as many as this need none.
 pub const LEAST_GUIDES: usize = 30;
@@ -42,33 +43,36 @@ impl Grown {
         guides: &[Vec<[f32; 3]>],
         unit: f64,
         count: usize,
-        scalp: Option<ScalpFiles>,
+        scalp: Option<(ScalpFiles, &Path)>,
         threads: usize,
     ) -> Result<Self, Failure> {
         let rest = frame(guides, unit)?;
         let length = median_length(&rest.points);
         let settings = RenderSettings {
             points_per_strand: POINTS,
-            curliness: CURLINESS,
-            wisp_profile: WISP_PROFILE,
             frizz: FRIZZ * length,
-            length_variation: LENGTH_VARIATION,
             workers: if threads == 1 { Workers::Serial } else { Workers::Pool(threads) },
             ..RenderSettings::default()
         };
-        let ground = match scalp.filter(|scalp| carries(scalp, &rest.points)) {
-            Some(scalp) => Ground::Scalp(Box::new(Scattering { scalp, count, maps: Vec::new(), within: None })),
-            None => Ground::Among(count),
-        };
+        let (mut ground, mut path) = (Ground::Among(count), None);
+        if let Some((scalp, of)) = scalp.filter(|(scalp, _)| carries(scalp, &rest.points)) {
+            let region = Region::Suitable;
+            (ground, path) = (Ground::Scalp(Box::new(Scattering { scalp, count, maps: Vec::new(), region })), Some(of));
+        }
         let places = ground.places(&rest.points, POINTS, settings.seed)?;
-        let hair = RenderHair::bind(&settings, &GuideSamples::at_rest(&rest.points), &places.roots)?;
-        Ok(Self { renderer: Renderer::new(hair, unit, Extras::default()), moving: places.moving, unit })
+        let hair = RenderHair::bind_on(&settings, &GuideSamples::at_rest(&rest.points), &places.roots, places.normals.as_deref())?;
+        // A mesh without an inside keeps nothing out.
+        let head = path.zip(places.still.as_ref()).and_then(|(path, (vertices, triangles))| {
+            let baked = baked_body::bake(path, vertices, triangles, None, true).ok()?;
+            Some(Shape::new_grid(baked.grid))
+        });
+        Ok(Self { renderer: Renderer::new(hair, head, unit, Extras::default()), moving: places.moving, unit })
     }
 
     /// The hair at a frame, whose guides are these.
     pub fn strands(&mut self, index: usize, guides: &[Vec<[f32; 3]>]) -> Result<Vec<Vec<[f32; 3]>>, Failure> {
         let roots = self.moving.as_ref().map(|scalp| scalp.roots(index)).transpose()?;
-        let moment = Moment { name: format!("frame {index}"), time: None, guides: frame(guides, self.unit)?, roots };
+        let moment = Moment { name: format!("frame {index}"), time: None, guides: frame(guides, self.unit)?, roots, bodies: Vec::new() };
         let made = self.renderer.frame(&moment, None)?;
         Ok(made.strands().map(<[_]>::to_vec).collect())
     }
