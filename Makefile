@@ -24,7 +24,7 @@ test: ## everything: format, lints, documentation, tests in Rust and C, examples
 	cargo test --locked --all-features
 
 # The profile `demo` compiles in a third of the time of `release` and runs nearly as fast.
-demo: ## a real groom on a walking head, hosted by a C program: out/demo/ holds the cache and a picture (under 4 minutes)
+demo: ## a head of hair on a recorded walk, hosted by a C program, drawn lit: out/demo/ holds an animation, a contact sheet, the frames (about 3 minutes)
 	@scripts/setup.sh build
 	scripts/demo.sh
 
@@ -44,9 +44,10 @@ contact: ## what contact costs and errs by, a thousand guides on a shaken head: 
 	@scripts/setup.sh build figures
 	scripts/bench_contact.sh
 
-pictures: ## hair on shoulders and a combed sphere, from the scenes of examples/scenes: docs/figures/contact_*.png (a minute)
-	@scripts/setup.sh build
+pictures: ## the pictures of docs/: scenes with contact (docs/figures/contact_*.png), and path-traced hair where pip has Mitsuba (docs/figures/hair_*.jpg; a quarter of an hour)
+	@scripts/setup.sh build figures
 	scripts/contact_figures.sh
+	scripts/path_traced.sh
 
 fit: ## how close strands come to real grooms: the tables of docs/groom_fit.md and how still they lie (GROOMS=directory of .hair, .tfx, .usda and .data, also .gz; a few minutes)
 	@scripts/setup.sh build figures

@@ -1,16 +1,22 @@
 /* A groom on a moving head: reads a groom file, fits strands to its polylines, gives them the natural shapes that hold them up under
- * gravity, moves the head as recorded, steps, and writes every frame.
+ * gravity, moves the head as recorded, steps, and writes every frame. With a body the hair is kept out of it and off itself, and render hair
+ * grows on it.
  *
- *   groom GROOM HEAD.csv OUTPUT_DIRECTORY [--scale METRES_PER_UNIT] [--seconds 3] [--rate 60] [--every 1] [--elements 0]
- *         [--threads 1] [--format obj|hair]
+ *   groom GROOM HEAD.csv OUTPUT_DIRECTORY [--scale METRES_PER_UNIT] [--seconds 3] [--rate 60] [--substeps 1] [--every 1] [--elements 0]
+ *         [--threads 1] [--format obj|hair] [--body MESH.obj] [--wisp METRES] [--hairs N --render DIRECTORY]
  *
  * GROOM       .hair, .tfx or .obj, y up, the first point of each strand is its root
  * HEAD.csv    a line of titles, then time (s), position (m), unit quaternion w, x, y, z: the head turns about the middle of the roots
- * --every n   takes every nth strand; --elements 0 takes one element for two points of the longest strand, 4 to 32 */
+ * --every n   takes every nth strand; --elements 0 takes one element for two points of the longest strand, 4 to 32
+ * --body      a head in the groom's units and axes that goes with the roots; strands then are wisps of a head of hair
+ * --wisp r    strands touch each other as wisps of that radius
+ * --hairs n   n render hairs that follow the strands, into --render's DIRECTORY; needs --body, on which they grow */
 #include <math.h>
 #include <string.h>
 #include <time.h>
 #include "check.h"
+#include "mesh.h"
+#include "motion.h"
 
 static void *allocate(size_t count, size_t size) {
   void *memory = calloc(count > 0 ? count : 1, size);
@@ -24,14 +30,14 @@ static void *allocate(size_t count, size_t size) {
 /* ---- options -------------------------------------------------------------------------------------------------------- */
 
 typedef struct options {
-  const char *groom, *head, *directory, *format;
-  double scale, seconds, rate;
-  long every, elements, threads;
+  const char *groom, *head, *directory, *format, *body, *render;
+  double scale, seconds, rate, wisp;
+  long every, elements, threads, substeps, hairs;
 } options;
 
 static void usage(const char *problem) {
-  fprintf(stderr, "%s\nusage: groom GROOM HEAD.csv OUTPUT_DIRECTORY [--scale M] [--seconds S] [--rate HZ] [--every N] "
-                  "[--elements N] [--threads N] [--format obj|hair]\n", problem);
+  fprintf(stderr, "%s\nusage: groom GROOM HEAD.csv OUTPUT_DIRECTORY [--scale M] [--seconds S] [--rate HZ] [--substeps N] [--every N] "
+                  "[--elements N] [--threads N] [--format obj|hair] [--body MESH.obj] [--wisp M] [--hairs N --render DIR]\n", problem);
   exit(2);
 }
 
@@ -47,7 +53,7 @@ static double number(const char *text, double least, double most) {
 }
 
 static options read_options(int argc, char **argv) {
-  options o = {NULL, NULL, NULL, "obj", 1.0, 3.0, 60.0, 1, 0, 1};
+  options o = {NULL, NULL, NULL, "obj", NULL, NULL, 1.0, 3.0, 60.0, 0.0, 1, 0, 1, 1, 0};
   if (argc < 4)
     usage("three arguments are needed");
   o.groom = argv[1];
@@ -67,97 +73,24 @@ static options read_options(int argc, char **argv) {
       o.elements = (long)number(value, 0, 1000);
     else if (strcmp(argv[i], "--threads") == 0)
       o.threads = (long)number(value, 1, 256);
+    else if (strcmp(argv[i], "--substeps") == 0)
+      o.substeps = (long)number(value, 1, 1000);
+    else if (strcmp(argv[i], "--wisp") == 0)
+      o.wisp = number(value, 0.0, 1.0);
+    else if (strcmp(argv[i], "--hairs") == 0)
+      o.hairs = (long)number(value, 0, 1e6);
+    else if (strcmp(argv[i], "--body") == 0 && i + 1 < argc)
+      o.body = value;
+    else if (strcmp(argv[i], "--render") == 0 && i + 1 < argc)
+      o.render = value;
     else if (strcmp(argv[i], "--format") == 0 && (strcmp(value, "obj") == 0 || strcmp(value, "hair") == 0))
       o.format = value;
     else
       usage(argv[i]);
   }
+  if (o.hairs > 0 && (o.body == NULL || o.render == NULL))
+    usage("--hairs needs --body and --render");
   return o;
-}
-
-/* ---- the head's motion ---------------------------------------------------------------------------------------------- */
-
-typedef struct pose {
-  double time, position[3], rotation[4]; /* x, y, z, w */
-} pose;
-
-typedef struct motion {
-  pose *poses;
-  size_t count;
-} motion;
-
-static motion read_motion(const char *path) {
-  FILE *file = fopen(path, "r");
-  char line[512];
-  if (file == NULL || fgets(line, sizeof line, file) == NULL) {
-    fprintf(stderr, "%s: cannot be read\n", path);
-    exit(EXIT_FAILURE);
-  }
-  motion m = {NULL, 0};
-  size_t capacity = 0;
-  while (fgets(line, sizeof line, file) != NULL) {
-    pose p;
-    double *q = p.rotation;
-    if (sscanf(line, "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf", &p.time, &p.position[0], &p.position[1], &p.position[2], &q[3], &q[0],
-               &q[1], &q[2]) != 8) {
-      fprintf(stderr, "%s: line %zu does not hold eight numbers\n", path, m.count + 2);
-      exit(EXIT_FAILURE);
-    }
-    if (m.count == capacity) {
-      capacity = capacity == 0 ? 256 : 2 * capacity;
-      m.poses = realloc(m.poses, capacity * sizeof *m.poses);
-      if (m.poses == NULL)
-        exit(EXIT_FAILURE);
-    }
-    m.poses[m.count++] = p;
-  }
-  fclose(file);
-  if (m.count == 0) {
-    fprintf(stderr, "%s: holds no pose\n", path);
-    exit(EXIT_FAILURE);
-  }
-  return m;
-}
-
-/* The pose at a time, between the two recorded ones; held at both ends. */
-static pose pose_at(const motion *m, double time) {
-  size_t i = 0;
-  while (i + 1 < m->count && m->poses[i + 1].time <= time)
-    i++;
-  pose a = m->poses[i];
-  if (i + 1 == m->count || time <= a.time)
-    return a;
-  const pose *b = &m->poses[i + 1];
-  const double u = (time - a.time) / (b->time - a.time);
-  double cosine = 0.0, norm = 0.0;
-  for (int k = 0; k < 4; k++)
-    cosine += a.rotation[k] * b->rotation[k];
-  for (int k = 0; k < 3; k++)
-    a.position[k] += u * (b->position[k] - a.position[k]);
-  for (int k = 0; k < 4; k++) {
-    a.rotation[k] += u * ((cosine < 0.0 ? -1.0 : 1.0) * b->rotation[k] - a.rotation[k]);
-    norm += a.rotation[k] * a.rotation[k];
-  }
-  for (int k = 0; k < 4; k++)
-    a.rotation[k] /= sqrt(norm);
-  a.time = time;
-  return a;
-}
-
-/* ---- small algebra of quaternions x, y, z, w ------------------------------------------------------------------------ */
-
-static void multiply(const double a[4], const double b[4], double out[4]) {
-  const double q[4] = {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
-                       a[3] * b[2] + a[0] * b[1] - a[1] * b[0] + a[2] * b[3], a[3] * b[3] - a[0] * b[0] - a[1] * b[1] - a[2] * b[2]};
-  memcpy(out, q, sizeof q);
-}
-
-static void rotate(const double q[4], const double v[3], double out[3]) {
-  const double inverse[4] = {-q[0], -q[1], -q[2], q[3]}, pure[4] = {v[0], v[1], v[2], 0.0};
-  double turned[4];
-  multiply(q, pure, turned);
-  multiply(turned, inverse, turned);
-  memcpy(out, turned, 3 * sizeof *out);
 }
 
 /* ---- the groom ------------------------------------------------------------------------------------------------------ */
@@ -172,6 +105,9 @@ typedef struct groom {
 } groom;
 
 static const double gravity[3] = {0.0, -9.81, 0.0}; /* y is up */
+
+/* A guide of a head of hair stands for hundreds of hairs that lie together with product in them: what they come to, bending and calming. */
+static const double WISP_YOUNGS_MODULUS = 40e9, WISP_VISCOSITY = 0.02;
 
 /* Reads the file, and fits strands to its polylines, all in one call. */
 static groom read_groom(const options *o) {
@@ -227,6 +163,10 @@ static groom read_groom(const options *o) {
     def->internal_friction = 1e-10;
     /* The upper end of what was measured on real wisps (5e-6 to 5e-5): nothing else damps a strand that touches no other. */
     def->air_drag = 5e-5;
+    if (o->body != NULL) {
+      def->youngs_modulus = WISP_YOUNGS_MODULUS;
+      def->viscosity = WISP_VISCOSITY;
+    }
     worst = fitted[i].rms_error > worst ? fitted[i].rms_error : worst;
     sum += fitted[i].rms_error;
     for (int k = 0; k < 3; k++)
@@ -258,9 +198,8 @@ static void free_groom(groom *g) {
 
 /* Where the head has taken the roots, relative to its first pose. */
 static void move_roots(const groom *g, const pose *first, const pose *now, shx_frame *roots) {
-  const double back[4] = {-first->rotation[0], -first->rotation[1], -first->rotation[2], first->rotation[3]};
   double turn[4];
-  multiply(now->rotation, back, turn);
+  turn_since(first, now, turn);
   for (size_t i = 0; i < g->strand_count; i++) {
     double arm[3], turned[3];
     for (int k = 0; k < 3; k++)
@@ -270,6 +209,164 @@ static void move_roots(const groom *g, const pose *first, const pose *now, shx_f
       roots[i].origin[k] = g->pivot[k] + turned[k] + now->position[k] - first->position[k];
     multiply(turn, g->rest_roots[i].rotation, roots[i].rotation);
   }
+}
+
+/* ---- the head ------------------------------------------------------------------------------------------------------- */
+
+/* Nodes of the head's grid of distances are so far apart, and it reaches so far beyond the skin, m. */
+static const double GRID_CELL = 0.004, GRID_BAND = 0.035;
+
+/* The cheap model of contact: springs. What the groom overlaps as it is drawn is allowed. */
+static void set_contact(const options *o, const groom *g, shx_solver *solver, const shx_strand_id *ids) {
+  shx_contact_options contact;
+  CHECK(shx_contact_options_init(&contact, sizeof contact));
+  contact.model = SHX_CONTACT_PENALTY;
+  contact.hair = o->wisp > 0.0;
+  CHECK(shx_solver_set_contact_options(solver, &contact));
+  shx_strand_contact strand;
+  CHECK(shx_strand_contact_init(&strand, sizeof strand));
+  strand.wisp_radius = o->wisp;
+  CHECK(shx_solver_set_contact(solver, ids, g->strand_count, &strand, 0));
+}
+
+/* The head as a grid of distances, which costs the same however fine its mesh is. */
+static shx_body_id add_head(shx_solver *solver, const mesh *head) {
+  const shx_input vertices = {head->vertices, 0, head->vertex_count, SHX_FORMAT_F64X3, 0};
+  size_t size;
+  CHECK(shx_bake_distance_grid(&vertices, head->triangles, head->triangle_count, GRID_CELL, GRID_BAND, NULL, 0, &size));
+  void *grid = allocate(size, 1);
+  CHECK(shx_bake_distance_grid(&vertices, head->triangles, head->triangle_count, GRID_CELL, GRID_BAND, grid, size, &size));
+  shx_body_def def;
+  CHECK(shx_body_def_init(&def, sizeof def));
+  def.shape = SHX_SHAPE_GRID;
+  def.grid = grid;
+  def.grid_size = size;
+  shx_body_id id;
+  CHECK(shx_solver_add_bodies(solver, &def, sizeof def, 1, &id));
+  free(grid);
+  return id;
+}
+
+/* The head goes where its roots go. */
+static void move_head(const groom *g, const pose *first, const pose *now, shx_solver *solver, shx_body_id id, double seconds) {
+  shx_frame frame = {{0.0}, {0.0}};
+  turn_since(first, now, frame.rotation);
+  double arm[3];
+  for (int k = 0; k < 3; k++)
+    arm[k] = -g->pivot[k];
+  rotate(frame.rotation, arm, frame.origin);
+  for (int k = 0; k < 3; k++)
+    frame.origin[k] += g->pivot[k] + now->position[k] - first->position[k];
+  const shx_input input = {&frame, 0, 1, SHX_FORMAT_FRAME, 0};
+  CHECK(shx_solver_set_body_frames(solver, &id, 1, &input, seconds));
+}
+
+/* ---- render hair ---------------------------------------------------------------------------------------------------- */
+
+enum { HAIR_POINTS = 16 };
+
+typedef struct render {
+  shx_render_hair *hair;
+  shx_render_pose *pose;
+  size_t count;
+  float *points;
+  uint32_t *point_counts;
+} render;
+
+static double distance(const double a[3], const double b[3]) {
+  double sum = 0.0;
+  for (int k = 0; k < 3; k++)
+    sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sqrt(sum);
+}
+
+static int ascending(const void *a, const void *b) {
+  const double left = *(const double *)a, right = *(const double *)b;
+  return left < right ? -1 : left > right;
+}
+
+/* Hair grows where the guides do: 1 at vertices as near to a root as nine tenths of the roots are to each other, half as much again, less
+ * beyond, none at twice that. */
+static double *hairline(const groom *g, const mesh *head) {
+  double *nearest = allocate(g->strand_count, sizeof *nearest), *density = allocate(head->vertex_count, sizeof *density);
+  for (size_t i = 0; i < g->strand_count; i++) {
+    nearest[i] = INFINITY;
+    for (size_t j = 0; j < g->strand_count; j++) {
+      const double d = distance(g->rest_roots[i].origin, g->rest_roots[j].origin);
+      nearest[i] = d > 0.0 && d < nearest[i] ? d : nearest[i];
+    }
+  }
+  qsort(nearest, g->strand_count, sizeof *nearest, ascending);
+  const double within = 1.5 * nearest[g->strand_count * 9 / 10];
+  for (size_t v = 0; v < head->vertex_count; v++) {
+    double d = INFINITY;
+    for (size_t i = 0; i < g->strand_count; i++)
+      d = fmin(d, distance(head->vertices + 3 * v, g->rest_roots[i].origin));
+    density[v] = fmax(0.0, fmin(1.0, 2.0 - d / within));
+  }
+  free(nearest);
+  return density;
+}
+
+/* The map from guides to render hair, made once while the guides rest. */
+static render grow(const options *o, const groom *g, const mesh *head, const shx_solver *solver, const shx_strand_id *ids) {
+  shx_scalp_def on;
+  CHECK(shx_scalp_def_init(&on, sizeof on));
+  on.vertices = (shx_input){head->vertices, 0, head->vertex_count, SHX_FORMAT_F64X3, 0};
+  on.triangles = head->triangles;
+  on.triangle_count = head->triangle_count;
+  shx_scalp *scalp;
+  CHECK(shx_scalp_create(&on, &scalp));
+  double *density = hairline(g, head);
+  shx_scatter_def scatter;
+  CHECK(shx_scatter_def_init(&scatter, sizeof scatter));
+  scatter.count = (size_t)o->hairs;
+  scatter.density = density;
+  shx_follicle *follicles = allocate((size_t)o->hairs, sizeof *follicles);
+  render r = {NULL, NULL, 0, NULL, NULL};
+  CHECK(shx_scalp_scatter(scalp, &scatter, follicles, (size_t)o->hairs, &r.count, NULL));
+  shx_frame *roots = allocate(r.count, sizeof *roots);
+  const shx_output frames = {roots, 0, r.count, SHX_FORMAT_FRAME, 0};
+  CHECK(shx_scalp_root_frames(scalp, &on.vertices, follicles, r.count, &frames));
+
+  shx_render_settings settings;
+  CHECK(shx_render_settings_init(&settings, sizeof settings));
+  settings.points_per_strand = HAIR_POINTS;
+  settings.curliness = 0.5; /* in wisps at the tips */
+  settings.wisp_profile[1] = 0.75;
+  settings.frizz = 0.0012;
+  settings.length_variation = 0.2;
+  settings.worker_count = (uint32_t)o->threads;
+  const shx_input at = {roots, 0, r.count, SHX_FORMAT_FRAME, 0};
+  CHECK(shx_solver_create_render_hair(solver, ids, g->strand_count, &settings, &at, &r.hair));
+  CHECK(shx_render_pose_create(r.hair, &r.pose));
+  r.points = allocate(3 * HAIR_POINTS * r.count, sizeof *r.points);
+  r.point_counts = allocate(r.count, sizeof *r.point_counts);
+  for (size_t i = 0; i < r.count; i++)
+    r.point_counts[i] = HAIR_POINTS;
+  free(roots);
+  free(follicles);
+  free(density);
+  shx_scalp_destroy(scalp);
+  return r;
+}
+
+static void write_render_frame(const options *o, const groom *g, const render *r, const shx_solver *solver, const shx_strand_id *ids,
+                               long frame) {
+  const shx_output output = {r->points, 0, HAIR_POINTS * r->count, SHX_FORMAT_F32X3, 0};
+  CHECK(shx_solver_set_render_pose(solver, ids, g->strand_count, 0, r->pose));
+  CHECK(shx_render_pose_evaluate(r->pose, NULL, &output, NULL, NULL));
+  char path[1024];
+  snprintf(path, sizeof path, "%s/hair.%04ld.hair", o->render, frame);
+  const shx_input drawn = {r->points, 0, HAIR_POINTS * r->count, SHX_FORMAT_F32X3, 0};
+  CHECK(shx_curves_write(path, &drawn, r->point_counts, r->count));
+}
+
+static void free_render(render *r) {
+  shx_render_pose_destroy(r->pose);
+  shx_render_hair_destroy(r->hair);
+  free(r->points);
+  free(r->point_counts);
 }
 
 /* ---- frames --------------------------------------------------------------------------------------------------------- */
@@ -308,6 +405,20 @@ int main(int argc, char **argv) {
   shx_strand_id *ids = allocate(g.strand_count, sizeof *ids);
   CHECK(shx_solver_add_strands(solver, g.defs, sizeof *g.defs, g.strand_count, ids));
   CHECK(shx_solver_take_rest_shapes(solver, ids, g.strand_count)); /* the groom as it is drawn is its shape at rest */
+  mesh body = {NULL, NULL, 0, 0};
+  shx_body_id body_id = {0};
+  render r = {NULL, NULL, 0, NULL, NULL};
+  if (o.body != NULL) {
+    body = read_mesh(o.body, o.scale);
+    set_contact(&o, &g, solver, ids);
+    body_id = add_head(solver, &body);
+    CHECK(shx_solver_allow_overlaps(solver, ids, g.strand_count));
+    printf("%s: %zu triangles, a grid of distances %g mm apart\n", o.body, body.triangle_count, 1000.0 * GRID_CELL);
+  }
+  if (o.hairs > 0) {
+    r = grow(&o, &g, &body, solver, ids);
+    printf("%zu render hairs grow on it\n", r.count);
+  }
 
   shx_frame *roots = allocate(g.strand_count, sizeof *roots);
   float *points = allocate(3 * g.point_total, sizeof *points);
@@ -318,12 +429,16 @@ int main(int argc, char **argv) {
   shx_step_report report;
   CHECK(shx_step_report_init(&report, sizeof report));
   write_frame(&o, &g, solver, ids, 0, points);
+  if (r.count > 0)
+    write_render_frame(&o, &g, &r, solver, ids, 0);
   for (long frame = 1; frame <= frames; frame++) {
     const pose now = pose_at(&head, head.poses[0].time + (double)frame / o.rate);
     move_roots(&g, &first, &now, roots);
     const shx_input input = {roots, 0, g.strand_count, SHX_FORMAT_FRAME, 0};
     CHECK(shx_solver_set_root_frames(solver, ids, g.strand_count, &input, 1.0 / o.rate));
-    CHECK(shx_solver_step(solver, 1.0 / o.rate, 1, &report));
+    if (o.body != NULL)
+      move_head(&g, &first, &now, solver, body_id, 1.0 / o.rate);
+    CHECK(shx_solver_step(solver, 1.0 / o.rate, (uint32_t)o.substeps, &report));
     stepping += report.seconds;
     iterations += report.mean_iterations;
     unconverged += report.unconverged;
@@ -333,6 +448,8 @@ int main(int argc, char **argv) {
              (double)frame / o.rate, report.mean_iterations, report.max_iterations, report.max_residual, 1000.0 * report.seconds,
              report.kinetic_energy + report.elastic_energy + report.gravity_energy);
     write_frame(&o, &g, solver, ids, frame, points);
+    if (r.count > 0)
+      write_render_frame(&o, &g, &r, solver, ids, frame);
   }
   printf("%ld frames of %zu strands in %s: stepping %.2f s (%.3f of real time), %.2f iterations a step, %llu unconverged, "
          "%llu quarantined\n",
@@ -342,6 +459,9 @@ int main(int argc, char **argv) {
   free(points);
   free(roots);
   free(ids);
+  if (r.count > 0)
+    free_render(&r);
+  free_mesh(&body);
   shx_solver_destroy(solver);
   free_groom(&g);
   free(head.poses);

@@ -22,8 +22,8 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test physics -- statics:: vibration:: dynamics:: whirl::
   cargo run --quiet --locked --profile demo --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
   scripts/demo.sh
-  "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/frames --out docs/figures/contact_sheet.png --fps 60 --scale 1 \
-    --title "Sintel's hair on a recorded walk" --cell 220 --moments 5 --quiet
+  "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/render --out docs/figures/contact_sheet.png --fps 24 --scale 1 \
+    --body tests/data/grooms/sintel_bust.obj --body-scale 0.01 --title "Sintel's hair on a recorded walk" --cell 220 --moments 5 --quiet
   scripts/contact_figures.sh
 fi
 

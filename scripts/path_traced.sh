@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# Makes the path-traced pictures of README and docs, docs/figures/hair_*.jpg: simulates, grows render hair, and draws it with Mitsuba 3
+# (mitsuba-renderer.org) in an environment of its own, build/venv. Says so and leaves the pictures as they are where Mitsuba is not to be had.
+#   SUPERHELIX=program      simulates with that program instead of building one
+#   PATH_TRACED_SAMPLES=n   a pixel, default 96
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/python_env.sh
+python=build/venv/bin/python
+if ! "$python" -m pip install --quiet --disable-pip-version-check mitsuba pillow; then
+  echo "path_traced.sh: pip finds no Mitsuba for this machine: docs/figures/hair_*.jpg stay as they are" >&2
+  exit 0
+fi
+superhelix=${SUPERHELIX:-}
+if [ -z "$superhelix" ]; then
+  superhelix=${CARGO_TARGET_DIR:-target}/demo/superhelix
+  cargo build --locked --profile demo --features cli --bin superhelix
+fi
+samples=${PATH_TRACED_SAMPLES:-96}
+grooms=tests/data/grooms
+bust=$grooms/sintel_bust.obj
+scale=0.01 # metres a unit of the bust and of what is drawn on it
+out=out/path_traced
+rm -rf "$out"
+mkdir -p "$out"
+# Nine tenths of Sintel's guides have another within 1.2 cm.
+"$superhelix" place "$bust" --scale "$scale" --count 160 --near "$grooms/sintel_hair_001.tfx" --within 0.012 --out "$out/follicles.csv"
+"$python" docs/figures/drawn_grooms.py "$out/follicles.csv" "$bust" "$scale" "$out"
+
+simulate() { # simulate NAME GROOM MOTION SECONDS FRAMES: the frames that are wanted, and the first, in NAME/some
+  local name=$1 groom=$2 motion=$3 seconds=$4 frames=$5
+  shift 5
+  "$superhelix" simulate "$groom" --scale "$scale" --body "$bust" --motion "$motion" --duration "$seconds" --fps 24 --substeps 4 \
+    --contact penalty --allow-overlaps --threads "$(getconf _NPROCESSORS_ONLN)" --format hair --samples 65 \
+    --out "$out/$name/all" "$@"
+  mkdir -p "$out/$name/some"
+  for frame in 1 $frames; do
+    cp "$(printf '%s/hair.%04d.hair' "$out/$name/all" "$frame")" "$out/$name/some/"
+  done
+}
+grow() { # grow NAME HAIRS FLAGS...: render hair of these frames, in NAME/render
+  local name=$1 hairs=$2
+  shift 2
+  "$superhelix" interpolate "$out/$name/some" --scale "$scale" --scalp "$bust" --count "$hairs" --out "$out/$name/render" "$@"
+}
+trace() { # trace NAME PICTURE FLAGS...: all frames but the first, which only says where the head was
+  local name=$1 picture=$2
+  shift 2
+  local frames=("$out/$name/render"/*.hair)
+  echo "path tracing $picture (about a minute a panel)"
+  "$python" docs/figures/path_trace.py "$picture" --hair "${frames[@]:1}" --rest "${frames[0]}" --body "$bust" --scale "$scale" \
+    --samples "$samples" "$@"
+}
+# A guide stands for a wisp: what hundreds of hairs with product in them come to.
+wisp=(--youngs-modulus 4e10 --viscosity 0.02)
+
+simulate walk "$grooms/sintel_hair_001.tfx" "$grooms/walk_figure8_head.csv" 1.5 "30" "${wisp[@]}" --hair-contact 0.002
+grow walk 60000 --points 24 --curliness 0.6 --frizz 0.0012 --length-variation 0.25 --wisp-profile 1,0.9,0.15
+trace walk docs/figures/hair_walk.jpg
+
+simulate straight "$out/straight.hair" "$out/shake.csv" 1.0 "2 12" --youngs-modulus 1.2e10 --viscosity 0.02
+grow straight 60000 --points 40 --curliness 0.35 --frizz 0.002 --length-variation 0.1 --wisp-profile 1,0.9,0.3
+trace straight docs/figures/hair_straight.jpg --colour dark-brown --height 0.62 --lift -0.17 --width 480 --pixels 560
+
+simulate curls "$out/curls.hair" "$out/shake.csv" 1.0 "2 11 16 21" --youngs-modulus 1.2e10 --viscosity 0.02
+grow curls 40000 --points 65 --space curvature --curliness 0.7 --wisps 3 --frizz 0.003 --length-variation 0.15
+trace curls docs/figures/hair_shake.jpg --colour auburn --height 0.56 --lift -0.12 --width 360 --pixels 400
