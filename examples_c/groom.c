@@ -106,9 +106,6 @@ typedef struct groom {
 
 static const double gravity[3] = {0.0, -9.81, 0.0}; /* y is up */
 
-/* A guide of a head of hair stands for hundreds of hairs that lie together with product in them: what they come to, bending and calming. */
-static const double WISP_YOUNGS_MODULUS = 40e9, WISP_VISCOSITY = 0.02;
-
 /* Reads the file, and fits strands to its polylines, all in one call. */
 static groom read_groom(const options *o) {
   shx_curves *curves;
@@ -161,12 +158,8 @@ static groom read_groom(const options *o) {
     CHECK(shx_strand_def_set_fit(def, &fitted[i], g.lengths + i * how.element_count, g.shapes + 3 * i * how.element_count));
     g.rest_roots[g.strand_count] = def->root;
     def->internal_friction = 1e-10;
-    /* The upper end of what was measured on real wisps (5e-6 to 5e-5): nothing else damps a strand that touches no other. */
-    def->air_drag = 5e-5;
-    if (o->body != NULL) {
-      def->youngs_modulus = WISP_YOUNGS_MODULUS;
-      def->viscosity = WISP_VISCOSITY;
-    }
+    /* What was measured on real hair, disciplined and fuzzy: nothing else damps a bare hair that touches no other. */
+    def->air_drag = o->body != NULL ? 5e-6 : 5e-5;
     worst = fitted[i].rms_error > worst ? fitted[i].rms_error : worst;
     sum += fitted[i].rms_error;
     for (int k = 0; k < 3; k++)
@@ -215,6 +208,26 @@ static void move_roots(const groom *g, const pose *first, const pose *now, shx_f
 
 /* Nodes of the head's grid of distances are so far apart, and it reaches so far beyond the skin, m. */
 static const double GRID_CELL = 0.004, GRID_BAND = 0.035;
+
+/* A guide of a head of hair stands for hundreds of hairs that hold together: the strands become such wisps, and rest as they are drawn. */
+static void make_wisps(const groom *g, shx_solver *solver, const shx_strand_id *ids) {
+  shx_wisp wisp;
+  shx_material hair, all;
+  double margin;
+  CHECK(shx_wisp_init(&wisp, sizeof wisp));
+  CHECK(shx_material_init(&hair, sizeof hair));
+  CHECK(shx_material_init(&all, sizeof all));
+  CHECK(shx_solver_get_material(solver, ids[0], &hair)); /* that of all of them */
+  CHECK(shx_wisp_material(&wisp, &hair, &all, NULL, &margin));
+  CHECK(shx_solver_set_materials(solver, ids, g->strand_count, &all, 0, 1));
+  double *scales = allocate(g->strand_count, sizeof *scales);
+  CHECK(shx_solver_stiffen_strands(solver, ids, g->strand_count, SHX_STIFFEN_YOUNGS_MODULUS, margin, scales));
+  size_t stiffened = 0;
+  for (size_t i = 0; i < g->strand_count; i++)
+    stiffened += scales[i] > 1.0;
+  printf("wisps of %g hairs, hold %g; %zu made stiffer to rest as drawn\n", wisp.hairs, wisp.hold, stiffened);
+  free(scales);
+}
 
 /* The cheap model of contact: springs. What the groom overlaps as it is drawn is allowed. */
 static void set_contact(const options *o, const groom *g, shx_solver *solver, const shx_strand_id *ids) {
@@ -273,41 +286,6 @@ typedef struct render {
   uint32_t *point_counts;
 } render;
 
-static double distance(const double a[3], const double b[3]) {
-  double sum = 0.0;
-  for (int k = 0; k < 3; k++)
-    sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return sqrt(sum);
-}
-
-static int ascending(const void *a, const void *b) {
-  const double left = *(const double *)a, right = *(const double *)b;
-  return left < right ? -1 : left > right;
-}
-
-/* Hair grows where the guides do: 1 at vertices as near to a root as nine tenths of the roots are to each other, half as much again, less
- * beyond, none at twice that. */
-static double *hairline(const groom *g, const mesh *head) {
-  double *nearest = allocate(g->strand_count, sizeof *nearest), *density = allocate(head->vertex_count, sizeof *density);
-  for (size_t i = 0; i < g->strand_count; i++) {
-    nearest[i] = INFINITY;
-    for (size_t j = 0; j < g->strand_count; j++) {
-      const double d = distance(g->rest_roots[i].origin, g->rest_roots[j].origin);
-      nearest[i] = d > 0.0 && d < nearest[i] ? d : nearest[i];
-    }
-  }
-  qsort(nearest, g->strand_count, sizeof *nearest, ascending);
-  const double within = 1.5 * nearest[g->strand_count * 9 / 10];
-  for (size_t v = 0; v < head->vertex_count; v++) {
-    double d = INFINITY;
-    for (size_t i = 0; i < g->strand_count; i++)
-      d = fmin(d, distance(head->vertices + 3 * v, g->rest_roots[i].origin));
-    density[v] = fmax(0.0, fmin(1.0, 2.0 - d / within));
-  }
-  free(nearest);
-  return density;
-}
-
 /* The map from guides to render hair, made once while the guides rest. */
 static render grow(const options *o, const groom *g, const mesh *head, const shx_solver *solver, const shx_strand_id *ids) {
   shx_scalp_def on;
@@ -317,11 +295,10 @@ static render grow(const options *o, const groom *g, const mesh *head, const shx
   on.triangle_count = head->triangle_count;
   shx_scalp *scalp;
   CHECK(shx_scalp_create(&on, &scalp));
-  double *density = hairline(g, head);
   shx_scatter_def scatter;
   CHECK(shx_scatter_def_init(&scatter, sizeof scatter));
   scatter.count = (size_t)o->hairs;
-  scatter.density = density;
+  scatter.guide_roots = (shx_input){g->rest_roots, sizeof *g->rest_roots, g->strand_count, SHX_FORMAT_F64X3, 0}; /* not on face, ears and neck */
   shx_follicle *follicles = allocate((size_t)o->hairs, sizeof *follicles);
   render r = {NULL, NULL, 0, NULL, NULL};
   CHECK(shx_scalp_scatter(scalp, &scatter, follicles, (size_t)o->hairs, &r.count, NULL));
@@ -332,10 +309,7 @@ static render grow(const options *o, const groom *g, const mesh *head, const shx
   shx_render_settings settings;
   CHECK(shx_render_settings_init(&settings, sizeof settings));
   settings.points_per_strand = HAIR_POINTS;
-  settings.curliness = 0.5; /* in wisps at the tips */
-  settings.wisp_profile[1] = 0.75;
-  settings.frizz = 0.0012;
-  settings.length_variation = 0.2;
+  settings.frizz = 5e-4;
   settings.worker_count = (uint32_t)o->threads;
   const shx_input at = {roots, 0, r.count, SHX_FORMAT_FRAME, 0};
   CHECK(shx_solver_create_render_hair(solver, ids, g->strand_count, &settings, &at, &r.hair));
@@ -346,7 +320,6 @@ static render grow(const options *o, const groom *g, const mesh *head, const shx
     r.point_counts[i] = HAIR_POINTS;
   free(roots);
   free(follicles);
-  free(density);
   shx_scalp_destroy(scalp);
   return r;
 }
@@ -355,7 +328,7 @@ static void write_render_frame(const options *o, const groom *g, const render *r
                                long frame) {
   const shx_output output = {r->points, 0, HAIR_POINTS * r->count, SHX_FORMAT_F32X3, 0};
   CHECK(shx_solver_set_render_pose(solver, ids, g->strand_count, 0, r->pose));
-  CHECK(shx_render_pose_evaluate(r->pose, NULL, &output, NULL, NULL));
+  CHECK(shx_solver_evaluate_render_pose(solver, r->pose, NULL, &output, NULL, NULL)); /* out of the head */
   char path[1024];
   snprintf(path, sizeof path, "%s/hair.%04ld.hair", o->render, frame);
   const shx_input drawn = {r->points, 0, HAIR_POINTS * r->count, SHX_FORMAT_F32X3, 0};
@@ -410,6 +383,7 @@ int main(int argc, char **argv) {
   render r = {NULL, NULL, 0, NULL, NULL};
   if (o.body != NULL) {
     body = read_mesh(o.body, o.scale);
+    make_wisps(&g, solver, ids);
     set_contact(&o, &g, solver, ids);
     body_id = add_head(solver, &body);
     CHECK(shx_solver_allow_overlaps(solver, ids, g.strand_count));
