@@ -60,7 +60,8 @@ impl Grown {
             (ground, path) = (Ground::Scalp(Box::new(Scattering { scalp, count, maps: Vec::new(), region })), Some(of));
         }
         let places = ground.places(&rest.points, POINTS, settings.seed)?;
-        let hair = RenderHair::bind_on(&settings, &GuideSamples::at_rest(&rest.points), &places.roots, places.normals.as_deref())?;
+        let hair =
+            RenderHair::bind_on(&settings, &GuideSamples::at_rest(&rest.points), &places.roots, places.normals.as_deref())?;
         // A mesh without an inside keeps nothing out.
         let head = path.zip(places.still.as_ref()).and_then(|(path, (vertices, triangles))| {
             let baked = baked_body::bake(path, vertices, triangles, None, true).ok()?;
@@ -72,7 +73,8 @@ impl Grown {
     /// The hair at a frame, whose guides are these.
     pub fn strands(&mut self, index: usize, guides: &[Vec<[f32; 3]>]) -> Result<Vec<Vec<[f32; 3]>>, Failure> {
         let roots = self.moving.as_ref().map(|scalp| scalp.roots(index)).transpose()?;
-        let moment = Moment { name: format!("frame {index}"), time: None, guides: frame(guides, self.unit)?, roots, bodies: Vec::new() };
+        let moment =
+            Moment { name: format!("frame {index}"), time: None, guides: frame(guides, self.unit)?, roots, bodies: Vec::new() };
         let made = self.renderer.frame(&moment, None)?;
         Ok(made.strands().map(<[_]>::to_vec).collect())
     }
