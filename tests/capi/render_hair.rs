@@ -367,7 +367,8 @@ fn strands_are_kept_out_of_a_solvers_bodies() {
         let at = output(&mut kept, 80 * POINTS, SHX_FORMAT_F32X4);
         let moving = output(&mut speeds, 80 * POINTS, SHX_FORMAT_F32X3);
         assert_eq!(shx_solver_evaluate_render_pose(solver, made.pose, null(), &at, null(), &moving), SHX_OK);
-        assert!(depth(&free) > 0.01 && depth(&kept) < 1e-3, "{} {}", depth(&free), depth(&kept));
+        // Edges are half as long as the ball's radius: points that slide along the spline between them cut corners.
+        assert!(depth(&free) > 0.01 && depth(&kept) < 2e-3, "{} {}", depth(&free), depth(&kept));
         let length = |strand: &[[f32; 4]]| {
             let edge = |e: &[[f32; 4]]| (0..3).map(|k| (e[1][k] - e[0][k]).powi(2)).sum::<f32>().sqrt();
             strand.windows(2).map(edge).sum::<f32>()

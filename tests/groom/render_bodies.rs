@@ -60,7 +60,7 @@ fn strands_stay_out_of_a_head_and_wisps_stay_wisps() {
         assert!(ninety < 0.03, "{ninety}");
         let whole_change = free.iter().zip(&kept).map(|(free, kept)| (length(&kept.points) / length(&free.points) - 1.0).abs());
         let worst = whole_change.fold(0.0, f64::max);
-        assert!(worst < 0.15, "{worst}");
+        assert!(worst < 0.25, "{worst}");
         // Wisps are no wider at the tip than they were, or by little.
         if curliness > 0.0 {
             let radius = |strands: &[Taken], members: &[usize]| {

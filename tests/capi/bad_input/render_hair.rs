@@ -99,7 +99,7 @@ fn damaged_hair(s: &mut Scene, hair: *const shx_render_hair) -> shx_result {
 pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_render_settings_init", "settings", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_render_settings_init(null_mut(), size_of::<shx_render_settings>()) });
     case!(cases, "shx_render_settings_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_render_settings_init(s.out(), 0));
-    case!(cases, "shx_render_settings_init", "size", "16 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_render_settings_init(s.out(), size_of::<shx_render_settings>() - 16));
+    case!(cases, "shx_render_settings_init", "size", "80 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_render_settings_init(s.out(), size_of::<shx_render_settings>() - 80));
     case!(cases, "shx_render_settings_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| shx_render_settings_init(s.out(), size_of::<shx_render_settings>() + 4));
     case!(cases, "shx_render_settings_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_render_settings_init(s.out(), usize::MAX));
     case!(cases, "shx_render_guides_init", "guides", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_render_guides_init(null_mut(), size_of::<shx_render_guides>()) });

@@ -56,7 +56,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_scalp_def_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_scalp_def_init(s.out(), usize::MAX));
     case!(cases, "shx_scatter_def_init", "def", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_scatter_def_init(null_mut(), size_of::<shx_scatter_def>()) });
     case!(cases, "shx_scatter_def_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_scatter_def_init(s.out(), 0));
-    case!(cases, "shx_scatter_def_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_scatter_def_init(s.out(), size_of::<shx_scatter_def>() - 8));
+    case!(cases, "shx_scatter_def_init", "size", "48 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_scatter_def_init(s.out(), size_of::<shx_scatter_def>() - 48));
     case!(cases, "shx_scatter_def_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| shx_scatter_def_init(s.out(), size_of::<shx_scatter_def>() + 4));
     case!(cases, "shx_scatter_def_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_scatter_def_init(s.out(), usize::MAX));
     case!(cases, "shx_scalp_create", "def", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let mut def = new_scalp_def(); let _ = &mut def;  shx_scalp_create(null(), s.out()) });
