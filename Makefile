@@ -44,7 +44,7 @@ contact: ## what contact costs and errs by, a thousand guides on a shaken head: 
 	@scripts/setup.sh build figures
 	scripts/bench_contact.sh
 
-pictures: ## the pictures of docs/: scenes with contact (docs/figures/contact_*.png), and path-traced hair where pip has Mitsuba (docs/figures/hair_*.jpg; a quarter of an hour)
+pictures: ## the pictures of docs/: scenes with contact (docs/figures/contact_*.png), and those that open README where pip has Mitsuba, which path-traces one (docs/figures/hair_walk.jpg, shake_*.png; ten minutes)
 	@scripts/setup.sh build figures
 	scripts/contact_figures.sh
 	scripts/path_traced.sh

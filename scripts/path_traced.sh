@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Makes the path-traced pictures of README and docs, docs/figures/hair_*.jpg: simulates, grows render hair, and draws it with Mitsuba 3
-# (mitsuba-renderer.org) in an environment of its own, build/venv. Says so and leaves the pictures as they are where Mitsuba is not to be had.
+# Makes the pictures that open README: docs/figures/hair_walk.jpg, simulated, with render hair grown, path-traced by Mitsuba 3
+# (mitsuba-renderer.org) in an environment of its own, build/venv; and docs/figures/shake_*.png, drawn by the command line. Where Mitsuba is not
+# to be had it says so, and leaves the pictures as they are.
 #   SUPERHELIX=program      simulates with that program instead of building one
 #   PATH_TRACED_SAMPLES=n   a pixel, default 96
 set -euo pipefail
@@ -8,7 +9,7 @@ cd "$(dirname "$0")/.."
 scripts/python_env.sh
 python=build/venv/bin/python
 if ! "$python" -m pip install --quiet --disable-pip-version-check mitsuba pillow; then
-  echo "path_traced.sh: pip finds no Mitsuba for this machine: docs/figures/hair_*.jpg stay as they are" >&2
+  echo "path_traced.sh: pip finds no Mitsuba for this machine: docs/figures/hair_walk.jpg and shake_*.png stay as they are" >&2
   exit 0
 fi
 superhelix=${SUPERHELIX:-}
@@ -58,10 +59,11 @@ simulate walk "$grooms/sintel_hair_001.tfx" "$grooms/walk_figure8_head.csv" 1.5 
 grow walk 60000 --points 24 --curliness 0.6 --frizz 0.0012 --length-variation 0.25 --wisp-profile 1,0.9,0.15
 trace walk docs/figures/hair_walk.jpg
 
-simulate straight "$out/straight.hair" "$out/shake.csv" 1.0 "2 12" --youngs-modulus 1.2e10 --viscosity 0.02
-grow straight 60000 --points 40 --curliness 0.35 --frizz 0.002 --length-variation 0.1 --wisp-profile 1,0.9,0.3
-trace straight docs/figures/hair_straight.jpg --colour dark-brown --height 0.62 --lift -0.17 --width 480 --pixels 560
-
-simulate curls "$out/curls.hair" "$out/shake.csv" 1.0 "2 11 16 21" --youngs-modulus 1.2e10 --viscosity 0.02
-grow curls 40000 --points 65 --space curvature --curliness 0.7 --wisps 3 --frizz 0.003 --length-variation 0.15
-trace curls docs/figures/hair_shake.jpg --colour auburn --height 0.56 --lift -0.12 --width 360 --pixels 400
+# The same shake, five moments, drawn by the command line itself.
+shake() { # shake NAME COLOUR
+  simulate "$1" "$out/$1.hair" "$out/shake.csv" 1.0 "6 11 16 21" --youngs-modulus 1.2e10 --viscosity 0.02
+  "$superhelix" picture "$out/$1/some" --scale "$scale" --body "$bust" --plain --moments 5 --cell 250 --views three-quarter \
+    --colour "$2" --threads "$(getconf _NPROCESSORS_ONLN)" --out "docs/figures/shake_$1.png"
+}
+shake straight dark-brown
+shake curls auburn

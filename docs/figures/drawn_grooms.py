@@ -101,7 +101,7 @@ def main():
         file.write("time_s,px_m,py_m,pz_m,qw,qx,qy,qz\n")
         for k in range(361):
             time = k / 120
-            turn = 0.35 * np.sin(2 * np.pi * 1.25 * time) * min(1.0, time / 0.4)
+            turn = 0.45 * np.sin(2 * np.pi * 1.25 * time) * min(1.0, time / 0.4)
             file.write(f"{time:.6f},0,0,0,{np.cos(turn / 2):.9f},0,{np.sin(turn / 2):.9f},0\n")
 
 
