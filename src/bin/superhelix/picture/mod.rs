@@ -122,6 +122,8 @@ pub struct PictureArguments {
 const MOST_RATE: f64 = 60.0;
 /// Most frames of an animation.
 const MOST_FRAMES: f64 = 10_000.0;
+/// What rounding may make of half way between two frames, s.
+const HALF_WAY: f64 = 1e-9;
 /// Height over width of a view in an animation.
 const SHAPE: [f32; 2] = [0.75, 1.35];
 
@@ -261,7 +263,8 @@ fn at_rate(times: &[Option<f64>], rate: f64) -> Result<Vec<usize>, Failure> {
         let time = first + k as f64 / rate;
         let after = times.partition_point(|at| *at < time).min(times.len() - 1);
         let before = after.saturating_sub(1);
-        if time - times[before] < times[after] - time { before } else { after }
+        // Half way between two it is the earlier.
+        if time - times[before] <= times[after] - time + HALF_WAY { before } else { after }
     };
     Ok((0..count as usize).map(nearest).collect())
 }
@@ -344,7 +347,7 @@ mod tests {
     fn an_animation_takes_the_nearest_frames() {
         let times = |fps: f64, count: usize| -> Vec<Option<f64>> { (0..count).map(|k| Some(k as f64 / fps)).collect() };
         assert_eq!(at_rate(&times(60.0, 7), 20.0).unwrap(), [0, 3, 6]);
-        assert_eq!(at_rate(&times(10.0, 3), 20.0).unwrap(), [0, 1, 1, 2, 2]);
+        assert_eq!(at_rate(&times(10.0, 3), 20.0).unwrap(), [0, 0, 1, 1, 2]);
         assert_eq!(at_rate(&times(30.0, 1), 24.0).unwrap(), [0]);
         assert!(at_rate(&[None, None], 24.0).is_err());
     }

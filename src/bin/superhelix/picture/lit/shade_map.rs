@@ -151,17 +151,21 @@ mod tests {
     fn a_curtain_is_crossed_once_by_what_it_covers() {
         let mut threads = curtain(1.0);
         threads.widths.fill(0.001);
+        // Hair is counted in pieces: between them there is a little less.
+        let mean = |map: &ShadeMap, behind: Vector3<f32>| {
+            let places = (0..40).map(|k| Vector3::new(0.2, 0.04 + 0.001 * k as f32, 0.0) + behind);
+            places.map(|place| map.crossed(place)).sum::<f32>() / 40.0
+        };
         let map = ShadeMap::new(Vector3::z(), &threads, &[], 64);
-        let behind = map.crossed(Vector3::new(0.2, 0.05, -1.0));
-        assert!((behind - 0.5).abs() < 0.05, "{behind}");
+        let behind = mean(&map, -Vector3::z());
+        assert!((behind - 0.5).abs() < 0.03, "{behind}");
         assert_eq!(map.crossed(Vector3::new(0.2, 0.1, 1.0)), 0.0);
         assert_eq!(map.crossed(Vector3::new(0.2, 5.0, -1.0)), 0.0);
-        let mut oblique = Vector3::new(0.0, 0.8, 0.6);
-        oblique.normalize_mut();
+        let oblique = Vector3::new(0.0, 0.8, 0.6);
         // Light along the threads by 0.8 meets 0.6 of their length but through a pane that is as much smaller.
         let map = ShadeMap::new(oblique, &threads, &[], 64);
-        let behind = map.crossed(Vector3::new(0.2, 0.05, 0.0) - oblique * 0.05);
-        assert!((behind - 0.5).abs() < 0.06, "{behind}");
+        let behind = mean(&map, -oblique * 0.05);
+        assert!((behind - 0.5).abs() < 0.04, "{behind}");
     }
 
     #[test]
