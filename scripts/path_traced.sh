@@ -52,16 +52,13 @@ trace() { # trace NAME PICTURE FLAGS...: all frames but the first, which only sa
   "$python" docs/figures/path_trace.py "$picture" --hair "${frames[@]:1}" --rest "${frames[0]}" --body "$bust" --scale "$scale" \
     --samples "$samples" "$@"
 }
-# A guide stands for a wisp: what hundreds of hairs with product in them come to.
-wisp=(--youngs-modulus 4e10 --viscosity 0.02)
-
-simulate walk "$grooms/sintel_hair_001.tfx" "$grooms/walk_figure8_head.csv" 1.5 "30" "${wisp[@]}" --hair-contact 0.002
-grow walk 60000 --points 24 --curliness 0.6 --frizz 0.0012 --length-variation 0.25 --wisp-profile 1,0.9,0.15
+simulate walk "$grooms/sintel_hair_001.tfx" "$grooms/walk_figure8_head.csv" 1.5 "30" --hair-contact 0.002
+grow walk 60000 --points 24 --frizz 0.0006
 trace walk docs/figures/hair_walk.jpg
 
 # The same shake, five moments, drawn by the command line itself.
 shake() { # shake NAME COLOUR
-  simulate "$1" "$out/$1.hair" "$out/shake.csv" 1.0 "6 11 16 21" --youngs-modulus 1.2e10 --viscosity 0.02
+  simulate "$1" "$out/$1.hair" "$out/shake.csv" 1.0 "6 11 16 21" --hold 0.35
   "$superhelix" picture "$out/$1/some" --scale "$scale" --body "$bust" --plain --moments 5 --cell 250 --views three-quarter \
     --colour "$2" --threads "$(getconf _NPROCESSORS_ONLN)" --out "docs/figures/shake_$1.png"
 }

@@ -215,6 +215,8 @@ fn brought_out(
 ) -> [f32; 3] {
     let target = clearance * clearance / (2.0 * clearance - distance);
     let dot = |a: [f32; 3], b: [f32; 3]| (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+    // What does not come out is not to lie deeper for it.
+    let mut best = (distance, point);
     let (mut point, mut distance, mut slopes) = (point, distance, slopes);
     let mut side = None;
     if distance < -DEEP {
@@ -247,11 +249,14 @@ fn brought_out(
         (0..3).for_each(|axis| point[axis] += more[axis]);
         match body.field.at(body.place(point), f32::INFINITY) {
             Some((now, now_slopes)) => (distance, slopes) = (now - body.thickness, now_slopes),
-            None => break,
+            None => return point,
+        }
+        if distance > best.0 {
+            best = (distance, point);
         }
         if (target - distance).abs() < CLOSE_ENOUGH {
             break;
         }
     }
-    point
+    if distance < 0.0 { best.1 } else { point }
 }

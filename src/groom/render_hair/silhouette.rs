@@ -74,12 +74,13 @@ mod tests {
                 assert!((bent[k] - mixed[k]).abs() < 1e-5, "{points} {k}: {} {}", bent[k], mixed[k]);
             }
         }
-        // A wave is no course.
+        // A wave is no course: of eight along the strand the best cubic takes a quarter of one at the tip, where nothing beyond holds it, and less
+        // before.
         let silhouette = Silhouette::new(64, 64);
         let wave: Vec<f32> = (0..64).map(|k| 0.01 * (0.8 * k as f32).sin()).collect();
         let mut bent = wave.clone();
         silhouette.bring(64, &mut bent, &[0.0; 64]);
         let most = bent.iter().zip(&wave).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
-        assert!(most < 2e-3, "{most}");
+        assert!(most < 2.5e-3, "{most}");
     }
 }
