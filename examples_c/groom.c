@@ -219,7 +219,7 @@ static void make_wisps(const groom *g, shx_solver *solver, const shx_strand_id *
   CHECK(shx_material_init(&all, sizeof all));
   CHECK(shx_solver_get_material(solver, ids[0], &hair)); /* that of all of them */
   CHECK(shx_wisp_material(&wisp, &hair, &all, NULL, &margin));
-  CHECK(shx_solver_set_materials(solver, ids, g->strand_count, &all, 0, 1));
+  CHECK(shx_solver_set_materials(solver, ids, g->strand_count, &all, sizeof all, 1));
   double *scales = allocate(g->strand_count, sizeof *scales);
   CHECK(shx_solver_stiffen_strands(solver, ids, g->strand_count, SHX_STIFFEN_YOUNGS_MODULUS, margin, scales));
   size_t stiffened = 0;
