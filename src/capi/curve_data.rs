@@ -28,6 +28,9 @@ pub const SHX_CURVES_HELD: u32 = 5;
 pub const SHX_CURVES_STRAND_THICKNESS: u32 = 6;
 /// Texture coordinates of the root, two floats a strand.
 pub const SHX_CURVES_STRAND_UV: u32 = 7;
+/// How far along its strand each point lies, file units, from 0 at the root, a float a point: where the file's curves are splines, whose points
+/// are a polyline that is shorter. What shx_fit_curves takes as arclengths, in metres.
+pub const SHX_CURVES_ARCLENGTH: u32 = 8;
 
 /// The file does not say which axis points up.
 pub const SHX_UP_UNKNOWN: u32 = 0;
@@ -187,6 +190,7 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
             transparency: optional("data.transparency", data.transparency, point_count)?,
             colors: optional("data.colors", data.colors.cast::<[f32; 3]>(), point_count)?,
             velocities,
+            arclengths: None,
             held: optional("data.held", data.held, point_count)?.map(|held| held.iter().map(|held| *held != 0).collect()),
             strand_thickness: optional("data.strand_thickness", data.strand_thickness, strand_count)?,
             strand_uvs: optional("data.strand_uvs", data.strand_uvs.cast::<[f32; 2]>(), strand_count)?,
@@ -251,6 +255,7 @@ pub unsafe extern "C" fn shx_curves_numbers(
             SHX_CURVES_VELOCITY => extras.velocities.iter().flatten().flatten().copied().collect(),
             SHX_CURVES_HELD => extras.held.iter().flatten().map(|held| f32::from(u8::from(*held))).collect(),
             SHX_CURVES_STRAND_THICKNESS => extras.strand_thickness.clone().unwrap_or_default(),
+            SHX_CURVES_ARCLENGTH => extras.arclengths.clone().unwrap_or_default(),
             SHX_CURVES_STRAND_UV => extras.strand_uvs.iter().flatten().flatten().copied().collect(),
             other => return Err(Error::invalid("what", other, "one of SHX_CURVES_")),
         };

@@ -93,6 +93,9 @@ pub struct Extras {
     pub held: Option<Vec<bool>>,
     /// Velocity a point, file units a second (`.usda`).
     pub velocities: Option<Vec<[f32; 3]>>,
+    /// How far along its strand each point lies, file units, from 0 at the root: where the file's curves are more than polylines (`.usda`).
+    /// Longer than the edges are together.
+    pub arclengths: Option<Vec<f32>>,
     /// Thickness factor a strand (`.tfx` 3 and 4, `.usda` of this library).
     pub strand_thickness: Option<Vec<f32>>,
     /// Texture coordinates of the root, a strand (`.tfx`, `.usda`).
@@ -183,6 +186,7 @@ impl Curves {
             ("transparency", extras.transparency.is_some(), among(&[Hair, Usda])),
             ("colours", extras.colors.is_some(), among(&[Hair, TfxV3, TfxV4, Usda])),
             ("velocities", extras.velocities.is_some(), among(&[Usda])),
+            ("lengths of curves between points", extras.arclengths.is_some(), among(&[])),
             ("which points are held", extras.held.is_some(), held_kept),
             ("thickness factors of strands", extras.strand_thickness.is_some(), among(&[TfxV3, TfxV4, Usda])),
             ("texture coordinates of roots", extras.strand_uvs.is_some(), among(&[TfxV2Text, TfxV3, TfxV4, Usda])),
@@ -258,6 +262,7 @@ impl Curves {
         check("transparency", singles(&extras.transparency), points)?;
         check("colors", extras.colors.as_deref(), points)?;
         check("velocities", extras.velocities.as_deref(), points)?;
+        check("arclengths", singles(&extras.arclengths), points)?;
         check("strand_thickness", singles(&extras.strand_thickness), strands)?;
         check("strand_uvs", extras.strand_uvs.as_deref(), strands)?;
         if let Some(held) = &extras.held
@@ -358,7 +363,7 @@ impl Curves {
         })
     }
 
-    /// The same curves with every point, velocity and thickness multiplied by `factor`: given the metres of a file unit, it makes
+    /// The same curves with every point, arclength, velocity and thickness multiplied by `factor`: given the metres of a file unit, it makes
     /// metres. Thickness factors ([`Extras::strand_thickness`]) stay.
     ///
     /// # Errors
@@ -368,6 +373,7 @@ impl Curves {
         let mut scaled = self.clone();
         let lengths = scaled.points.iter_mut().flatten();
         let lengths = lengths.chain(scaled.extras.thickness.iter_mut().flatten());
+        let lengths = lengths.chain(scaled.extras.arclengths.iter_mut().flatten());
         let lengths = lengths.chain(scaled.extras.velocities.iter_mut().flatten().flatten());
         for length in lengths.chain(scaled.extras.hair_header.iter_mut().map(|header| &mut header.thickness)) {
             let value = (f64::from(*length) * factor) as f32;

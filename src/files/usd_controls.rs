@@ -9,6 +9,8 @@ use crate::math::spline::{Spline, SplineEnds, SplineKind};
 
 /// Points a span of a cubic curve or of NURBS.
 const PER_SPAN: usize = 4;
+/// Chords between two of these points that arclengths of NURBS are summed from.
+const CHORDS: usize = 8;
 
 /// How the control points of a curve are made into points.
 pub(super) enum Way<'a> {
@@ -123,6 +125,43 @@ impl Controls<'_> {
             }
         }
         Ok(made)
+    }
+
+    /// How far along its curve each point lies, from 0 at each root, of control points that have been placed; None where curves are polylines.
+    pub fn arclengths(&self, way: &Way<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Option<Vec<f32>>> {
+        let mut made = Vec::new();
+        match way {
+            Way::Linear => return Ok(None),
+            Way::Cubic(kind, ends) => {
+                for (curve, range) in self.ranges().enumerate() {
+                    let spline = self.spline(*kind, *ends, curve, bad)?;
+                    let (_, arclengths) =
+                        spline.points(&controls[range], PER_SPAN).map_err(|error| bad(format_args!("curve {curve}: {error}")))?;
+                    made.extend(arclengths.iter().map(|arclength| *arclength as f32));
+                }
+            }
+            Way::Nurbs { .. } => self.each_nurbs(way, bad, |nurbs, range| {
+                let along = |parts: usize| {
+                    let places = nurbs.parameters(parts * PER_SPAN);
+                    let points: Vec<_> =
+                        places.iter().map(|place| nurbs.at(*place, |control| controls[range.start + control])).collect();
+                    let mut arclength = 0.0;
+                    let edges = points.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+                    let sums = edges.map(|edge| {
+                        arclength += edge;
+                        arclength
+                    });
+                    std::iter::once(0.0).chain(sums).step_by(parts).collect::<Vec<f64>>()
+                };
+                // Chords fall short by the square of their length: Richardson's extrapolation.
+                let (coarse, fine) = (along(CHORDS / 2), along(CHORDS));
+                made.extend(coarse.iter().zip(&fine).map(|(coarse, fine)| (fine + (fine - coarse) / 3.0) as f32));
+            })?,
+        }
+        match made.iter().all(|arclength| arclength.is_finite()) {
+            true => Ok(Some(made)),
+            false => Err(bad(format_args!("a curve is longer than floats reach"))),
+        }
     }
 
     /// Three numbers each, interpolated as said: three a point.

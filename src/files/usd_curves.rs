@@ -38,6 +38,7 @@ pub(super) fn at(layer: &Layer, file: &str, time: f64) -> Result<Curves> {
         transparency: all.transparency.0,
         colors: all.colors.0,
         velocities: all.velocities.0,
+        arclengths: all.bent.then_some(all.arclengths),
         held: all.held.0,
         strand_thickness: all.strand_thickness.0,
         strand_uvs: all.strand_uvs.0,
@@ -81,9 +82,27 @@ struct All {
     transparency: Optional<f32>,
     colors: Optional<[f32; 3]>,
     velocities: Optional<[f32; 3]>,
+    arclengths: Vec<f32>,
+    /// Whether any of the curves is more than its points.
+    bent: bool,
     held: Optional<bool>,
     strand_thickness: Optional<f32>,
     strand_uvs: Optional<[f32; 2]>,
+}
+
+/// How far along its polyline each point lies.
+fn along_edges(points: &[[f32; 3]], counts: &[u32], arclengths: &mut Vec<f32>) {
+    let mut rest = points;
+    for count in counts {
+        let (strand, others) = rest.split_at(*count as usize);
+        rest = others;
+        let mut arclength = 0.0;
+        arclengths.push(0.0);
+        for pair in strand.windows(2) {
+            arclength += (wide(pair[1]) - wide(pair[0])).norm();
+            arclengths.push(arclength as f32);
+        }
+    }
 }
 
 /// The curves of a prim at a time.
@@ -130,6 +149,17 @@ impl One<'_> {
                 moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
             }
         });
+        let controls_placed = match &moved {
+            None => points.iter().copied().map(wide).collect(),
+            Some(moved) => points.iter().map(|point| moved.place(wide(*point))).collect::<Vec<_>>(),
+        };
+        match controls.arclengths(&way, &controls_placed, bad)? {
+            Some(arclengths) => {
+                all.arclengths.extend(arclengths);
+                all.bent = true;
+            }
+            None => along_edges(&all.points[before.0..], &made_counts, &mut all.arclengths),
+        }
         let velocities = match self.prim.velocities.vectors_at(self.time) {
             Some(list) => {
                 controls.check("velocities", list.len(), bad)?;
@@ -288,13 +318,12 @@ impl Moved {
     }
 
     fn points(&self, points: &[[f32; 3]]) -> Option<Vec<[f32; 3]>> {
-        points
-            .iter()
-            .map(|point| {
-                let placed = self.matrix * wide(*point).push(1.0);
-                narrow((placed / placed.w).xyz())
-            })
-            .collect()
+        points.iter().map(|point| narrow(self.place(wide(*point)))).collect()
+    }
+
+    fn place(&self, point: Vector3<f64>) -> Vector3<f64> {
+        let placed = self.matrix * point.push(1.0);
+        (placed / placed.w).xyz()
     }
 
     /// What points do by themselves, and what the placement does to them.

@@ -84,7 +84,9 @@ fn what_is_saved_is_read_with_all_that_goes_along() {
             VELOCITIES.as_flattened().iter().map(|value| *value as f32).collect::<Vec<_>>()
         );
         assert_eq!(numbers(curves, SHX_CURVES_HELD), [1.0, 0.0, 1.0, 0.0, 0.0]);
-        for what in [SHX_CURVES_TRANSPARENCY, SHX_CURVES_COLOR, SHX_CURVES_STRAND_THICKNESS, SHX_CURVES_STRAND_UV] {
+        for what in
+            [SHX_CURVES_TRANSPARENCY, SHX_CURVES_COLOR, SHX_CURVES_STRAND_THICKNESS, SHX_CURVES_STRAND_UV, SHX_CURVES_ARCLENGTH]
+        {
             assert!(numbers(curves, what).is_empty());
         }
         let (mut metres, mut up) = (0.0, 0);

@@ -119,6 +119,33 @@ fn every_basis_gives_the_curve_that_its_definition_says() {
     assert_near(curves.points(), &rows(&reference["nurbs"]));
 }
 
+/// A quarter circle by NURBS, three times as large and lifted; a B-spline on a line; a polyline.
+#[test]
+fn splines_keep_their_lengths() {
+    let quarter = "#usda 1.0\n(\n    metersPerUnit = 0.01\n)\n\
+        def NurbsCurves \"q\" {\nint[] curveVertexCounts = [3]\nint[] order = [3]\ndouble[] knots = [0,0,0,1,1,1]\n\
+        double[] pointWeights = [1,0.7071067811865476,1]\npoint3f[] points = [(1,0,0),(1,1,0),(0,1,0)]\n\
+        double3 xformOp:translate = (0,5,0)\nfloat3 xformOp:scale = (3,3,3)\nuniform token[] xformOpOrder = [\"xformOp:translate\",\"xformOp:scale\"]\n}\n";
+    let linear = "def BasisCurves \"l\" {\nuniform token type = \"linear\"\nint[] curveVertexCounts = [3]\n\
+        point3f[] points = [(0,0,0),(0,0,1),(0,2,1)]\n}\n";
+    let read = |text: &str| usda::read_from_bytes("q.usda", text.as_bytes()).unwrap();
+    let arclengths = |text: &str| read(text).extras().arclengths.clone();
+    let both = arclengths(&format!("{quarter}{linear}")).unwrap();
+    assert_eq!(both.len(), 5 + 3);
+    // The parameter is not the angle: the middle is at half way, for symmetry, and the whole is a quarter of a circle of radius 3. Four chords
+    // are 0.4 % shorter.
+    let whole = 1.5 * std::f32::consts::PI;
+    assert!((both[4] / whole - 1.0).abs() < 1e-6 && (both[2] / whole - 0.5).abs() < 1e-6, "{both:?}");
+    assert_eq!(both[5..], [0.0, 1.0, 3.0]);
+    assert!(read(quarter).strand_length(0) < 0.997 * f64::from(whole));
+    // Polylines alone are what their points say.
+    assert_eq!(arclengths(&format!("#usda 1.0\n{linear}")), None);
+    // Metres, and what no file holds.
+    let metres = read(quarter).scaled(0.01).unwrap();
+    assert!((metres.extras().arclengths.as_ref().unwrap()[4] - 0.01 * whole).abs() < 1e-7);
+    assert_eq!(metres.lost_in(CurvesFormat::Usda), ["lengths of curves between points"]);
+}
+
 #[test]
 fn widths_colours_and_opacities_go_with_the_points_however_they_are_said() {
     let linear = "uniform token type = \"linear\"\nint[] curveVertexCounts = [2, 3]\n\
@@ -156,6 +183,7 @@ fn everything() -> Curves {
     let each = |scale: f32| (0..5).map(|index| scale * (index as f32 + 1.0 / 3.0)).collect::<Vec<f32>>();
     let vectors = |scale: f32| each(scale).iter().map(|x| [*x, -x, 0.5 * x]).collect::<Vec<_>>();
     let extras = Extras {
+        arclengths: None,
         thickness: Some(each(1e-5)),
         transparency: Some(vec![0.0, 0.25, 0.5, 0.75, 1.0]),
         colors: Some(vectors(0.1)),

@@ -120,8 +120,7 @@ fn strands_are_as_long_as_their_guides() {
                 "{space:?} {curliness}: {:.3} to {:.3}, tenth {:.3}; not kept: {:.3} to {:.3}, tenth {:.3}",
                 kept[0], kept[2999], kept[300], free[0], free[2999], free[300]
             );
-            // Chords of the splines that points are put on cost some thousandths; what mixing shortens by more than a tenth stays short, since
-            // strands go straight on beyond their way by a tenth at most.
+            // Chords of the splines that points are put on cost some thousandths; what mixing shortens to less than 0.7 stays short.
             assert!(kept[300] > 0.97 && kept[2970] < 1.03 && kept[300] >= free[300], "{} {}", kept[300], kept[2970]);
             assert!(free[0] < 0.95 || free[2999] > 1.05, "{} {}", free[0], free[2999]);
         }

@@ -145,6 +145,7 @@ fn every(curves: &Curves, step: usize) -> Result<Curves, Failure> {
         transparency: points(curves, &kept, &own.transparency),
         colors: points(curves, &kept, &own.colors),
         velocities: points(curves, &kept, &own.velocities),
+        arclengths: points(curves, &kept, &own.arclengths),
         held: points(curves, &kept, &own.held),
         strand_thickness: strands_of(&kept, &own.strand_thickness),
         strand_uvs: strands_of(&kept, &own.strand_uvs),

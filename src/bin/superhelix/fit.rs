@@ -19,7 +19,7 @@ use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_stiffening
 use crate::material_arguments::MaterialArguments;
 use crate::picture::view::Up;
 use crate::rest_arguments::StiffeningArguments;
-use crate::unit;
+use crate::unit::{self, Polyline};
 
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
 #[derive(Debug, Args)]
@@ -157,7 +157,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
     }
     let polylines = unit::polylines(&curves, arguments.every as usize, scale);
     let workers = if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) };
-    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|(_, points)| FitCurve::polyline(points)).collect();
+    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(Polyline::curve).collect();
     let elements = match (&arguments.elements[..], arguments.tolerance) {
         ([], None) => vec![3, 5, 10, 20],
         ([], Some(_)) => vec![100],
@@ -167,7 +167,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         file: arguments.groom.display().to_string(),
         format: curves.format().name(),
         strands: inputs.len(),
-        points: polylines.iter().map(|(_, points)| points.len()).sum(),
+        points: polylines.iter().map(|polyline| polyline.points.len()).sum(),
         threads: arguments.threads,
         rows: Vec::new(),
         skipped: Vec::new(),
@@ -193,7 +193,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         let seconds = begun.elapsed().as_secs_f64();
         last.clear();
         answer.skipped.clear();
-        for ((index, _), result) in polylines.iter().zip(results) {
+        for (Polyline { index, .. }, result) in polylines.iter().zip(results) {
             match result {
                 Ok(fit) => last.push((*index, fit)),
                 Err(error) => answer.skipped.push(Skipped { strand: *index, because: error.to_string() }),

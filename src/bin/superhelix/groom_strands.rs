@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use superhelix::contact::shape::Shape;
 use superhelix::error::Error;
-use superhelix::groom::fit::{Fit, FitOptions, fit_polyline, natural_under_gravity_with};
+use superhelix::groom::fit::{Fit, FitCurve, FitOptions, FitScratch, fit_curve, natural_under_gravity_with};
 use superhelix::groom::hair_parameters::curled_shape;
 use superhelix::groom::outside::{BroughtOut, bring_out};
 use superhelix::groom::stability::{Stability, stability_under_gravity};
@@ -21,6 +21,7 @@ use superhelix::solver::definition::StrandDef;
 use crate::failure::Failure;
 use crate::material_arguments::{GroomHair, MaterialArguments};
 use crate::rest_arguments::StiffeningArguments;
+use crate::unit::Polyline;
 
 /// Most elements of a strand where it is not said how many there are.
 const MOST_ELEMENTS: usize = 100;
@@ -81,9 +82,9 @@ pub struct GroomStrand {
     pub brought_out: BroughtOut,
 }
 
-/// Makes strands from polylines (index in the file, points in metres, root first). `done` is called after each, from any thread.
+/// Makes strands from polylines. `done` is called after each, from any thread.
 pub fn make(
-    polylines: &[(usize, Vec<Vector3<f64>>)],
+    polylines: &[Polyline],
     recipe: &StrandRecipe<'_>,
     threads: usize,
     done: impl Fn() + Sync,
@@ -95,10 +96,10 @@ pub fn make(
     let made: Vec<Result<GroomStrand, Skipped>> = pool.install(|| {
         polylines
             .par_iter()
-            .map(|(index, points)| {
-                let strand = make_one(*index, points, recipe);
+            .map(|polyline| {
+                let strand = make_one(polyline, recipe);
                 done();
-                strand.map_err(|because| Skipped { strand: *index, because })
+                strand.map_err(|because| Skipped { strand: polyline.index, because })
             })
             .collect()
     });
@@ -112,25 +113,29 @@ pub fn make(
     Ok((strands, skipped))
 }
 
-fn make_one(index: usize, points: &[Vector3<f64>], recipe: &StrandRecipe<'_>) -> Result<GroomStrand, String> {
-    let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+fn make_one(polyline: &Polyline, recipe: &StrandRecipe<'_>) -> Result<GroomStrand, String> {
+    let index = polyline.index;
+    let length: f64 = polyline.points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     check_length(length, &recipe.hair.material)?;
-    let mut outside = Cow::Borrowed(points);
+    let mut outside = Cow::Borrowed(&polyline.points[..]);
     let mut brought_out = BroughtOut::default();
     if let Some((body, clearance)) = recipe.outside {
+        // Edges keep their lengths, and so do the pieces of curve that they stand for.
         brought_out = bring_out(outside.to_mut(), body, clearance).map_err(|error| error.to_string())?;
     }
-    let fit = fit(&outside, recipe)?;
+    let fit = fit(&FitCurve { points: &outside, ..polyline.curve() }, recipe)?;
     let fit_error = (fit.rms_error, fit.max_error);
     let (definition, stability) = definition(index, fit, recipe).map_err(|error| error.to_string())?;
     Ok(GroomStrand { index, definition, fit_error, stability, brought_out })
 }
 
 /// A fit by the recipe's elements, or by as many as keep each within a quarter turn, but no more than four a point of the polyline.
-fn fit(points: &[Vector3<f64>], recipe: &StrandRecipe<'_>) -> Result<Fit, String> {
-    let by = |elements: usize| fit_polyline(points, &FitOptions::elements(elements)).map_err(|error| error.to_string());
+fn fit(curve: &FitCurve<'_>, recipe: &StrandRecipe<'_>) -> Result<Fit, String> {
+    let mut scratch = FitScratch::default();
+    let mut by =
+        |elements: usize| fit_curve(curve, &FitOptions::elements(elements), &mut scratch).map_err(|error| error.to_string());
     let mut fit = by(recipe.elements)?;
-    let most = (4 * points.len()).min(MOST_ELEMENTS);
+    let most = (4 * curve.points.len()).min(MOST_ELEMENTS);
     for _ in 0..REFITS {
         let (elements, turn) = (fit.element_lengths.len(), largest_turn(&fit.element_lengths, &fit.curvatures));
         if !recipe.refine || turn <= FRAC_PI_2 || elements >= most {

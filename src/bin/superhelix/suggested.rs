@@ -1,6 +1,5 @@
 //! `superhelix info --suggest`: how many elements the strands of a groom need for their shape.
 
-use nalgebra::Vector3;
 use serde::Serialize;
 use superhelix::files::curves::Curves;
 use superhelix::groom::fit::{FitCurve, FitOptions, FitScratch, fit_curve, fit_polyline};
@@ -34,13 +33,13 @@ impl Suggested {
     pub fn of(curves: &Curves, tolerance_metres: f64, metres_per_unit: f64) -> Self {
         let every = curves.strand_count().div_ceil(SAMPLE).max(1);
         let (mut needed, mut strands, mut unmet) = (Vec::new(), 0, 0);
-        for strand in curves.strands().step_by(every) {
-            let points = unit::in_metres(strand, metres_per_unit);
-            if fit_polyline(&points, &FitOptions::elements(1)).is_err() {
+        for index in (0..curves.strand_count()).step_by(every) {
+            let strand = unit::polyline(curves, index, metres_per_unit);
+            if fit_polyline(&strand.points, &FitOptions::elements(1)).is_err() {
                 continue;
             }
             strands += 1;
-            match least(&points, tolerance_metres) {
+            match least(&strand.curve(), tolerance_metres) {
                 Some(count) => needed.push(count as f64),
                 None => unmet += 1,
             }
@@ -68,12 +67,12 @@ impl Suggested {
 }
 
 /// The least number of elements, by doubling and halving.
-fn least(points: &[Vector3<f64>], tolerance: f64) -> Option<usize> {
-    let length: f64 = points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+fn least(curve: &FitCurve<'_>, tolerance: f64) -> Option<usize> {
+    let length: f64 = curve.points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
     let mut scratch = FitScratch::default();
     let mut met = |element_count: usize| {
         let options = FitOptions { good: 0.1 * tolerance / length, ..FitOptions::elements(element_count) };
-        fit_curve(&FitCurve::polyline(points), &options, &mut scratch).is_ok_and(|fit| {
+        fit_curve(curve, &options, &mut scratch).is_ok_and(|fit| {
             let turn = largest_turn(&fit.element_lengths, &fit.curvatures);
             fit.max_error <= tolerance && turn <= LARGEST_TURN
         })

@@ -1,7 +1,9 @@
 //! Strands kept as long as they are to be: points put anew on their way, as far from the root along it as wanted.
 
-/// No strand goes straight on beyond its way's end by more than a tenth of it: longer tails show.
+/// No strand goes straight on beyond its way's end by more than a tenth of it: longer tails show. Its way is made longer instead.
 const LONGER: f32 = 1.1;
+/// By no more than this: what guides on two sides of a parting leave of a strand between them would stand up from it.
+const MOST_STRETCH: f32 = 1.3;
 
 /// A point and how far along the way it is, m.
 type Knot = [f32; 4];
@@ -26,7 +28,7 @@ pub(super) enum Wanted<'a> {
 }
 
 /// Moves the points of rows of x, y and z (`stride` floats each, of which `points` count) along the Catmull–Rom spline through them, and beyond
-/// its end straight on; the root stays to the bit.
+/// its end straight on; the root stays to the bit. A way that is much too short is stretched away from the root first.
 #[inline(always)]
 pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [f32], room: &mut Room) {
     let Room { knots, edges, places } = room;
@@ -58,8 +60,18 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
     let third = points > 2;
     knots[0] = beyond(knots[1], knots[2], third.then(|| knots[3.min(points)]));
     knots[points + 1] = beyond(knots[points], knots[points - 1], third.then(|| knots[points - 2]));
-    let most = LONGER * whole;
     let end = if let Wanted::Along(along, share) = wanted { share * along[points - 1] } else { 0.0 };
+    let stretch = if end > LONGER * whole { (end / (LONGER * whole).max(f32::MIN_POSITIVE)).min(MOST_STRETCH) } else { 1.0 };
+    if stretch > 1.0 {
+        let root = knots[1];
+        for knot in knots.iter_mut() {
+            (0..3).for_each(|axis| knot[axis] = root[axis] + stretch * (knot[axis] - root[axis]));
+            knot[3] *= stretch;
+        }
+        edges[..points - 1].iter_mut().for_each(|edge| *edge *= stretch);
+    }
+    let whole = stretch * whole;
+    let most = LONGER * whole;
     let less = if end > most { most / end } else { 1.0 };
     let mut at = 0;
     places[0] = 0.0;
@@ -165,10 +177,20 @@ mod tests {
         let mut line = rows(5, 8, |s| [s, 0.0, 0.0]);
         respace(Wanted::Along(&[0.0, 0.27, 0.54, 0.81, 1.08], 1.0), 8, 5, &mut line, &mut Room::default());
         assert!((0..5).all(|k| (line[k] - 0.27 * k as f32).abs() < 1e-6), "{line:?}");
-        // By a tenth at most.
+        // By a tenth at most, and stretched by three.
         let mut line = rows(5, 8, |s| [s, 0.0, 0.0]);
         respace(Wanted::Along(&[0.0, 0.5, 1.0, 1.5, 2.0], 1.0), 8, 5, &mut line, &mut Room::default());
-        assert!((0..5).all(|k| (line[k] - 0.275 * k as f32).abs() < 1e-6), "{line:?}");
+        assert!((0..5).all(|k| (line[k] - 0.3575 * k as f32).abs() < 1e-6), "{line:?}");
+        // An arc that is to be a quarter longer is a larger arc from the same root, with a tail.
+        let arc = |s: f32| [(2.0 * s).sin(), 1.0 - (2.0 * s).cos(), 0.0];
+        let (before, mut after) = (rows(33, 40, arc), rows(33, 40, arc));
+        let whole = length(&before, 40, 33);
+        let wanted: Vec<f32> = (0..33).map(|k| 1.25 * whole * k as f32 / 32.0).collect();
+        respace(Wanted::Along(&wanted, 1.0), 40, 33, &mut after, &mut Room::default());
+        assert!((length(&after, 40, 33) / (1.25 * whole) - 1.0).abs() < 1e-3);
+        let scale = 1.25 / 1.1;
+        let bow = |k: usize| after[k].hypot(after[40 + k] - scale);
+        assert!((0..29).all(|k| (bow(k) - scale).abs() < 1e-3));
         let mut two = rows(2, 8, |s| [0.1 + 0.8 * s, 0.0, 0.0]);
         let mut room = Room::default();
         respace(Wanted::Share(0.25), 8, 2, &mut two, &mut room);

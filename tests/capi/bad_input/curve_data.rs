@@ -62,7 +62,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_curves_save", "data", "strand_uvs not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| { static BAD: [f32; 5] = [0.0; 5]; data.strand_uvs = BAD.as_ptr().cast::<u8>().wrapping_add(1).cast(); }));
     case!(cases, "shx_curves_numbers", "curves", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_numbers(null(), 1, s.out(), 9, s.out2()));
     case!(cases, "shx_curves_numbers", "what", "0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_numbers(s.curves, 0, s.out(), 9, s.out2()));
-    case!(cases, "shx_curves_numbers", "what", "8", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_numbers(s.curves, 8, s.out(), 9, s.out2()));
+    case!(cases, "shx_curves_numbers", "what", "9", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_numbers(s.curves, 9, s.out(), 9, s.out2()));
     case!(cases, "shx_curves_numbers", "what", "u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_numbers(s.curves, u32::MAX, s.out(), 9, s.out2()));
     case!(cases, "shx_curves_numbers", "out_numbers", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_numbers(s.curves, 1, null_mut(), 9, s.out2()));
     case!(cases, "shx_curves_numbers", "out_count", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_numbers(s.curves, 1, s.out(), 9, null_mut()));

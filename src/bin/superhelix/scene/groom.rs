@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use nalgebra::Vector3;
 use superhelix::error::Result as Outcome;
 use superhelix::files::curves::Curves;
 use superhelix::groom::fit::bulk::fit_curves;
@@ -18,7 +17,7 @@ use super::words::in_words_of_the_scene;
 use crate::groom_strands::{NaturalShape, StrandRecipe, of_fit};
 use crate::json::{Complaint, Node};
 use crate::material_arguments::GroomHair;
-use crate::unit;
+use crate::unit::{self, Polyline};
 
 /// Reads `groom`: the strands of `material` that hang, or are drawn, as the file's curves under the gravity of `options`.
 pub fn read(node: &Node, material: Material, options: &SolverOptions, directory: &Path) -> Result<Vec<StrandDef>, Complaint> {
@@ -37,7 +36,7 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
     let natural = groom.or("natural", NaturalShape::SagFree, |node| node.choice(&shapes))?;
 
     let polylines = unit::polylines(&curves, every, scale);
-    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(|(_, points)| FitCurve::polyline(points)).collect();
+    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(Polyline::curve).collect();
     let fits = fit_curves(&inputs, &FitOptions { tolerance, ..FitOptions::elements(elements) }, &options.workers)
         .map_err(in_words_of_the_scene)?;
     let recipe = StrandRecipe {
@@ -50,7 +49,7 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
         quadrature_tolerance: options.step.quadrature_tolerance,
         outside: None,
     };
-    let strand = |((index, _), fit): (&(usize, Vec<Vector3<f64>>), Outcome<Fit>)| {
+    let strand = |(Polyline { index, .. }, fit): (&Polyline, Outcome<Fit>)| {
         let made = fit.map_err(|error| error.to_string()).and_then(|fit| {
             let root = pose.compose(&fit.root);
             of_fit(*index, Fit { root, ..fit }, &recipe)
