@@ -27,6 +27,9 @@ const MOST_WAKES: u32 = 2;
 const ONE_PLACE: f64 = 1e-6;
 const ONE_SIDE: f64 = 0.99;
 
+/// A strand is astray where its Lagrangian has risen by more than this part of the energy of going its own length in the step.
+const STRAY: f64 = 1e-6;
+
 /// What half an iteration takes for an element, for a point that is touched and an element, and for two points: nanoseconds or so.
 const WORK_AN_ELEMENT: u64 = 700;
 const WORK_A_COLUMN: u64 = 60;
@@ -196,6 +199,12 @@ impl HeldStrand {
     /// What takes it its own length in a step, N.
     pub fn usual_force(&self, step: f64) -> f64 {
         self.mass * self.length() / (step * step)
+    }
+
+    /// Whether it ends where no force has led it that acts there, and going there would have cost it energy: touches that were seen on the way threw it.
+    pub fn has_strayed(&self, step: f64) -> bool {
+        let speed = self.length() / step;
+        self.held.rise() > STRAY * self.mass * speed * speed
     }
 
     /// Where a station is.

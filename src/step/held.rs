@@ -53,6 +53,9 @@ pub struct Held {
     freedoms: Freedoms,
     rule: usize,
     potential: (f64, f64),
+    /// The strand's elements as the iteration began, and the potential and its rounding there.
+    guess: Vec<ElementState<f64>>,
+    guessed: (f64, f64),
     damping: Damping,
     before: Option<f64>,
     stations: Vec<Station>,
@@ -85,6 +88,8 @@ impl Default for Held {
             freedoms: Freedoms::default(),
             rule: 0,
             potential: (0.0, 0.0),
+            guess: Vec::new(),
+            guessed: (0.0, 0.0),
             damping: Damping::new(0.0),
             before: None,
             stations: Vec::new(),
@@ -132,6 +137,8 @@ impl Held {
             tension_at_start: false,
         };
         self.potential = choose_start(&problem, iterate);
+        self.guessed = self.potential;
+        self.guess.clone_from(&iterate.kinematics.elements);
         iterate.system.point_tension.clear();
         iterate.system.exact = false;
         self.damping = Damping::new(newton::usual_damping(iterate));
@@ -289,6 +296,19 @@ impl Held {
             iterate.system.exact = true;
         }
         self.outcome.residual
+    }
+
+    /// By how much the Lagrangian, with the forces as they are now, is higher at the present iterate than where the iteration began, beyond what
+    /// rounding may do, J. Where it is, this is no minimum of it but one of its other stationary points, as a chain has that is folded another way.
+    pub fn rise(&self) -> f64 {
+        let now = &self.bench.workspace.iterate.kinematics.elements;
+        let (mut rise, mut noise) = (self.potential.0 - self.guessed.0, self.potential.1 + self.guessed.1);
+        for (station, force) in self.stations.iter().zip(&self.forces) {
+            let [here, there] = [now, &self.guess].map(|elements| position(elements, station));
+            rise -= (here - there).dot(*force);
+            noise += 8.0 * f64::EPSILON * (here.norm_squared().max(there.norm_squared()) * force.norm_squared()).sqrt();
+        }
+        (rise - noise).max(0.0)
     }
 
     /// Bends all elements by so much more, 1/m about n1 and n2: the iteration goes on from there. (Of freedoms that are held none.)

@@ -153,14 +153,19 @@ impl Holding {
         self.islands[self.strands[held].island as usize].takes_parts
     }
 
-    /// Tells the islands how deep those of their strands are that go along with their roots after all.
-    pub(super) fn tell_carried(&mut self, scene: &Scene, h: f64) {
-        if scene.meter.is_halted() || !self.strands[..self.count].iter().any(|held| held.carried) {
+    /// Tells the islands how deep their strands are where some go along with their roots after all, or are rolled back: where the iteration had left
+    /// these is of no account any more. (In a part of a substep nobody is to ask.)
+    pub(super) fn tell_replaced(&mut self, scene: &Scene, h: f64) {
+        let mut replaced = vec![false; self.island_count];
+        for held in self.strands[..self.count].iter().filter(|held| held.carried || held.held.outcome.quarantined) {
+            replaced[held.island as usize] = true;
+        }
+        if scene.is_part || scene.meter.is_halted() || !replaced.contains(&true) {
             return;
         }
-        let depths = self.depths(scene, &Self::bodies_at_end(scene, h), |held| self.strands[held].carried);
-        for (island, depth) in self.islands[..self.island_count].iter_mut().zip(depths) {
-            island.left.deep = island.left.deep.max(depth);
+        let depths = self.depths(scene, &Self::bodies_at_end(scene, h), |held| replaced[self.strands[held].island as usize]);
+        for ((island, depth), _) in self.islands.iter_mut().zip(depths).zip(replaced).filter(|(_, replaced)| *replaced) {
+            island.left.deep = depth;
         }
     }
 
