@@ -24,7 +24,7 @@ test: ## everything: format, lints, documentation, tests in Rust and C, examples
 	cargo test --locked --all-features
 
 # The profile `demo` compiles in a third of the time of `release` and runs nearly as fast.
-demo: ## a head of hair on a recorded walk, hosted by a C program, drawn lit: out/demo/ holds an animation, a contact sheet, the frames (about 3 minutes)
+demo: ## a head of hair on a recorded walk, hosted by a C program, drawn lit: out/demo/ holds an animation, a contact sheet, the frames (under 3 minutes)
 	@scripts/setup.sh build
 	scripts/demo.sh
 
