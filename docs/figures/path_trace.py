@@ -6,6 +6,7 @@ A panel for each FRAME, side by side: .hair files, y up, in units of --scale met
 (without it the first of the frames), in which the body stands as its file has it.
 """
 import argparse
+import multiprocessing
 import os
 import struct
 import tempfile
@@ -14,6 +15,9 @@ import mitsuba as mi
 import numpy as np
 
 mi.set_variant("scalar_rgb")
+
+# Samples a pixel of a pass.
+PASS = 8
 
 # Eumelanin and pheomelanin.
 COLOURS = {"black": (3.5, 0.1), "dark-brown": (1.5, 0.5), "brown": (0.6, 0.9), "auburn": (0.35, 1.6), "blond": (0.12, 0.25)}
@@ -107,7 +111,30 @@ def render(points, starts, body, faces, folder, options):
         "key": light([-0.8, 0.9, 0.9], 0.3, 18, [1.0, 0.97, 0.92]),
         "rim": light([0.9, 0.6, -0.7], 0.3, 14, [1.0, 0.98, 0.95]),
     })
-    return np.array(mi.util.convert_to_bitmap(mi.render(scene)))[:, :, :3]
+    return np.array(mi.render(scene, spp=options.samples, seed=options.seed))
+
+
+def one_pass(result, samples, seed, points, starts, body, faces, folder, options):
+    """One pass of a few samples a pixel, by a process of its own."""
+    options.samples, options.seed = samples, seed
+    np.save(result, render(points, starts, body, faces, folder, options))
+
+
+def in_passes(points, starts, body, faces, folder, options):
+    """Mitsuba 3.9.1 fails once in a while on a ray through thousands of curves: such a pass is left, and another taken instead."""
+    context, sums, wanted = multiprocessing.get_context("spawn"), 0.0, max(1, options.samples // PASS)
+    done, result = 0, os.path.join(folder, "pass.npy")
+    for seed in range(4 * wanted):
+        process = context.Process(
+            target=one_pass, args=(result, PASS, seed, points, starts, body, faces, folder, argparse.Namespace(**vars(options)))
+        )
+        process.start()
+        process.join()
+        if process.exitcode == 0:
+            sums, done = sums + np.load(result), done + 1
+        if done == wanted:
+            return np.array(mi.util.convert_to_bitmap(mi.TensorXf((sums / done).astype(np.float32))))[:, :, :3]
+    raise SystemExit("path_trace.py: Mitsuba failed in three passes of four")
 
 
 def main():
@@ -133,7 +160,7 @@ def main():
         for path in options.hair:
             points, starts = read_hair(path, options.scale)
             turn, shift = rigid(rest[starts[:-1]], points[starts[:-1]])
-            panels.append(render(points, starts, body @ turn.T + shift, faces, folder, options))
+            panels.append(in_passes(points, starts, body @ turn.T + shift, faces, folder, options))
     from PIL import Image
     Image.fromarray(np.hstack(panels)).save(options.out, quality=88, optimize=True)
 
