@@ -440,8 +440,8 @@
 // Texture coordinates of the root, two floats a strand.
 #define SHX_CURVES_STRAND_UV 7
 
-// How far along its strand each point lies, file units, from 0 at the root, a float a point: where the file's curves are splines, whose points
-// are a polyline that is shorter. What shx_fit_curves takes as arclengths, in metres.
+// Arclength of each point from its root, file units, a float a point: only where the file has splines, which are longer than the polylines of
+// their points. For shx_fit_curves.arclengths convert it to metres and doubles.
 #define SHX_CURVES_ARCLENGTH 8
 
 // The file does not say which axis points up.

@@ -16,7 +16,7 @@ import numpy as np
 
 mi.set_variant("scalar_rgb")
 
-# Samples a pixel of a pass.
+# Samples a pixel of a pass, at most.
 PASS = 8
 
 # Eumelanin and pheomelanin.
@@ -67,16 +67,21 @@ def write_curves(path, points, starts, radius):
             file.write("\n")
 
 
-def render(points, starts, body, faces, folder, options):
+def write_shapes(points, starts, body, faces, folder, radius):
+    """The hair and the body, as files that Mitsuba reads."""
     curves, mesh_file = os.path.join(folder, "hair.txt"), os.path.join(folder, "body.ply")
-    write_curves(curves, points, starts, options.radius)
+    write_curves(curves, points, starts, radius)
     mesh = mi.Mesh("body", len(body), len(faces))
     parameters = mi.traverse(mesh)
     parameters["vertex_positions"] = body.astype(np.float32).ravel()
     parameters["faces"] = faces.astype(np.uint32).ravel()
     parameters.update()
     mesh.write_ply(mesh_file)
-    middle = points[starts[:-1]].mean(0)
+    return curves, mesh_file
+
+
+def one_pass(result, samples, seed, curves, mesh_file, middle, options):
+    """Renders a few samples a pixel into the file `result`."""
     turn = np.radians(options.turn)
     distance = 1.0 / np.tan(np.radians(12)) * options.height / 2
     transform = mi.ScalarTransform4f
@@ -99,7 +104,7 @@ def render(points, starts, body, faces, folder, options):
             "type": "perspective", "fov": 24, "fov_axis": "y",
             "to_world": transform().look_at(origin=[float(x) for x in origin], target=[float(x) for x in target], up=[0, 1, 0]),
             "film": {"type": "hdrfilm", "width": options.width, "height": options.pixels},
-            "sampler": {"type": "independent", "sample_count": options.samples},
+            "sampler": {"type": "independent"},
         },
         "body": {"type": "ply", "filename": mesh_file, "bsdf": {"type": "twosided", "b": skin}},
         "hair": {
@@ -111,30 +116,27 @@ def render(points, starts, body, faces, folder, options):
         "key": light([-0.8, 0.9, 0.9], 0.3, 18, [1.0, 0.97, 0.92]),
         "rim": light([0.9, 0.6, -0.7], 0.3, 14, [1.0, 0.98, 0.95]),
     })
-    return np.array(mi.render(scene, spp=options.samples, seed=options.seed))
+    np.save(result, np.array(mi.render(scene, spp=samples, seed=seed)))
 
 
-def one_pass(result, samples, seed, points, starts, body, faces, folder, options):
-    """One pass of a few samples a pixel, by a process of its own."""
-    options.samples, options.seed = samples, seed
-    np.save(result, render(points, starts, body, faces, folder, options))
-
-
-def in_passes(points, starts, body, faces, folder, options):
-    """Mitsuba 3.9.1 fails once in a while on a ray through thousands of curves: such a pass is left, and another taken instead."""
-    context, sums, wanted = multiprocessing.get_context("spawn"), 0.0, max(1, options.samples // PASS)
-    done, result = 0, os.path.join(folder, "pass.npy")
+def render(points, starts, body, faces, folder, options):
+    """A picture, the mean of passes. Mitsuba 3.9.1 crashes on a few of the rays through thousands of curves, and takes its process along: so each
+    pass has a process of its own, and one that crashed is replaced by another."""
+    shapes = write_shapes(points, starts, body, faces, folder, options.radius)
+    middle, result = points[starts[:-1]].mean(0), os.path.join(folder, "pass.npy")
+    wanted = -(-options.samples // PASS)
+    samples = [options.samples * (k + 1) // wanted - options.samples * k // wanted for k in range(wanted)]
+    context, total, done = multiprocessing.get_context("spawn"), 0.0, 0
     for seed in range(4 * wanted):
-        process = context.Process(
-            target=one_pass, args=(result, PASS, seed, points, starts, body, faces, folder, argparse.Namespace(**vars(options)))
-        )
+        process = context.Process(target=one_pass, args=(result, samples[done], seed, *shapes, middle, options))
         process.start()
         process.join()
         if process.exitcode == 0:
-            sums, done = sums + np.load(result), done + 1
+            total, done = total + samples[done] * np.load(result), done + 1
         if done == wanted:
-            return np.array(mi.util.convert_to_bitmap(mi.TensorXf((sums / done).astype(np.float32))))[:, :, :3]
-    raise SystemExit("path_trace.py: Mitsuba failed in three passes of four")
+            mean = (total / options.samples).astype(np.float32)
+            return np.array(mi.util.convert_to_bitmap(mi.TensorXf(mean)))[:, :, :3]
+    raise SystemExit(f"path_trace.py: Mitsuba failed in {4 * wanted - done} of {4 * wanted} passes")
 
 
 def main():
@@ -160,7 +162,7 @@ def main():
         for path in options.hair:
             points, starts = read_hair(path, options.scale)
             turn, shift = rigid(rest[starts[:-1]], points[starts[:-1]])
-            panels.append(in_passes(points, starts, body @ turn.T + shift, faces, folder, options))
+            panels.append(render(points, starts, body @ turn.T + shift, faces, folder, options))
     from PIL import Image
     Image.fromarray(np.hstack(panels)).save(options.out, quality=88, optimize=True)
 

@@ -28,8 +28,8 @@ pub const SHX_CURVES_HELD: u32 = 5;
 pub const SHX_CURVES_STRAND_THICKNESS: u32 = 6;
 /// Texture coordinates of the root, two floats a strand.
 pub const SHX_CURVES_STRAND_UV: u32 = 7;
-/// How far along its strand each point lies, file units, from 0 at the root, a float a point: where the file's curves are splines, whose points
-/// are a polyline that is shorter. What shx_fit_curves takes as arclengths, in metres.
+/// Arclength of each point from its root, file units, a float a point: only where the file has splines, which are longer than the polylines of
+/// their points. For shx_fit_curves.arclengths convert it to metres and doubles.
 pub const SHX_CURVES_ARCLENGTH: u32 = 8;
 
 /// The file does not say which axis points up.

@@ -80,6 +80,21 @@ impl Island {
         (self.ending.converged, self.ending.stopped) = (false, why);
     }
 
+    /// Refuses the end of touches' strands that have strayed, and with it the island's: they are lost where the substep is not taken in parts.
+    pub fn refuse_strays(&mut self, strands: &mut [HeldStrand], step: f64) {
+        if self.ending.stopped != Stopped::No || !self.has_touches() || self.is_constrained() {
+            return;
+        }
+        for held in &self.strands {
+            let held = &mut strands[*held as usize];
+            if held.has_strayed(step) {
+                held.residual = f64::INFINITY;
+                (self.ending.converged, self.ending.came_to_end, self.ending.good_enough) = (false, false, false);
+                self.ending.lost = true;
+            }
+        }
+    }
+
     /// Goes on from where it is: a strand of it has been moved.
     pub fn go_on(&mut self) {
         (self.done, self.ending.came_to_end, self.ending.converged, self.rest) = (false, false, false, -1.0);

@@ -27,7 +27,7 @@ const MOST_WAKES: u32 = 2;
 const ONE_PLACE: f64 = 1e-6;
 const ONE_SIDE: f64 = 0.99;
 
-/// A strand is astray where its Lagrangian has risen by more than this part of the energy of going its own length in the step.
+/// A strand has strayed if its Lagrangian has risen by more than this part of the energy of going its own length in the step.
 const STRAY: f64 = 1e-6;
 
 /// What half an iteration takes for an element, for a point that is touched and an element, and for two points: nanoseconds or so.
@@ -201,7 +201,7 @@ impl HeldStrand {
         self.mass * self.length() / (step * step)
     }
 
-    /// Whether it ends where no force has led it that acts there, and going there would have cost it energy: touches that were seen on the way threw it.
+    /// Whether it ends higher than its step began, which the forces at its end do not account for: touches that were found on the way threw it there.
     pub fn has_strayed(&self, step: f64) -> bool {
         let speed = self.length() / step;
         self.held.rise() > STRAY * self.mass * speed * speed

@@ -127,11 +127,11 @@ impl Controls<'_> {
         Ok(made)
     }
 
-    /// How far along its curve each point lies, from 0 at each root, of control points that have been placed; None where curves are polylines.
-    pub fn arclengths(&self, way: &Way<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Option<Vec<f32>>> {
+    /// How far along its curve each point lies, from 0 at each root, of control points that have been placed; nothing of polylines.
+    pub fn arclengths(&self, way: &Way<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Vec<f32>> {
         let mut made = Vec::new();
         match way {
-            Way::Linear => return Ok(None),
+            Way::Linear => {}
             Way::Cubic(kind, ends) => {
                 for (curve, range) in self.ranges().enumerate() {
                     let spline = self.spline(*kind, *ends, curve, bad)?;
@@ -159,7 +159,7 @@ impl Controls<'_> {
             })?,
         }
         match made.iter().all(|arclength| arclength.is_finite()) {
-            true => Ok(Some(made)),
+            true => Ok(made),
             false => Err(bad(format_args!("a curve is longer than floats reach"))),
         }
     }

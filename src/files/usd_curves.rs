@@ -38,7 +38,7 @@ pub(super) fn at(layer: &Layer, file: &str, time: f64) -> Result<Curves> {
         transparency: all.transparency.0,
         colors: all.colors.0,
         velocities: all.velocities.0,
-        arclengths: all.bent.then_some(all.arclengths),
+        arclengths: all.arclengths,
         held: all.held.0,
         strand_thickness: all.strand_thickness.0,
         strand_uvs: all.strand_uvs.0,
@@ -82,17 +82,16 @@ struct All {
     transparency: Optional<f32>,
     colors: Optional<[f32; 3]>,
     velocities: Optional<[f32; 3]>,
-    arclengths: Vec<f32>,
-    /// Whether any of the curves is more than its points.
-    bent: bool,
+    /// From the first spline on; of polylines before it too.
+    arclengths: Option<Vec<f32>>,
     held: Optional<bool>,
     strand_thickness: Optional<f32>,
     strand_uvs: Optional<[f32; 2]>,
 }
 
 /// How far along its polyline each point lies.
-fn along_edges(points: &[[f32; 3]], counts: &[u32], arclengths: &mut Vec<f32>) {
-    let mut rest = points;
+fn along_edges(points: &[[f32; 3]], counts: &[u32]) -> Vec<f32> {
+    let (mut rest, mut arclengths) = (points, Vec::with_capacity(points.len()));
     for count in counts {
         let (strand, others) = rest.split_at(*count as usize);
         rest = others;
@@ -103,6 +102,7 @@ fn along_edges(points: &[[f32; 3]], counts: &[u32], arclengths: &mut Vec<f32>) {
             arclengths.push(arclength as f32);
         }
     }
+    arclengths
 }
 
 /// The curves of a prim at a time.
@@ -149,16 +149,13 @@ impl One<'_> {
                 moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
             }
         });
-        let controls_placed = match &moved {
-            None => points.iter().copied().map(wide).collect(),
-            Some(moved) => points.iter().map(|point| moved.place(wide(*point))).collect::<Vec<_>>(),
-        };
-        match controls.arclengths(&way, &controls_placed, bad)? {
-            Some(arclengths) => {
-                all.arclengths.extend(arclengths);
-                all.bent = true;
-            }
-            None => along_edges(&all.points[before.0..], &made_counts, &mut all.arclengths),
+        if !matches!(way, Way::Linear) {
+            let place = |point: &[f32; 3]| moved.as_ref().map_or(wide(*point), |moved| moved.place(wide(*point)));
+            let placed: Vec<Vector3<f64>> = points.iter().map(place).collect();
+            let arclengths = controls.arclengths(&way, &placed, bad)?;
+            all.arclengths.get_or_insert_with(|| along_edges(&all.points[..before.0], &all.counts)).extend(arclengths);
+        } else if let Some(arclengths) = &mut all.arclengths {
+            arclengths.extend(along_edges(&all.points[before.0..], &made_counts));
         }
         let velocities = match self.prim.velocities.vectors_at(self.time) {
             Some(list) => {

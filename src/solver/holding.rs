@@ -188,7 +188,10 @@ impl Holding {
         self.foresee_pressing(scene, h);
         let begin = begins.map(|begins| begins.elapsed().as_secs_f64());
         self.solve(scene, h, account.contact, searches);
-        self.refuse_strays(scene, h);
+        if !scene.options.model.is_soft() {
+            let strands = &mut self.strands[..self.count];
+            self.islands[..self.island_count].iter_mut().for_each(|island| island.refuse_strays(strands, h));
+        }
         scene.meter.uncounted(|| self.look_at_failures(scene));
         let ends = scene.meter.has_deadline().then(Instant::now);
         let goes_on = levels > 0 && scene.meter.stopped() == Stopped::No;
@@ -251,21 +254,6 @@ impl Holding {
                 return self.interrupt(scene);
             }
             self.touching.tell_missed(scene, strands, islands, h);
-        }
-    }
-
-    /// Islands with strands that touches have thrown into another stationary point than the step's end have not come to theirs.
-    fn refuse_strays(&mut self, scene: &Scene, h: f64) {
-        if scene.options.model.is_soft() {
-            return;
-        }
-        let islands = &mut self.islands[..self.island_count];
-        for held in &mut self.strands[..self.count] {
-            let island = &mut islands[held.island as usize];
-            if island.ending.stopped == Stopped::No && island.has_touches() && !island.is_constrained() && held.has_strayed(h) {
-                (island.ending.converged, island.ending.came_to_end, island.ending.good_enough) = (false, false, false);
-                (island.ending.lost, held.residual) = (true, f64::INFINITY);
-            }
         }
     }
 

@@ -256,7 +256,7 @@ impl Held {
             tension_at_start: false,
         };
         let holding = Holding::new(&self.stations, forces, &self.bonds, self.spring, &iterate.kinematics);
-        let from = holding.lagrangian(self.potential, &iterate.kinematics);
+        let from = holding.lagrangian(self.potential, &iterate.kinematics.elements);
         let mut part = if rotation > limit { limit / rotation } else { 1.0 };
         let mut next = None;
         for _ in 0..newton::MAX_HALVINGS {
@@ -267,7 +267,7 @@ impl Held {
                 }
             }
             let potential = place_trial(&problem, iterate);
-            let trial = holding.lagrangian(potential, &iterate.trial);
+            let trial = holding.lagrangian(potential, &iterate.trial.elements);
             if trial.0 <= from.0 - newton::ARMIJO * part * found.descent + from.1 {
                 next = Some((potential, trial));
                 break;
@@ -298,17 +298,14 @@ impl Held {
         self.outcome.residual
     }
 
-    /// By how much the Lagrangian, with the forces as they are now, is higher at the present iterate than where the iteration began, beyond what
-    /// rounding may do, J. Where it is, this is no minimum of it but one of its other stationary points, as a chain has that is folded another way.
+    /// By how much the Lagrangian with the present forces is higher at the present iterate than where the iteration began, beyond what rounding may
+    /// do, J. Above zero, the iterate is not the minimum but another stationary point: a chain that is folded another way has one.
     pub fn rise(&self) -> f64 {
-        let now = &self.bench.workspace.iterate.kinematics.elements;
-        let (mut rise, mut noise) = (self.potential.0 - self.guessed.0, self.potential.1 + self.guessed.1);
-        for (station, force) in self.stations.iter().zip(&self.forces) {
-            let [here, there] = [now, &self.guess].map(|elements| position(elements, station));
-            rise -= (here - there).dot(*force);
-            noise += 8.0 * f64::EPSILON * (here.norm_squared().max(there.norm_squared()) * force.norm_squared()).sqrt();
-        }
-        (rise - noise).max(0.0)
+        let kinematics = &self.bench.workspace.iterate.kinematics;
+        let holding = Holding::new(&self.stations, &self.forces, &[], 0.0, kinematics);
+        let now = holding.lagrangian(self.potential, &kinematics.elements);
+        let began = holding.lagrangian(self.guessed, &self.guess);
+        (now.0 - began.0 - now.1 - began.1).max(0.0)
     }
 
     /// Bends all elements by so much more, 1/m about n1 and n2: the iteration goes on from there. (Of freedoms that are held none.)
@@ -433,9 +430,9 @@ impl<'a> Holding<'a> {
     }
 
     /// A potential and its rounding, less the forces' work, and with the springs' energy.
-    fn lagrangian(&self, (mut value, mut noise): (f64, f64), kinematics: &Kinematics<f64>) -> (f64, f64) {
+    fn lagrangian(&self, (mut value, mut noise): (f64, f64), elements: &[ElementState<f64>]) -> (f64, f64) {
         for (index, (station, force)) in self.stations.iter().zip(self.forces).enumerate() {
-            let at = position(&kinematics.elements, station);
+            let at = position(elements, station);
             value -= at.dot(*force);
             noise += 8.0 * f64::EPSILON * (at.norm_squared() * force.norm_squared()).sqrt();
             if let Some(Some(bond)) = self.bonds.get(index) {

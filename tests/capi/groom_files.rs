@@ -192,3 +192,19 @@ fn strands_of_a_kind_are_those_of_the_library() {
         }
     }
 }
+
+/// A Bézier curve along the x axis from 0 to 3, its control points evenly spaced: four chords, arclengths 0 to 3.
+#[test]
+fn arclengths_of_splines_are_told() {
+    let (rust, text) = path("line.usda");
+    let line = "#usda 1.0\ndef BasisCurves \"l\" {\nuniform token basis = \"bezier\"\nint[] curveVertexCounts = [4]\n\
+        point3f[] points = [(0,0,0),(1,0,0),(2,0,0),(3,0,0)]\n}\n";
+    std::fs::write(rust, line).unwrap();
+    // SAFETY: all that is pointed to is there; handles are freed once.
+    unsafe {
+        let curves = made(|curves| shx_curves_read(text.as_ptr(), curves));
+        let along = numbers(curves, SHX_CURVES_ARCLENGTH);
+        assert!(along.len() == 5 && (0..5).all(|k| (along[k] - 0.75 * k as f32).abs() < 1e-6), "{along:?}");
+        shx_curves_destroy(curves);
+    }
+}

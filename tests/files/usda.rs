@@ -119,7 +119,7 @@ fn every_basis_gives_the_curve_that_its_definition_says() {
     assert_near(curves.points(), &rows(&reference["nurbs"]));
 }
 
-/// A quarter circle by NURBS, three times as large and lifted; a B-spline on a line; a polyline.
+/// A quarter circle by NURBS, three times as large and lifted; a polyline before and after it; a Bézier curve.
 #[test]
 fn splines_keep_their_lengths() {
     let quarter = "#usda 1.0\n(\n    metersPerUnit = 0.01\n)\n\
@@ -138,6 +138,19 @@ fn splines_keep_their_lengths() {
     assert!((both[4] / whole - 1.0).abs() < 1e-6 && (both[2] / whole - 0.5).abs() < 1e-6, "{both:?}");
     assert_eq!(both[5..], [0.0, 1.0, 3.0]);
     assert!(read(quarter).strand_length(0) < 0.997 * f64::from(whole));
+    // Whichever comes first.
+    let other =
+        arclengths(&format!("#usda 1.0\n(\n    metersPerUnit = 0.01\n)\n{linear}{}", &quarter[quarter.find("def").unwrap()..]))
+            .unwrap();
+    assert_eq!((&other[..3], &other[3..]), (&both[5..], &both[..5]));
+    // A parabola as a cubic Bézier curve, (t, t²) for t from 0 to 1: √5/2 + asinh(2)/4 long.
+    let parabola = "#usda 1.0\ndef BasisCurves \"p\" {\nuniform token basis = \"bezier\"\nint[] curveVertexCounts = [4]\n\
+        point3f[] points = [(0,0,0),(0.33333334,0,0),(0.6666667,0.33333334,0),(1,1,0)]\n}\n";
+    let along = arclengths(parabola).unwrap();
+    let exact = |t: f64| (0.5 * t * (1.0 + 4.0 * t * t).sqrt() + 0.25 * (2.0 * t).asinh()) as f32;
+    for (point, arclength) in along.iter().enumerate() {
+        assert!((arclength - exact(point as f64 / 4.0)).abs() < 1e-6, "{along:?}");
+    }
     // Polylines alone are what their points say.
     assert_eq!(arclengths(&format!("#usda 1.0\n{linear}")), None);
     // Metres, and what no file holds.

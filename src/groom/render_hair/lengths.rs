@@ -61,7 +61,7 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
     knots[0] = beyond(knots[1], knots[2], third.then(|| knots[3.min(points)]));
     knots[points + 1] = beyond(knots[points], knots[points - 1], third.then(|| knots[points - 2]));
     let end = if let Wanted::Along(along, share) = wanted { share * along[points - 1] } else { 0.0 };
-    let stretch = if end > LONGER * whole { (end / (LONGER * whole).max(f32::MIN_POSITIVE)).min(MOST_STRETCH) } else { 1.0 };
+    let stretch = (end / (LONGER * whole).max(f32::MIN_POSITIVE)).clamp(1.0, MOST_STRETCH);
     if stretch > 1.0 {
         let root = knots[1];
         for knot in knots.iter_mut() {

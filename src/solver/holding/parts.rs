@@ -6,7 +6,8 @@
 use super::account::{Account, ContactTally};
 use super::{Holding, Scene};
 use crate::contact::body::{Body, BodyAt};
-use crate::contact::island::FEW;
+use crate::contact::held_strand::HeldStrand;
+use crate::contact::island::{FEW, Island};
 use crate::contact::touch::Partner;
 use crate::meter::Stopped;
 use crate::solver::deep_places::AsItIs;
@@ -153,19 +154,21 @@ impl Holding {
         self.islands[self.strands[held].island as usize].takes_parts
     }
 
-    /// Tells the islands how deep their strands are where some go along with their roots after all, or are rolled back: where the iteration had left
-    /// these is of no account any more. (In a part of a substep nobody is to ask.)
+    /// Tells the islands how deep their strands are where some of them go along with their roots after all, or are rolled back: where the iteration left
+    /// these no longer counts. (Not in a part of a substep, nor of islands that take parts: there nobody asks.)
     pub(super) fn tell_replaced(&mut self, scene: &Scene, h: f64) {
-        let mut replaced = vec![false; self.island_count];
-        for held in self.strands[..self.count].iter().filter(|held| held.carried || held.held.outcome.quarantined) {
-            replaced[held.island as usize] = true;
-        }
-        if scene.is_part || scene.meter.is_halted() || !replaced.contains(&true) {
+        let is_replaced = |held: &HeldStrand| held.carried || held.held.outcome.quarantined;
+        if scene.is_part || scene.meter.is_halted() || !self.strands[..self.count].iter().any(is_replaced) {
             return;
         }
-        let depths = self.depths(scene, &Self::bodies_at_end(scene, h), |held| replaced[self.strands[held].island as usize]);
-        for ((island, depth), _) in self.islands.iter_mut().zip(depths).zip(replaced).filter(|(_, replaced)| *replaced) {
-            island.left.deep = depth;
+        let islands = &self.islands[..self.island_count];
+        let any = |island: &Island| island.strands.iter().any(|held| is_replaced(&self.strands[*held as usize]));
+        let asked: Vec<bool> = islands.iter().map(|island| !island.takes_parts && any(island)).collect();
+        let depths = self.depths(scene, &Self::bodies_at_end(scene, h), |held| asked[self.strands[held].island as usize]);
+        for (island, (depth, asked)) in self.islands.iter_mut().zip(depths.into_iter().zip(asked)) {
+            if asked {
+                island.left.deep = depth;
+            }
         }
     }
 
