@@ -190,7 +190,8 @@ pub unsafe extern "C" fn shx_solver_set_body_surface(
     // SAFETY: the caller's handle, null or alive.
     unsafe {
         write("shx_solver_set_body_surface", solver, |core, _| {
-            core.set_body_surface(BodyId::from_bits(id.bits), thickness, friction_scale, viscous_friction_scale).map_err(in_words_of_c)
+            core.set_body_surface(BodyId::from_bits(id.bits), thickness, friction_scale, viscous_friction_scale)
+                .map_err(in_words_of_c)
         })
     }
 }

@@ -164,7 +164,8 @@ pub(super) unsafe fn points(argument: &str, vertices: *const shx_input) -> Resul
 /// `triangles` is null or points to three indices for each of `count` triangles.
 pub(super) unsafe fn corners(within: &str, triangles: *const u32, count: usize) -> Result<Vec<[u32; 3]>> {
     // SAFETY: the same. A triangle is three indices.
-    unsafe { array(&format!("{within}triangles"), &format!("{within}triangle_count"), triangles.cast::<[u32; 3]>(), count) }.map(<[_]>::to_vec)
+    unsafe { array(&format!("{within}triangles"), &format!("{within}triangle_count"), triangles.cast::<[u32; 3]>(), count) }
+        .map(<[_]>::to_vec)
 }
 
 impl shx_body_def {

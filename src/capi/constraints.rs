@@ -110,9 +110,19 @@ impl shx_constraint_def {
             SHX_CONSTRAINT_POINT => Hold::Point,
             SHX_CONSTRAINT_DIRECTION => Hold::Direction,
             SHX_CONSTRAINT_FRAME => Hold::Frame,
-            SHX_CONSTRAINT_RING => Hold::Ring { friction: Friction { along: self.friction_along, against: self.friction_against } },
-            SHX_CONSTRAINT_TIE => Hold::Tie { other: StrandId::from_bits(self.other_strand.bits), arclength: self.other_arclength },
-            other => return Err(Error::invalid(format!("{argument}.kind"), other, "SHX_CONSTRAINT_POINT, _DIRECTION, _FRAME, _RING or _TIE")),
+            SHX_CONSTRAINT_RING => {
+                Hold::Ring { friction: Friction { along: self.friction_along, against: self.friction_against } }
+            }
+            SHX_CONSTRAINT_TIE => {
+                Hold::Tie { other: StrandId::from_bits(self.other_strand.bits), arclength: self.other_arclength }
+            }
+            other => {
+                return Err(Error::invalid(
+                    format!("{argument}.kind"),
+                    other,
+                    "SHX_CONSTRAINT_POINT, _DIRECTION, _FRAME, _RING or _TIE",
+                ));
+            }
         };
         let target = if self.kind == SHX_CONSTRAINT_TIE {
             Frame::default()

@@ -271,11 +271,20 @@ pub unsafe extern "C" fn shx_curves_attribute(
 /// Metres a file unit (0 where the file does not say) and the axis that points up (SHX_UP_AXIS_).
 /// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curves_units(curves: *const shx_curves, out_metres_per_unit: *mut f64, out_up_axis: *mut u32) -> shx_result {
+pub unsafe extern "C" fn shx_curves_units(
+    curves: *const shx_curves,
+    out_metres_per_unit: *mut f64,
+    out_up_axis: *mut u32,
+) -> shx_result {
     call("shx_curves_units", || {
         // SAFETY: the caller's handle and places for a number each.
-        let (curves, metres, up) =
-            unsafe { (curves_from(curves)?, Place::new("out_metres_per_unit", out_metres_per_unit)?, Place::new("out_up_axis", out_up_axis)?) };
+        let (curves, metres, up) = unsafe {
+            (
+                curves_from(curves)?,
+                Place::new("out_metres_per_unit", out_metres_per_unit)?,
+                Place::new("out_up_axis", out_up_axis)?,
+            )
+        };
         metres.write(curves.extras().metres_per_unit.unwrap_or(0.0));
         up.write(match curves.extras().up {
             None => SHX_UP_AXIS_UNKNOWN,

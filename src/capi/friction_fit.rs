@@ -152,7 +152,9 @@ unsafe impl Versioned for shx_friction_fit_def {
 const _: () = {
     assert!(size_of::<shx_friction_fit_def>() == 256);
     assert!(offset_of!(shx_friction_fit_def, direction) == 16 && offset_of!(shx_friction_fit_def, grid_points) == 136);
-    assert!(offset_of!(shx_friction_fit_def, oscillation_amplitude) == 152 && offset_of!(shx_friction_fit_def, root_times) == 200);
+    assert!(
+        offset_of!(shx_friction_fit_def, oscillation_amplitude) == 152 && offset_of!(shx_friction_fit_def, root_times) == 200
+    );
 };
 
 /// What was found out about one coefficient.

@@ -68,7 +68,7 @@ fn of_arclength(error: Error) -> Error {
 
 /// Moves a brush over count strands: the points that lie in it before it moves are to follow it, by the brush's falloff; strands bend, by
 /// least squares, roots and lengths stay. Strands with no point in the brush are left alone to the bit, velocities included; the others
-/// are at rest then, as after shx_solver_drag_strands, which says what is kept out of. options: null for the defaults. out_touched: 1
+/// are at rest then, as after shx_solver_drag_strands, which says what is kept out of. options: null for the defaults. out_brushed: 1
 /// for each strand with a point in the brush, else 0; out_distances: the root mean square distance of each strand's points in the brush
 /// from where they were to go, m. Each holds count items or is null. Each strand may be named once. The work is shared among the
 /// solver's workers; the results' bits do not depend on them.
@@ -80,13 +80,13 @@ pub unsafe extern "C" fn shx_solver_brush_strands(
     count: usize,
     brush: *const shx_brush,
     options: *const shx_pose_options,
-    out_touched: *mut u8,
+    out_brushed: *mut u8,
     out_distances: *mut f64,
 ) -> shx_result {
     // SAFETY: the caller's handle, structures and memory for count items each.
     unsafe {
         write("shx_solver_brush_strands", solver, |core, _| {
-            let touched = Places::optional("out_touched", "count", out_touched, count)?;
+            let touched = Places::optional("out_brushed", "count", out_brushed, count)?;
             let distances = Places::optional("out_distances", "count", out_distances, count)?;
             let ids = strand_ids(ids, count)?;
             let found = core.brush(&ids, &read_brush(brush)?, &read_options(options)?)?;

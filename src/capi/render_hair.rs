@@ -418,7 +418,8 @@ unsafe fn evaluate<'a>(
             frames: Writer::optional("frames", frames, &[SHX_FORMAT_F32X4], needed)?,
             velocities: Writer::optional("velocities", velocities, &[SHX_FORMAT_F32X3], needed)?,
         };
-        let roots = shx_render_view::roots_of("view.roots", &def.roots, count)?.map(|reader| Roots { reader, first: def.first_strand });
+        let roots =
+            shx_render_view::roots_of("view.roots", &def.roots, count)?.map(|reader| Roots { reader, first: def.first_strand });
         let earlier = shx_render_view::roots_of("view.previous_roots", &def.previous_roots, count)?
             .map(|reader| Roots { reader, first: def.first_strand });
         let now = |strand: usize| roots.as_ref().map_or_else(Vector3::zeros, |roots| roots.at(strand));
@@ -465,9 +466,12 @@ fn named(error: Error) -> Error {
         ("before", "previous_pose"),
         ("seconds", "interval"),
     ];
-    FIELDS.iter().fold(error, |error, (ours, theirs)| {
-        if starts(&error, ours) { error.renamed(ours, &format!("view.{theirs}")) } else { error }
-    })
+    FIELDS.iter().fold(
+        error,
+        |error, (ours, theirs)| {
+            if starts(&error, ours) { error.renamed(ours, &format!("view.{theirs}")) } else { error }
+        },
+    )
 }
 
 fn starts(error: &Error, name: &str) -> bool {

@@ -259,7 +259,8 @@ pub unsafe extern "C" fn shx_scalp_scatter(
             places.check_room(needed)?;
         }
         let options = ScatterOptions { amount, density, seed: def.seed };
-        let made = scalp.scatter(&options).map_err(|error| error.with_fields(&[("within", "max_guide_distance")]).inside("def"))?;
+        let made =
+            scalp.scatter(&options).map_err(|error| error.with_fields(&[("within", "max_guide_distance")]).inside("def"))?;
         if let Some(places) = follicles {
             places.write(&made.follicles.iter().map(shx_follicle::new).collect::<Vec<_>>())?;
         }
@@ -277,14 +278,20 @@ pub unsafe extern "C" fn shx_scalp_scatter(
 /// What the definition points to is there.
 unsafe fn root_region(def: &shx_scatter_def) -> Result<Option<Density>> {
     if def.guide_roots.count == 0 && def.guide_roots.data.is_null() {
-        return if def.max_guide_distance == 0.0 { Ok(None) } else { Err(Error::invalid("def.max_guide_distance", def.max_guide_distance, "0 without guide_roots")) };
+        return if def.max_guide_distance == 0.0 {
+            Ok(None)
+        } else {
+            Err(Error::invalid("def.max_guide_distance", def.max_guide_distance, "0 without guide_roots"))
+        };
     }
     // SAFETY: the same.
     let roots = GuideRoots::new(unsafe { places("def.guide_roots", &raw const def.guide_roots)? });
     let roots = roots.map_err(|error| error.renamed("roots", "def.guide_roots"))?;
     let region = if def.max_guide_distance == 0.0 {
         let spacing = roots.spacing();
-        let one = || Error::invalid("def.max_guide_distance", 0, "a distance, m: guides that are all at one place are no distance apart");
+        let one = || {
+            Error::invalid("def.max_guide_distance", 0, "a distance, m: guides that are all at one place are no distance apart")
+        };
         RootRegion::Covered(spacing.ok_or_else(one)?)
     } else {
         RootRegion::Within(def.max_guide_distance)

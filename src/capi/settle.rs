@@ -213,7 +213,12 @@ pub unsafe extern "C" fn shx_solver_settle(
         let told = shx_settle_report::of(&found, started.elapsed().as_secs_f64());
         tell(log, &told, count);
         if let Some(status) = status {
-            status.write(&found.iter().map(|f| if f.converged { SHX_STRAND_CONVERGED } else { SHX_STRAND_UNCONVERGED }).collect::<Vec<_>>())?;
+            status.write(
+                &found
+                    .iter()
+                    .map(|f| if f.converged { SHX_STRAND_CONVERGED } else { SHX_STRAND_UNCONVERGED })
+                    .collect::<Vec<_>>(),
+            )?;
         }
         if let Some(eigenvalues) = eigenvalues {
             eigenvalues.write(&found.iter().map(|f| f.smallest_eigenvalue.unwrap_or(f64::NAN)).collect::<Vec<_>>())?;

@@ -92,7 +92,9 @@ pub unsafe extern "C" fn shx_spline_points(
             SHX_SPLINE_CATMULL_ROM => SplineKind::CatmullRom,
             SHX_SPLINE_BSPLINE => SplineKind::BSpline,
             SHX_SPLINE_BEZIER => SplineKind::Bezier,
-            other => return Err(Error::invalid("def.kind", other, "SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_BSPLINE or SHX_SPLINE_BEZIER")),
+            other => {
+                return Err(Error::invalid("def.kind", other, "SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_BSPLINE or SHX_SPLINE_BEZIER"));
+            }
         };
         let ends = match def.ends {
             SHX_SPLINE_ENDS_OPEN => SplineEnds::Open,
@@ -100,8 +102,9 @@ pub unsafe extern "C" fn shx_spline_points(
             other => return Err(Error::invalid("def.ends", other, "one of SHX_SPLINE_ENDS_")),
         };
         // SAFETY: the caller's points and place for a number.
-        let (reader, out_count) =
-            unsafe { (Reader::new("def.controls", &raw const def.controls, POINT_FORMATS)?, Place::new("out_count", out_count)?) };
+        let (reader, out_count) = unsafe {
+            (Reader::new("def.controls", &raw const def.controls, POINT_FORMATS)?, Place::new("out_count", out_count)?)
+        };
         let spline = Spline::new(kind, ends, reader.count()).map_err(|error| error.inside("def"))?;
         let controls: Vec<Vector3<f64>> = (0..reader.count()).map(|index| reader.point(index).into()).collect();
         let (made, arclengths) = spline.points(&controls, def.points_per_span as usize).map_err(in_words_of_c)?;

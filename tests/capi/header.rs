@@ -77,7 +77,9 @@ impl<'a> Item<'a> {
     fn place_in(&self, source: &str) -> Option<usize> {
         ["pub const ", "pub struct ", "pub type ", "fn "].iter().find_map(|keyword| {
             let definition = format!("{keyword}{}", self.name);
-            let ends = |at: &usize| !source[at + definition.len()..].starts_with(|letter: char| letter.is_alphanumeric() || letter == '_');
+            let ends = |at: &usize| {
+                !source[at + definition.len()..].starts_with(|letter: char| letter.is_alphanumeric() || letter == '_')
+            };
             source.match_indices(&definition).map(|(at, _)| at).find(ends)
         })
     }

@@ -13,7 +13,7 @@ use superhelix::capi::{
     fit::shx_polyline_fit,
     fit_curves::{shx_fit_input, shx_fit_options, shx_fitted_strand},
     friction_fit::{shx_fitted_coefficient, shx_friction_fit_def, shx_friction_fit_report},
-    hair_type::{shx_hair_type, shx_hair_strand, shx_hair_sliders},
+    hair_type::{shx_hair_sliders, shx_hair_strand, shx_hair_type},
     materials::shx_material,
     pose_def::{shx_brush, shx_element_change, shx_pose_options},
     render_def::{shx_render_guides, shx_render_settings, shx_render_view},

@@ -154,7 +154,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_constraint_states", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.constraints[0], shx_constraint_id { bits: u64::MAX }]; shx_solver_constraint_states(s.solver, ids.as_ptr(), 2, s.out(), 0) });
     case!(cases, "shx_solver_constraint_states", "ids", "a strand's", SHX_ERROR_INVALID_ID, |s| { let ids = [s.constraints[0], shx_constraint_id { bits: s.ids[0].bits }]; shx_solver_constraint_states(s.solver, ids.as_ptr(), 2, s.out(), 0) });
     case!(cases, "shx_solver_constraint_states", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), usize::MAX, s.out(), 0));
-    case!(cases, "shx_solver_constraint_states", "states", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), 2, null_mut(), 0));
+    case!(cases, "shx_solver_constraint_states", "out_states", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), 2, null_mut(), 0));
     case!(cases, "shx_solver_constraint_states", "stride", "8", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), 2, s.out(), 8));
     case!(cases, "shx_solver_constraint_states", "stride", "size_of::<shx_constraint_state>() - 1", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), 2, s.out(), size_of::<shx_constraint_state>() - 1));
     case!(cases, "shx_solver_constraint_states", "stride", "usize::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), 2, s.out(), usize::MAX));

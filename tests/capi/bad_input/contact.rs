@@ -148,12 +148,12 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_get_strand_contact", "id", "a body's", SHX_ERROR_INVALID_ID, |s| { let mut contact = strand_contact(); shx_solver_get_strand_contact(s.solver, shx_strand_id { bits: s.bodies[0].bits }, &raw mut contact, s.out()) });
     case!(cases, "shx_solver_get_strand_contact", "out_contact", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_strand_contact(s.solver, s.ids[0], null_mut(), s.out()));
     case!(cases, "shx_solver_get_strand_contact", "out_contact", "struct_size = 8", SHX_ERROR_STRUCT_SIZE, |s| { let mut contact = shx_strand_contact { struct_size: 8, ..strand_contact() }; shx_solver_get_strand_contact(s.solver, s.ids[0], &raw mut contact, s.out()) });
-    case!(cases, "shx_solver_get_strand_contact", "out_touches", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let mut contact = strand_contact(); shx_solver_get_strand_contact(s.solver, s.ids[0], &raw mut contact, null_mut()) });
+    case!(cases, "shx_solver_get_strand_contact", "out_enabled", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let mut contact = strand_contact(); shx_solver_get_strand_contact(s.solver, s.ids[0], &raw mut contact, null_mut()) });
     case!(cases, "shx_solver_contact_count", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_contact_count(null(), s.out()));
     case!(cases, "shx_solver_contact_count", "out_count", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_contact_count(s.solver, null_mut()));
     case!(cases, "shx_solver_contact_count", "out_count", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_contact_count(s.solver, s.out::<u8>().wrapping_add(1).cast()));
     case!(cases, "shx_solver_contacts", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_contacts(null(), s.out(), 0, 8, s.out2()));
-    case!(cases, "shx_solver_contacts", "contacts", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_contacts(s.solver, null_mut(), 0, 8, s.out2()));
+    case!(cases, "shx_solver_contacts", "out_contacts", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_contacts(s.solver, null_mut(), 0, 8, s.out2()));
     case!(cases, "shx_solver_contacts", "stride", "8", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_contacts(s.solver, s.out(), 8, 8, s.out2()));
     case!(cases, "shx_solver_contacts", "stride", "size_of::<shx_contact>() - 1", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_contacts(s.solver, s.out(), size_of::<shx_contact>() - 1, 8, s.out2()));
     case!(cases, "shx_solver_contacts", "stride", "usize::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_contacts(s.solver, s.out(), usize::MAX, 8, s.out2()));
