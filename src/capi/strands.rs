@@ -189,7 +189,8 @@ pub const SHX_STRAND_CONVERGED: i32 = 0;
 /// The state is usable.
 pub const SHX_STRAND_UNCONVERGED: i32 = 1;
 /// The state became non-finite, or contacts or constraints made it diverge. The strand was rolled back to the
-/// start of the step.
+/// start of the step and moves rigidly with its root. The solver retries it; if that fails for a tenth of a
+/// second, the strand returns to its natural shape by itself.
 pub const SHX_STRAND_QUARANTINED: i32 = 2;
 
 /// Writes the status of count strands after the last step to out_status. shx_solver_reset_strands releases
