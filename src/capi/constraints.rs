@@ -165,6 +165,11 @@ pub unsafe extern "C" fn shx_constraint_def_init(def: *mut shx_constraint_def, s
     unsafe { initialise("shx_constraint_def_init", "def", def, size) }
 }
 
+/// The engine's error with the names of the C structure.
+fn in_words_of_c(error: Error) -> Error {
+    error.renamed("constraints", "defs").renamed_in("friction.", "friction_").with_fields(&[("other", "other_strand")])
+}
+
 /// Adds count constraints, all or none. Definition i starts i * def_stride bytes after the first; def_stride
 /// is usually sizeof(shx_constraint_def). Writes count ids to out_ids, in the order of the definitions.
 /// Constraints hold from the end of the next substep on: a point far from its target is pulled there within
@@ -185,9 +190,7 @@ pub unsafe extern "C" fn shx_solver_add_constraints(
         write("shx_solver_add_constraints", solver, |core, _| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
             let definitions = definitions("shx_constraint_def", defs, def_stride, count, shx_constraint_def::definition)?;
-            let ids = core
-                .add_constraints(&definitions)
-                .map_err(|error| error.renamed("constraints", "defs").renamed_in("friction.", "friction_"))?;
+            let ids = core.add_constraints(&definitions).map_err(in_words_of_c)?;
             places.write(&ids.iter().map(|id| shx_constraint_id { bits: id.bits() }).collect::<Vec<_>>())
         })
     }

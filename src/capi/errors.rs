@@ -34,7 +34,7 @@ pub const SHX_ERROR_OUT_OF_MEMORY: i32 = -8;
 pub const SHX_ERROR_UNSUPPORTED: i32 = -9;
 /// A file could not be read, written or parsed. The message names the file, the position and what was expected
 /// there.
-pub const SHX_ERROR_FILE: i32 = -11;
+pub const SHX_ERROR_FILE: i32 = -10;
 /// A bug in the library, caught before it could reach your program. The solver of this call is now poisoned:
 /// destroy it.
 pub const SHX_ERROR_INTERNAL: i32 = -100;

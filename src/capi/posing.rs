@@ -94,7 +94,9 @@ pub unsafe extern "C" fn shx_solver_brush_strands(
             let touched = Places::optional("out_brushed", "count", out_brushed, count)?;
             let distances = Places::optional("out_distances", "count", out_distances, count)?;
             let ids = strand_ids(ids, count)?;
-            let found = core.brush(&ids, &read_brush(brush)?, &read_options(options)?)?;
+            let found = core
+                .brush(&ids, &read_brush(brush)?, &read_options(options)?)
+                .map_err(|error| error.with_fields(&[("movement", "displacement")]))?;
             if let Some(touched) = touched {
                 touched.write(&found.iter().map(|found| u8::from(found.touched)).collect::<Vec<_>>())?;
             }

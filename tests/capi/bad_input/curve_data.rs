@@ -36,7 +36,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_curve_data_write", "path", "in no folder", SHX_ERROR_FILE, |s| save(s, |_| ()));
     case!(cases, "shx_curve_data_write", "data", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curve_data_write(c"x.usda".as_ptr(), null()));
     case!(cases, "shx_curve_data_write", "data", "size 0", SHX_ERROR_STRUCT_SIZE, |s| save(s, |data| data.struct_size = 0));
-    case!(cases, "shx_curve_data_write", "data", "up", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.up = 3));
+    case!(cases, "shx_curve_data_write", "data", "up", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.up_axis = 3));
     case!(cases, "shx_curve_data_write", "data", "tfx_version", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.tfx_version = 5));
     case!(cases, "shx_curve_data_write", "data", "reserved0", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.reserved0 = 1));
     case!(cases, "shx_curve_data_write", "data", "reserved", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.reserved[3] = 1));
