@@ -282,7 +282,7 @@ pub unsafe extern "C" fn shx_solver_set_strand_contact(
             return core.set_contact(&ids, None);
         }
         if count.checked_mul(contact_stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
-            let expected = "0, sizeof(shx_strand_contact), or the stride of a structure that holds one";
+            let expected = "0, sizeof(shx_strand_contact), or the size of your structure that contains one";
             return Err(Error::invalid("contact_stride", contact_stride, expected));
         }
         let one = |index: usize, argument: &str| {

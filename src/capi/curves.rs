@@ -176,7 +176,7 @@ pub unsafe extern "C" fn shx_curves_write_points(
         let counts = array("point_counts", "strand_count", point_counts, strand_count)?;
         let total = counts.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count as usize));
         if let Some(strand) = counts.iter().position(|count| *count < 2) {
-            return Err(Error::invalid(format!("point_counts[{strand}]"), counts[strand], "at least 2 points a strand"));
+            return Err(Error::invalid(format!("point_counts[{strand}]"), counts[strand], "at least 2 points per strand"));
         }
         if total.is_none_or(|total| total > MAX_COUNT || total != reader.count()) {
             return Err(Error::invalid("points.count", reader.count(), "the sum of point_counts"));

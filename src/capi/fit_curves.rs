@@ -461,7 +461,7 @@ pub unsafe extern "C" fn shx_strand_def_set_fit(
             (read_versioned("def", def.cast_const())?, VersionedOutput::new("def", def)?, fitted)
         };
         if fitted.result != SHX_OK {
-            return Err(Error::invalid("fitted.result", fitted.result, "SHX_OK: a curve that could be fitted"));
+            return Err(Error::invalid("fitted.result", fitted.result, "SHX_OK, from a curve that could be fitted"));
         }
         let count = fitted.element_count as usize;
         if !(1..=MAX_ELEMENTS).contains(&count) {

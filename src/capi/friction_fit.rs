@@ -260,11 +260,15 @@ impl shx_friction_fit_def {
             return Err(Error::Unsupported {
                 argument: "solver.parallel_for".into(),
                 value: "a function".into(),
-                hint: "a fit runs on threads of its own, as many as worker_count says".into(),
+                hint: "use worker_count: a fit runs on its own threads".into(),
             });
         }
         if self.coefficients == 0 || self.coefficients > 7 {
-            return Err(Error::invalid("friction.coefficients", self.coefficients, "SHX_FRICTION_ bits, at least one"));
+            return Err(Error::invalid(
+                "friction.coefficients",
+                self.coefficients,
+                "SHX_FRICTION_INTERNAL, _VISCOSITY and _AIR_DRAG bits, at least one",
+            ));
         }
         let settings = [
             (self.internal_friction_range, self.internal_friction_guess),
@@ -330,7 +334,7 @@ impl shx_friction_fit_def {
             });
         }
         if oscillates {
-            let expected = "0, since the root moves through poses, or an oscillation alone";
+            let expected = "0: the root either oscillates or follows frames";
             return Err(Error::invalid("friction.root_count", self.root_count, expected));
         }
         let frame = |(index, frame): (usize, &shx_frame)| {

@@ -353,7 +353,7 @@ pub unsafe extern "C" fn shx_hair_strands(
         }
         let total = counts.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count as usize));
         let Some(total) = total.filter(|total| *total <= MAX_COUNT) else {
-            return Err(Error::invalid("def.element_counts", "more elements than there can be", format!("{MAX_COUNT} at most")));
+            return Err(Error::invalid("def.element_counts", "too many elements", format!("at most {MAX_COUNT}")));
         };
         // SAFETY: the caller's arrays, and memory for strand_count items and capacity rows.
         let (lengths, made, rows) = unsafe {

@@ -111,7 +111,7 @@ pub unsafe extern "C" fn shx_solver_set_materials(
         write("shx_solver_set_materials", solver, |core, _| {
             let ids = strand_ids(ids, count)?;
             if def_count != count && def_count != 1 {
-                return Err(Error::invalid("def_count", def_count, format!("{count}, one a strand, or 1 for all")));
+                return Err(Error::invalid("def_count", def_count, format!("{count}, one per strand, or 1 for all")));
             }
             let read = |def: &shx_material, argument: &str| def.material(argument);
             let materials = definitions("shx_material", defs, def_stride, def_count, read)?;

@@ -40,7 +40,7 @@ pub unsafe extern "C" fn shx_solver_drag_strands(
             let arclengths = array("arclengths", "count", arclengths, count)?;
             let positions = Reader::new("targets", targets, VECTOR_FORMATS)?;
             if positions.count() != count {
-                return Err(Error::invalid("targets.count", positions.count(), format!("{count}, one a strand")));
+                return Err(Error::invalid("targets.count", positions.count(), format!("{count}, one per strand")));
             }
             let target =
                 |(k, arclength): (usize, &f64)| DragTarget { arclength: *arclength, position: positions.point(k).into() };

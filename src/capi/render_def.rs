@@ -156,7 +156,7 @@ impl shx_render_settings {
             } else if value > 0.0 && value.is_finite() {
                 Ok(value)
             } else {
-                Err(Error::invalid(format!("settings.{name}"), value, "0 (none is too far) or a finite number above"))
+                Err(Error::invalid(format!("settings.{name}"), value, "0 (no limit) or a finite number above 0"))
             }
         };
         let workers = workers("settings", self.worker_count, self.parallel_for, self.parallel_for_user)?;

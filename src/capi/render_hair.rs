@@ -436,7 +436,7 @@ unsafe fn evaluate<'a>(
         let needed = count
             .checked_mul(per_strand)
             .filter(|needed| *needed <= super::types::MAX_COUNT)
-            .ok_or_else(|| Error::invalid("view.strand_count", count, "fewer strands a call"))?;
+            .ok_or_else(|| Error::invalid("view.strand_count", count, "fewer strands per call"))?;
         let sink = Outputs {
             first: def.first_strand,
             per_strand,
@@ -455,7 +455,7 @@ unsafe fn evaluate<'a>(
                 return Err(Error::invalid("view.interval", def.interval, "0 without previous_pose"));
             }
             if earlier.is_some() {
-                return Err(Error::invalid("view.previous_roots", "there", "none without previous_pose"));
+                return Err(Error::invalid("view.previous_roots", "given", "none without previous_pose"));
             }
             None
         } else {

@@ -186,7 +186,7 @@ pub unsafe extern "C" fn shx_solver_set_shapes(
             let rows: &[[f64; 3]] = array("curvatures", "row_count", curvatures.cast::<[f64; 3]>(), row_count)?;
             let needed = total(core, &ids)?;
             if row_count != needed {
-                return Err(Error::invalid("row_count", row_count, format!("{needed}, one an element")));
+                return Err(Error::invalid("row_count", row_count, format!("{needed}, one per element")));
             }
             core.set_shapes(&ids, rows)
         })

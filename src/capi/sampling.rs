@@ -80,7 +80,7 @@ pub unsafe extern "C" fn shx_solver_sample_strands(
             let needed = per_strand
                 .checked_mul(count)
                 .filter(|needed| *needed <= MAX_COUNT)
-                .ok_or_else(|| Error::invalid("def.points_per_strand", per_strand, "fewer points a call"))?;
+                .ok_or_else(|| Error::invalid("def.points_per_strand", per_strand, "fewer points per call"))?;
             let origin = origin("def.origin", def.origin)?;
             let outputs = Outputs::new(points, frames, velocities, needed, origin)?;
             // All ids are looked up before the first point is written.

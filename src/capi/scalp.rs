@@ -303,9 +303,8 @@ unsafe fn root_region(def: &shx_scatter_def) -> Result<Option<Density>> {
     let roots = roots.map_err(|error| error.renamed("roots", "def.guide_roots"))?;
     let region = if def.max_guide_distance == 0.0 {
         let spacing = roots.spacing();
-        let one = || {
-            Error::invalid("def.max_guide_distance", 0, "a distance, m: guides that are all at one place are no distance apart")
-        };
+        let one =
+            || Error::invalid("def.max_guide_distance", 0, "above 0: all guide roots are at one point, so they have no spacing");
         RootRegion::Covered(spacing.ok_or_else(one)?)
     } else {
         RootRegion::Within(def.max_guide_distance)

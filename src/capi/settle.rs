@@ -152,7 +152,7 @@ fn tell(log: &LogSink, report: &shx_settle_report, count: usize) {
         log.message(
             SHX_LOG_WARN,
             format_args!(
-                "shx_solver_settle: {} of {count} strands found no stable rest ({} unstable), residual up to {:e}",
+                "shx_solver_settle: {} of {count} strands found no stable equilibrium ({} unstable), residual up to {:e}",
                 report.unconverged, report.unstable, report.max_residual
             ),
         );
@@ -160,7 +160,7 @@ fn tell(log: &LogSink, report: &shx_settle_report, count: usize) {
     log.message(
         SHX_LOG_DEBUG,
         format_args!(
-            "shx_solver_settle: {count} strands, {} iterations, {} saddles left, {:.6} s",
+            "shx_solver_settle: {count} strands, {} iterations, {} saddles, {:.6} s",
             report.iterations, report.saddles, report.seconds
         ),
     );

@@ -161,7 +161,7 @@ fn tell(log: &LogSink, report: &StepReport) {
     if report.quarantined > 0 {
         log.message(
             SHX_LOG_WARN,
-            format_args!("shx_solver_step: {} strand-substeps rolled back (non-finite or astray)", report.quarantined),
+            format_args!("shx_solver_step: {} strand-substeps rolled back (non-finite or diverged)", report.quarantined),
         );
     }
     if report.unconverged > 0 {
@@ -177,7 +177,7 @@ fn tell(log: &LogSink, report: &StepReport) {
         log.message(
             SHX_LOG_WARN,
             format_args!(
-                "shx_solver_step: contact of {} sets of strands unconverged, penetration up to {:e} m, constraints off by up to {:e} m",
+                "shx_solver_step: {} islands unconverged, penetration up to {:e} m, constraint error up to {:e} m",
                 report.contact.unconverged, report.contact.penetration, report.contact.constraint_error
             ),
         );
@@ -186,7 +186,7 @@ fn tell(log: &LogSink, report: &StepReport) {
         log.message(
             SHX_LOG_WARN,
             format_args!(
-                "shx_solver_step: the roots of {} strands are in a body, where no force parts them (see exempt_length)",
+                "shx_solver_step: the roots of {} strands are inside a body, where no force can separate them (see exempt_length)",
                 report.contact.roots_inside
             ),
         );

@@ -20,7 +20,7 @@ fn warn_of_coarse(log: &LogSink, definitions: &[StrandDef]) {
             SHX_LOG_WARN,
             format_args!(
                 "shx_solver_add_strands: {} of {} strands have elements that turn by more than pi/2, up to {:.2} rad (defs[{}], \
-                 where {} elements would do): they move too stiffly",
+                 which needs {} elements): they move too stiffly",
                 coarse.len(),
                 definitions.len(),
                 worst.turn,
