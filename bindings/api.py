@@ -15,7 +15,8 @@ The model (also the shape of api.json):
     handles     name, doc, section, destroy                  (opaque types; destroy is the function that frees one, or null)
     callbacks   name, returns, parameters, doc, section
     structs     name, doc, section, size, alignment, versioned (begins with struct_size), init (the function that fills it, or null),
-                fields: name, type, array (0: none), offset, size, doc
+                fields: name, type, array (0: none), offset, size, doc, enumeration (whose constants it holds, or null),
+                boolean (it holds 0 or 1)
     functions   name, returns, parameters (name, type, array), doc, section, handle (type of the first parameter, if a handle),
                 threads ("any", "reading" or "exclusive")
 A type is {"name", "const", "pointer"}: const is about what is pointed to (or the value itself), pointer is 0, 1 or 2.
@@ -145,6 +146,8 @@ class Field:
     doc: str
     offset: int = 0
     size: int = 0
+    enumeration: str | None = None
+    boolean: bool = False
 
 
 @dataclass
@@ -424,6 +427,22 @@ def enumerate_constants(api: Api) -> None:
         if prefix is not None:
             flags = f"{prefix} bits" in text
             api.enumerations.append(Enumeration(prefix, flags, members[prefix]))
+    describe_fields(api)
+
+
+def describe_fields(api: Api) -> None:
+    """Finds out which fields hold an enumeration's constants, or 0 and 1: their comments say so."""
+    by_name = {constant.name: constant.enumeration for constant in api.constants}
+    by_name |= {enumeration.name: enumeration.name for enumeration in api.enumerations}
+    for struct in api.structs:
+        for member in struct.fields:
+            if member.type != Type("uint32_t") or member.array or member.name.startswith(("struct_size", "reserved")):
+                continue
+            doc = " ".join(member.doc.split())
+            # A comment that begins with constants, or has one as its default, is about them.
+            words = re.findall(r"(?:^|: |default )(SHX_\w+)", doc, re.IGNORECASE)
+            member.enumeration = next((by_name[word] for word in words if by_name.get(word)), None)
+            member.boolean = bool(re.match(r"1(?: \(default\)| if\b|:)|.*\b1: [^.]*\. (?:.*[^\d])?0\b|.*\b0: .*\b1\b:", doc)) and not member.enumeration
 
 
 def parse(path: Path = HEADER) -> Api:
