@@ -221,7 +221,8 @@ class Generator:
             lines.append(f"{constant.name} = {constant.value}")
         for struct in self.ordered_structs():
             lines += ["", "", f"class {struct.name}(ctypes.Structure):"]
-            lines += [f'    """{struct.size} bytes."""', "", "    _fields_ = ["]
+            # Slots: a name that is no field is an error, not a new attribute. kept holds what a pointer points to.
+            lines += [f'    """{struct.size} bytes."""', "", '    __slots__ = ("kept",)', "    _fields_ = ["]
             for member in struct.fields:
                 lines.append(f'        ("{member.name}", {self.ctype(member.type, member.array)}),')
             lines.append("    ]")

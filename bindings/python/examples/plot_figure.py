@@ -39,13 +39,13 @@ def head(time: float) -> np.ndarray:
 def main() -> None:
     """Simulates and draws."""
     result = shx.simulate(shx.Groom.from_curves(curls()), head, duration=0.6, body=shx.BodyDef.sphere(0.078), element_count=14)
-    figure = plt.figure(figsize=(12, 4.2))
+    figure = plt.figure(figsize=(12, 4.4))
     for place, frame in enumerate((0, 5, 11)):
         ax = figure.add_subplot(1, 3, place + 1, projection="3d")
         plot_curves(result.points[frame], ax=ax, linewidth=1.1)
         ax.view_init(12, -70)
         ax.set_title(f"{result.times[frame]:.2f} s")
-    figure.tight_layout()
+    figure.subplots_adjust(left=0.0, right=0.97, bottom=0.02, top=0.92, wspace=0.0)
     figure.savefig(sys.argv[1], dpi=80)
 
 

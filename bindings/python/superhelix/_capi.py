@@ -137,6 +137,7 @@ SHX_INTERPOLATION_CURVATURE = 2
 class shx_strand_id(ctypes.Structure):
     """8 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("bits", ctypes.c_uint64),
     ]
@@ -145,6 +146,7 @@ class shx_strand_id(ctypes.Structure):
 class shx_body_id(ctypes.Structure):
     """8 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("bits", ctypes.c_uint64),
     ]
@@ -153,6 +155,7 @@ class shx_body_id(ctypes.Structure):
 class shx_constraint_id(ctypes.Structure):
     """8 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("bits", ctypes.c_uint64),
     ]
@@ -161,6 +164,7 @@ class shx_constraint_id(ctypes.Structure):
 class shx_frame(ctypes.Structure):
     """56 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("origin", ctypes.c_double * 3),
         ("rotation", ctypes.c_double * 4),
@@ -170,6 +174,7 @@ class shx_frame(ctypes.Structure):
 class shx_input(ctypes.Structure):
     """32 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("data", ctypes.c_void_p),
         ("stride", ctypes.c_size_t),
@@ -182,6 +187,7 @@ class shx_input(ctypes.Structure):
 class shx_output(ctypes.Structure):
     """32 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("data", ctypes.c_void_p),
         ("stride", ctypes.c_size_t),
@@ -194,6 +200,7 @@ class shx_output(ctypes.Structure):
 class shx_solver_def(ctypes.Structure):
     """176 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("worker_count", ctypes.c_uint32),
@@ -213,16 +220,17 @@ class shx_solver_def(ctypes.Structure):
         ("max_subdivisions", ctypes.c_uint32),
         ("instruction_set", ctypes.c_uint32),
         ("error_tolerance", ctypes.c_double),
-        ("reserved", ctypes.c_uint64 * 2),
         ("reference_tolerance", ctypes.c_double),
         ("quadrature_tolerance", ctypes.c_double),
         ("jump_acceleration", ctypes.c_double),
+        ("reserved", ctypes.c_uint64 * 2),
     ]
 
 
 class shx_step_limits(ctypes.Structure):
     """32 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -235,6 +243,7 @@ class shx_step_limits(ctypes.Structure):
 class shx_step_report(ctypes.Structure):
     """176 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("quarantined", ctypes.c_uint32),
@@ -271,6 +280,7 @@ class shx_step_report(ctypes.Structure):
 class shx_strand_def(ctypes.Structure):
     """264 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("element_count", ctypes.c_uint32),
@@ -299,6 +309,7 @@ class shx_strand_def(ctypes.Structure):
 class shx_settle_def(ctypes.Structure):
     """24 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("max_steps", ctypes.c_uint32),
@@ -311,6 +322,7 @@ class shx_settle_def(ctypes.Structure):
 class shx_settle_report(ctypes.Structure):
     """48 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("unconverged", ctypes.c_uint32),
@@ -326,6 +338,7 @@ class shx_settle_report(ctypes.Structure):
 class shx_material(ctypes.Structure):
     """72 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -342,6 +355,7 @@ class shx_material(ctypes.Structure):
 class shx_wisp(ctypes.Structure):
     """24 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -353,6 +367,7 @@ class shx_wisp(ctypes.Structure):
 class shx_pose_options(ctypes.Structure):
     """80 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("keep_tip_direction", ctypes.c_uint32),
@@ -369,6 +384,7 @@ class shx_pose_options(ctypes.Structure):
 class shx_brush(ctypes.Structure):
     """88 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -383,6 +399,7 @@ class shx_brush(ctypes.Structure):
 class shx_element_change(ctypes.Structure):
     """48 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("element", ctypes.c_uint32),
@@ -397,6 +414,7 @@ class shx_element_change(ctypes.Structure):
 class shx_sample_def(ctypes.Structure):
     """32 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("points_per_strand", ctypes.c_uint32),
@@ -407,6 +425,7 @@ class shx_sample_def(ctypes.Structure):
 class shx_body_def(ctypes.Structure):
     """312 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("shape", ctypes.c_uint32),
@@ -437,6 +456,7 @@ class shx_body_def(ctypes.Structure):
 class shx_distance_grid_def(ctypes.Structure):
     """72 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -451,6 +471,7 @@ class shx_distance_grid_def(ctypes.Structure):
 class shx_contact_options(ctypes.Structure):
     """72 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("model", ctypes.c_uint32),
@@ -470,6 +491,7 @@ class shx_contact_options(ctypes.Structure):
 class shx_strand_contact(ctypes.Structure):
     """88 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("groups", ctypes.c_uint32),
@@ -490,6 +512,7 @@ class shx_strand_contact(ctypes.Structure):
 class shx_contact(ctypes.Structure):
     """152 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("strand", shx_strand_id),
         ("arclength", ctypes.c_double),
@@ -509,6 +532,7 @@ class shx_contact(ctypes.Structure):
 class shx_push_out_def(ctypes.Structure):
     """40 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -522,6 +546,7 @@ class shx_push_out_def(ctypes.Structure):
 class shx_constraint_def(ctypes.Structure):
     """120 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("kind", ctypes.c_uint32),
@@ -539,6 +564,7 @@ class shx_constraint_def(ctypes.Structure):
 class shx_constraint_state(ctypes.Structure):
     """72 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("status", ctypes.c_uint32),
         ("reserved", ctypes.c_uint32),
@@ -552,6 +578,7 @@ class shx_constraint_state(ctypes.Structure):
 class shx_polyline_fit(ctypes.Structure):
     """88 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved", ctypes.c_uint32),
@@ -565,6 +592,7 @@ class shx_polyline_fit(ctypes.Structure):
 class shx_fit_options(ctypes.Structure):
     """120 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("element_count", ctypes.c_uint32),
@@ -587,6 +615,7 @@ class shx_fit_options(ctypes.Structure):
 class shx_fit_input(ctypes.Structure):
     """168 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -604,6 +633,7 @@ class shx_fit_input(ctypes.Structure):
 class shx_fitted_strand(ctypes.Structure):
     """112 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("result", ctypes.c_int32),
         ("element_count", ctypes.c_uint32),
@@ -620,6 +650,7 @@ class shx_fitted_strand(ctypes.Structure):
 class shx_spline_def(ctypes.Structure):
     """48 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("kind", ctypes.c_uint32),
@@ -632,6 +663,7 @@ class shx_spline_def(ctypes.Structure):
 class shx_settings(ctypes.Structure):
     """64 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("integrator", ctypes.c_uint32),
@@ -650,6 +682,7 @@ class shx_settings(ctypes.Structure):
 class shx_suggest_def(ctypes.Structure):
     """64 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("max_elements", ctypes.c_uint32),
@@ -664,6 +697,7 @@ class shx_suggest_def(ctypes.Structure):
 class shx_suggestion(ctypes.Structure):
     """40 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("element_count", ctypes.c_uint32),
@@ -678,6 +712,7 @@ class shx_suggestion(ctypes.Structure):
 class shx_friction_fit_def(ctypes.Structure):
     """256 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("observable", ctypes.c_uint32),
@@ -711,6 +746,7 @@ class shx_friction_fit_def(ctypes.Structure):
 class shx_fitted_coefficient(ctypes.Structure):
     """48 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("status", ctypes.c_uint32),
         ("reserved", ctypes.c_uint32),
@@ -725,6 +761,7 @@ class shx_fitted_coefficient(ctypes.Structure):
 class shx_friction_fit_report(ctypes.Structure):
     """200 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("converged", ctypes.c_uint32),
@@ -745,6 +782,7 @@ class shx_friction_fit_report(ctypes.Structure):
 class shx_curve_data(ctypes.Structure):
     """184 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("up_axis", ctypes.c_uint32),
@@ -768,6 +806,7 @@ class shx_curve_data(ctypes.Structure):
 class shx_hair_type(ctypes.Structure):
     """176 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("curl", ctypes.c_uint32),
@@ -795,6 +834,7 @@ class shx_hair_type(ctypes.Structure):
 class shx_hair_sliders(ctypes.Structure):
     """64 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -810,6 +850,7 @@ class shx_hair_sliders(ctypes.Structure):
 class shx_hair_strand(ctypes.Structure):
     """88 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("radius", ctypes.c_double * 2),
         ("density", ctypes.c_double),
@@ -827,6 +868,7 @@ class shx_hair_strand(ctypes.Structure):
 class shx_hair_strands_def(ctypes.Structure):
     """56 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -842,6 +884,7 @@ class shx_hair_strands_def(ctypes.Structure):
 class shx_follicle(ctypes.Structure):
     """24 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("triangle", ctypes.c_uint32),
         ("reserved", ctypes.c_uint32),
@@ -852,6 +895,7 @@ class shx_follicle(ctypes.Structure):
 class shx_scalp_def(ctypes.Structure):
     """120 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -867,6 +911,7 @@ class shx_scalp_def(ctypes.Structure):
 class shx_scatter_def(ctypes.Structure):
     """128 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -885,6 +930,7 @@ class shx_scatter_def(ctypes.Structure):
 class shx_render_settings(ctypes.Structure):
     """248 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("points_per_strand", ctypes.c_uint32),
@@ -922,6 +968,7 @@ class shx_render_settings(ctypes.Structure):
 class shx_render_guides(ctypes.Structure):
     """184 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),
@@ -938,6 +985,7 @@ class shx_render_guides(ctypes.Structure):
 class shx_render_view(ctypes.Structure):
     """160 bytes."""
 
+    __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("reserved0", ctypes.c_uint32),

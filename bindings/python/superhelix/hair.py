@@ -51,7 +51,7 @@ def hair_strands(
     reference("sliders", sliders, HairSliders)
     definition = _capi.shx_hair_strands_def()
     initialize(definition)
-    definition.type = ctypes.addressof(kind._c)
+    definition.hair_type = ctypes.addressof(kind._c)
     definition.sliders = None if sliders is None else ctypes.addressof(sliders._c)
     definition.first_strand, definition.strand_count = whole("first_strand", first_strand, 0, 2**64 - 1), len(counts)
     definition.element_counts, definition.element_lengths = address(counts), address(lengths)

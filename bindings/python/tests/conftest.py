@@ -25,7 +25,7 @@ def counted(name: str, function: Any) -> Any:
     return call
 
 
-# Before any other module of the package is imported: they keep functions by name.
+# The package looks functions up by name when it calls them.
 for _name in _capi.SIGNATURES:
     setattr(_library.functions, _name, counted(_name, getattr(_library.functions, _name)))
 

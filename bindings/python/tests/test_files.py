@@ -46,7 +46,7 @@ def test_all_that_a_file_says_comes_back(tmp_path, rng) -> None:
     with shx.Curves(tmp_path / "a.usda") as read:
         assert read.units() == (0.01, shx.UpAxis.Y)
         np.testing.assert_allclose(read.attribute(shx.CurveAttribute.VELOCITY), velocities, rtol=1e-6)
-    tfx = shx.CurveData(rows.repeat(2, axis=1)[:, :8], pinned=np.eye(4, 8), strand_thickness=np.ones(4), tfx_version=4)
+    tfx = shx.CurveData(np.ascontiguousarray(rows.repeat(2, axis=1)[:, :8]), pinned=np.eye(4, 8, dtype=bool), strand_thickness=np.ones(4), tfx_version=4)
     shx.write_curves(tmp_path / "a.tfx", tfx)
 
 
@@ -130,7 +130,7 @@ def test_follicles_at_texture_coordinates() -> None:
         frames = scalp.root_frames(scalp.follicles_at_uvs([[0.25, 0.75], [0.5, 0.25]]))
         np.testing.assert_allclose(frames[:, :2], [[0.25, 0.75], [0.5, 0.25]], atol=1e-12)
         picture = np.array([[0.0, 0.0], [1.0, 1.0]])
-        assert scalp.root_frames(scalp.scatter(40, density=picture))[:, 1].min() > 0.2
+        assert scalp.root_frames(scalp.scatter(200, density=picture))[:, 1].mean() > 0.6
 
 
 @pytest.fixture
@@ -159,9 +159,10 @@ def test_render_hair_follows_its_guides(guides) -> None:
         assert first_guides[0] == 0
         assert first_guides[-1] == 5
         assert wisps.max() < settings.wisps_per_guide
-        guides.add_body(shx.BodyDef.sphere(0.05, pose=shx.Frame(origin=(0.02, 0.02, -0.1))))
+        guides.add_body(shx.BodyDef.sphere(0.05, pose=shx.Frame(origin=(0.02, 0.045, -0.1))))
         out = pose.evaluate(solver=guides)
-        assert np.linalg.norm(out - np.float32([0.02, 0.02, -0.1]), axis=-1).min() > 0.0499
+        assert np.linalg.norm(points - np.float32([0.02, 0.045, -0.1]), axis=-1).min() < 0.047
+        assert np.linalg.norm(out - np.float32([0.02, 0.045, -0.1]), axis=-1).min() > 0.05
 
 
 def test_render_hair_is_saved_and_loses_guides(guides) -> None:

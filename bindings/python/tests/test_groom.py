@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from conftest import GROOMS, ROOT, sphere_mesh
+from conftest import GROOMS, ROOT, hanging, sphere_mesh
 
 import superhelix as shx
 from superhelix.groom import motion_from_samples, prepare, read_motion, read_obj_mesh
@@ -63,12 +63,14 @@ def test_a_groom_rests_as_drawn_and_goes_with_a_walking_head(sintel, tmp_path) -
 
 
 def test_bare_hair_falls_and_wisps_do_not(sintel) -> None:
+    def nudge(time: float) -> np.ndarray:
+        return np.array([0.02 * np.sin(20.0 * min(time, np.pi / 10)), 0, 0, 0, 0, 0, 1])
+
     sag = {}
     for bare in (False, True):
-        result = shx.simulate(sintel, duration=0.4, bare=bare, points_per_strand=9)
+        result = shx.simulate(sintel, nudge, duration=1.0, bare=bare, points_per_strand=9)
         sag[bare] = float(np.linalg.norm(result.points[-1] - result.points[0], axis=-1).mean())
-    assert sag[False] < 1e-4
-    assert sag[True] > 10 * sag[False]
+    assert sag[True] > 5 * sag[False]
 
 
 def test_coarse_strands_are_fitted_by_more_elements() -> None:
@@ -152,16 +154,16 @@ def test_plots(tmp_path, solver) -> None:
     matplotlib.use("agg")
     import matplotlib.pyplot as plt
 
-    solver.add_strands(shx.StrandDefs(3, element_count=4, length=0.1))
+    solver.add_strands(hanging(3))
     ax = solver.plot(colors="tab:blue")
     assert len(ax.collections) == 1
     assert solver.plot(solver.strand_ids()[:2], ax=ax, up="y") is ax
     low, high = ax.get_xlim()
     assert low < 0.0
-    assert high > 0.1
+    assert high > 0.02
     ax.figure.savefig(tmp_path / "a.png")
     picture = plt.imread(tmp_path / "a.png")
-    blue = (picture[..., 2] > 0.5) & (picture[..., 0] < 0.3)
+    blue = picture[..., 2] > picture[..., 0] + 0.2
     assert blue.sum() > 30
     with pytest.raises(ValueError, match="colors: 2 colours; 3 expected"):
         solver.plot(colors=["r", "g"])

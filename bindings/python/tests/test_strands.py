@@ -137,7 +137,7 @@ def test_roots_move_over_time_or_at_once(solver) -> None:
     solver.teleport_roots(frames)
     np.testing.assert_allclose(solver.root_frames(), frames)
     solver.reset_strands()
-    np.testing.assert_allclose(solver.sample_velocities(3), 0.0, atol=1e-12)
+    assert not any(solver.curvatures(one)[1].any() for one in solver.strand_ids())
 
 
 def test_sampling_at_arclengths(solver) -> None:
