@@ -379,7 +379,8 @@ def interpolate(
     seed: int = 0,
 ) -> int:
     """Makes render hair of a cache of guides (.usda, as simulate writes it): a cache with a strand for each of roots, or for each of count follicles
-    scattered over a scalp near the guides. The guides rest in the first frame; roots and scalp are in that place, m. Gives how many strands.
+    scattered over a scalp near the guides, with velocities if the guides have them. The guides rest in the first frame; roots and scalp are where
+    they are then, m. Gives how many strands there are.
     """
     with CurveCache(guides) as cache:
         times = cache.times()
@@ -387,6 +388,7 @@ def interpolate(
             units, counts = first.units(), first.point_counts()
             metres = scale if scale is not None else (units.metres or 1.0)
             rest = first.points(metres, dtype=np.float64)
+            moving = first.attribute(CurveAttribute.VELOCITY) is not None
         if (roots is None) == (scalp is None):
             raise ValueError("roots, scalp: give one of the two")
         if scalp is not None:
@@ -398,17 +400,25 @@ def interpolate(
         step = float(np.median(np.diff(times))) if len(times) > 1 else 1.0 / 24.0
         rate = fps if fps is not None else 1.0 / step
         with RenderHair.from_guides(RenderGuides(rest, counts), places, settings) as hair, hair.pose() as pose:
+            shape = (hair.strand_count, hair.points_per_strand, 3)
+            velocities = np.zeros(shape, dtype=np.float32) if moving else None
             # The first frame says what does not change.
-            data = CurveData(
-                np.zeros((hair.strand_count, hair.points_per_strand, 3), dtype=np.float32),
-                up_axis=units.up_axis,
-                metres_per_unit=units.metres,
-            )
+            first_frame = np.zeros(shape, dtype=np.float32)
+            data = CurveData(first_frame, velocities=velocities, up_axis=units.up_axis, metres_per_unit=units.metres)
             with CurveCacheWriter(out, data, rate) as writer:
                 for time, curves in cache:
-                    pose.set_guides(RenderGuides(curves.points(metres, dtype=np.float64), counts))
-                    writer.write(time, pose.evaluate() / np.float32(metres))
+                    pose.set_guides(_guides(curves, counts, metres, moving))
+                    points = pose.evaluate(velocities=velocities)
+                    scale = np.float32(1.0 / metres)
+                    writer.write(time, points * scale, None if velocities is None else velocities * scale)
             return hair.strand_count
+
+
+def _guides(curves: Curves, counts: npt.NDArray[np.uint32], metres: float, moving: bool) -> RenderGuides:
+    """A frame's curves as guides, with their velocities where the cache has some."""
+    speeds = curves.attribute(CurveAttribute.VELOCITY) if moving else None
+    rows = curves.points(metres, dtype=np.float64)
+    return RenderGuides(rows, counts, velocities=None if speeds is None else speeds * np.float32(metres))
 
 
 def read_obj_mesh(path: Path, scale: float = 1.0) -> tuple[Numbers, npt.NDArray[np.uint32]]:
