@@ -16,7 +16,7 @@ from superhelix.strand_defs import StrandDefs
 
 
 class FrictionFit(NamedTuple):
-    """The outcome of a fit, and the best curve's values (nan before report.first_compared)."""
+    """Result of a fit: a report, and the values of the best curve (NaN before report.first_compared)."""
 
     report: FrictionFitReport
     curve: npt.NDArray[np.float64]
