@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# Runs cargo for another target with a standard library for it. Usage: scripts/cross.sh TARGET COMMAND [ARGUMENT ...]
+#   scripts/cross.sh wasm32-unknown-unknown build --lib
+#
+# The standard library comes from the first of these that has it:
+#   1. the toolchain that cargo runs with, to which rustup adds the target if it can;
+#   2. on Debian, the compiler and the library's sources of the packages rustc-web and rust-web-src (1.89 or later), unpacked into
+#      build/cross without being installed; cargo compiles the library from them.
+# Where neither has it: says "skipped: no standard library for TARGET" and ends with status 77.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+target=$1
+shift
+command=$1
+shift
+cross=$PWD/build/cross
+sources=$cross/debian/usr/lib/rustlib/src/rust/library
+
+has_library() {
+  ls "$(rustc --print target-libdir --target "$target" 2>/dev/null)"/libstd-*.rlib >/dev/null 2>&1
+}
+
+unpack_debian() {
+  local packages=(rustc-web libstd-rust-web-dev rust-web-src libllvm22) version file
+  command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null || return 1
+  apt-cache policy rustc-web 2>/dev/null | grep -q Candidate || { [ "$(id -u)" = 0 ] && apt-get update -qq; } || return 1
+  version=$(apt-cache policy rustc-web | sed -n 's/^ *Candidate: \([0-9.]*\).*/\1/p')
+  [ -n "$version" ] && [ "$(printf '%s\n1.89\n' "$version" | sort -V | head -n 1)" = 1.89 ] || return 1
+  echo "cross.sh: unpacking Debian's rustc $version into build/cross" >&2
+  rm -rf "$cross/debian.new"
+  mkdir -p "$cross/packages" "$cross/debian.new"
+  packages+=("libstd-rust-web-${version%.*}")
+  (cd "$cross/packages" && rm -f ./*.deb && apt-get download -qq "${packages[@]}" >/dev/null 2>&1) || return 1
+  for file in "$cross"/packages/*.deb; do
+    case $file in
+      # Nothing but the library of what is half a gigabyte.
+      */rust-web-src_*) dpkg-deb --fsys-tarfile "$file" | tar -x -C "$cross/debian.new" --wildcards './usr/src/*/library' './usr/lib/*' ;;
+      *) dpkg-deb -x "$file" "$cross/debian.new" ;;
+    esac
+  done
+  rm -rf "$cross/packages" "$cross/debian"
+  mv "$cross/debian.new" "$cross/debian"
+}
+
+if has_library || { command -v rustup >/dev/null && rustup target add "$target" >/dev/null 2>&1 && has_library; }; then
+  exec cargo "$command" --target "$target" "$@"
+fi
+if [ ! -d "$sources" ] && ! unpack_debian; then
+  echo "skipped: no standard library for $target" >&2
+  exit 77
+fi
+# One compiler and one library for all that is built, build scripts too. Unstable cargo options are allowed for this call alone.
+mkdir -p "$cross/bin"
+cat >"$cross/bin/rustc" <<WRAPPER
+#!/bin/sh
+LD_LIBRARY_PATH=$cross/debian/usr/lib/x86_64-linux-gnu\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH} exec $cross/debian/usr/bin/rustc "\$@"
+WRAPPER
+chmod +x "$cross/bin/rustc"
+export RUSTC=$cross/bin/rustc RUSTC_BOOTSTRAP=1
+exec cargo "$command" -Z build-std=std,panic_abort --target "$target" "$@"
