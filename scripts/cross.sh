@@ -3,7 +3,8 @@
 #   scripts/cross.sh wasm32-unknown-unknown build --lib
 #
 # The standard library comes from the first of these that has it:
-#   1. the toolchain that cargo runs with, to which rustup adds the target if it can;
+#   1. the toolchain that cargo runs with, where it has the target (`rustup target add TARGET` gives it to a toolchain of rustup's; that is yours to
+#      do: this script changes no toolchain);
 #   2. on Debian, the compiler and the library's sources of the packages rustc-web and rust-web-src (1.89 or later), unpacked into
 #      build/cross without being installed; cargo compiles the library from them.
 # Where neither has it: says "skipped: no standard library for TARGET" and ends with status 77.
@@ -43,7 +44,7 @@ unpack_debian() {
   mv "$cross/debian.new" "$cross/debian"
 }
 
-if has_library || { command -v rustup >/dev/null && rustup target add "$target" >/dev/null 2>&1 && has_library; }; then
+if has_library; then
   exec cargo "$command" --target "$target" "$@"
 fi
 if [ ! -d "$sources" ] && ! unpack_debian; then

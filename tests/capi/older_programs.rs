@@ -35,7 +35,15 @@ fn compiled(name: &str, include: &Path, source: &Path) -> PathBuf {
     let path = scratch("older").join(name);
     let library = build().join("lib");
     let mut command = Command::new("cc");
-    command.args(["-std=c99", "-O1", "-g"]).args(WARNINGS).arg("-I").arg(include).args(["-x", "c"]).arg(source).arg("-o").arg(&path);
+    command
+        .args(["-std=c99", "-O1", "-g"])
+        .args(WARNINGS)
+        .arg("-I")
+        .arg(include)
+        .args(["-x", "c"])
+        .arg(source)
+        .arg("-o")
+        .arg(&path);
     command.args(["-x", "none"]).arg("-L").arg(&library).args(["-lsuperhelix", "-lm"]);
     command.arg(format!("-Wl,-rpath,{}", library.display()));
     run(&mut command);
@@ -59,7 +67,9 @@ fn the_examples_of_the_baseline_run() {
         return;
     }
     let (folder, out) = (root().join("abi/baseline"), scratch("older"));
-    for (name, file) in [("hello", None), ("errors", None), ("comb", None), ("curls", Some("curls.obj")), ("render", Some("render.usda"))] {
+    for (name, file) in
+        [("hello", None), ("errors", None), ("comb", None), ("curls", Some("curls.obj")), ("render", Some("render.usda"))]
+    {
         let program = compiled(name, &folder, &folder.join(name).with_extension("c"));
         let printed = text(Command::new(program).args(file.map(|file| out.join(file))));
         assert!(!printed.is_empty(), "{name}");
@@ -78,7 +88,9 @@ fn a_program_whose_structures_end_earlier_runs() {
         let (fields, after) = rest.split_once(&format!("\n}} {name};")).expect("its end");
         let kept: Vec<&str> = fields
             .lines()
-            .take_while(|line| !line.trim_end_matches(';').split('[').next().is_some_and(|line| line.ends_with(&format!(" {first}"))))
+            .take_while(|line| {
+                !line.trim_end_matches(';').split('[').next().is_some_and(|line| line.ends_with(&format!(" {first}")))
+            })
             .collect();
         assert!(kept.len() < fields.lines().count(), "{name} has no {first}");
         header = format!("{before}typedef struct {name} {{\n{}\n}} {name};{after}", kept.join("\n"));

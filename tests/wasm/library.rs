@@ -2,6 +2,8 @@
 //! there as on any other machine.
 #![allow(unsafe_code, reason = "exported by name")]
 
+extern crate superhelix as _;
+
 use superhelix::contact::options::ContactModel;
 use superhelix::math::lanes::InstructionSet;
 use superhelix::solver::definition::{SolverOptions, Workers};

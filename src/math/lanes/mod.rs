@@ -66,7 +66,11 @@ impl InstructionSet {
                 return Self::Avx2;
             }
         }
-        if cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")) { Self::Baseline } else { Self::Scalar }
+        if cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")) {
+            Self::Baseline
+        } else {
+            Self::Scalar
+        }
     }
 
     /// The set of that number, as the C ABI has it.

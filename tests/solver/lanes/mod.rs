@@ -44,9 +44,7 @@ impl ParallelFor for Host {
 fn all_instruction_sets_and_workers_give_the_same_bits_and_reports() {
     let mut found = Vec::new();
     for (integrator, precision, golden) in GOLDEN {
-        let run = |set, workers| {
-            course(SolverOptions { workers, ..golden_options(integrator, precision, set) })
-        };
+        let run = |set, workers| course(SolverOptions { workers, ..golden_options(integrator, precision, set) });
         let (reports, hash) = run(InstructionSet::Scalar, Workers::Serial);
         // The scene has what it is for.
         let count = |of: fn(&superhelix::solver::report::StepReport) -> u32| reports.iter().map(of).sum::<u32>();
