@@ -1,0 +1,46 @@
+"""superhelix: a hair engine. Strands are Super-Helices: inextensible rods of helical elements, simulated robustly at large time steps.
+
+Units are SI (m, kg, s, N, Pa), curvature and twist in rad/m, axes right-handed. Gravity is (0, 0, -9.81) unless you say otherwise. A frame
+is a row of seven float64: origin, and unit quaternion x, y, z, w (superhelix.frames makes them). Points go in and out as numpy arrays, float32
+or float64, without copies. Errors are SuperhelixError and its subclasses, with the library's text. docs/python.md is the guide.
+"""
+
+from __future__ import annotations
+
+from superhelix import enums, frames, groom, records
+from superhelix._callbacks import Run, log_to_logging, parallel_for_on
+from superhelix._library import build_info, version
+from superhelix.bodies import BodyDef, bake_distance_grid
+from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, write_curves
+from superhelix.enums import *  # noqa: F403
+from superhelix.errors import (
+    BufferTooSmallError,
+    BusyError,
+    FileError,
+    InternalError,
+    InvalidArgumentError,
+    InvalidIdError,
+    NullArgumentError,
+    OutOfMemoryError,
+    PoisonedError,
+    SnapshotError,
+    StructSizeError,
+    SuperhelixError,
+    UnsupportedError,
+)
+from superhelix.fit import Fit, fit_polyline, fit_strands, sag_free_curvatures, spline_points
+from superhelix.friction import fit_friction
+from superhelix.groom import Groom, interpolate, simulate
+from superhelix.hair import hair_strands, hair_type, wisp_material
+from superhelix.ids import BodyId, BodyIds, ConstraintId, ConstraintIds, StrandId, StrandIds
+from superhelix.records import *  # noqa: F403
+from superhelix.render import RenderGuides, RenderHair, RenderPose
+from superhelix.scalp import Scalp
+from superhelix.settings import preset_settings, suggest_elements, suggest_settings
+from superhelix.solver import Cancel, Solver
+from superhelix.strand_defs import StrandDefs
+
+# The class with constructors for each shape, not the plain structure.
+BodyDef = BodyDef
+
+__version__ = version()
