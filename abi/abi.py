@@ -22,8 +22,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from compare import Changes, compare  # noqa: E402
-from description import ROOT, Description, of_header, of_text, to_text  # noqa: E402
+from compare import Changes, compare
+from description import ROOT, Description, of_header, of_text, to_text
 
 HEADER = ROOT / "include" / "superhelix.h"
 EXPORTS = ROOT / "include" / "exports.txt"
@@ -74,7 +74,7 @@ def check(header: Path, exports: Path) -> int:
         print(f"abi: programs compiled against {old.version} run with this header's library")
         return 0
     if is_announced(old, new):
-        print(f"abi: breaks, and SHX_ABI_VERSION says so ({old.abi_version} to {new.abi_version}); `make abi-baseline` makes this header the baseline")
+        print(f"abi: breaks, and SHX_ABI_VERSION says so ({old.abi_version} to {new.abi_version}); next: `make abi-baseline`")
         return 0
     print("abi: breaks that nobody announced. Take them back, or raise SHX_ABI_VERSION in src/capi/version.rs and tell of them in CHANGELOG.md")
     return 1

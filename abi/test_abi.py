@@ -12,9 +12,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-import abi  # noqa: E402
-from compare import compare  # noqa: E402
-from description import of_header, of_text, to_text  # noqa: E402
+from compare import compare
+from description import of_header, of_text, to_text
+
+import abi
 
 TEXT = abi.BASELINE_HEADER.read_text(encoding="utf-8")
 OLD = abi.baseline()

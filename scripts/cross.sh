@@ -23,7 +23,7 @@ has_library() {
 }
 
 unpack_debian() {
-  local packages=(rustc-web libstd-rust-web-dev rust-web-src libllvm22) version file
+  local version library llvm file packages
   command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null || return 1
   apt-cache policy rustc-web 2>/dev/null | grep -q Candidate || { [ "$(id -u)" = 0 ] && apt-get update -qq; } || return 1
   version=$(apt-cache policy rustc-web | sed -n 's/^ *Candidate: \([0-9.]*\).*/\1/p')
@@ -31,7 +31,9 @@ unpack_debian() {
   echo "cross.sh: unpacking Debian's rustc $version into build/cross" >&2
   rm -rf "$cross/debian.new"
   mkdir -p "$cross/packages" "$cross/debian.new"
-  packages+=("libstd-rust-web-${version%.*}")
+  library=libstd-rust-web-${version%.*}
+  llvm=$(apt-cache depends "$library" | sed -n 's/.*Depends: libllvm//p')
+  packages=(rustc-web "$library" libstd-rust-web-dev rust-web-src "libllvm$llvm" "lld-$llvm")
   (cd "$cross/packages" && rm -f ./*.deb && apt-get download -qq "${packages[@]}" >/dev/null 2>&1) || return 1
   for file in "$cross"/packages/*.deb; do
     case $file in
@@ -57,6 +59,10 @@ cat >"$cross/bin/rustc" <<WRAPPER
 #!/bin/sh
 LD_LIBRARY_PATH=$cross/debian/usr/lib/x86_64-linux-gnu\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH} exec $cross/debian/usr/bin/rustc "\$@"
 WRAPPER
-chmod +x "$cross/bin/rustc"
-export RUSTC=$cross/bin/rustc RUSTC_BOOTSTRAP=1
+cat >"$cross/bin/wasm-ld" <<WRAPPER
+#!/bin/sh
+LD_LIBRARY_PATH=$cross/debian/usr/lib/x86_64-linux-gnu\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH} exec $cross/debian/usr/lib/llvm-*/bin/wasm-ld "\$@"
+WRAPPER
+chmod +x "$cross/bin/rustc" "$cross/bin/wasm-ld"
+export RUSTC=$cross/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$cross/bin/wasm-ld
 exec cargo "$command" -Z build-std=std,panic_abort --target "$target" "$@"

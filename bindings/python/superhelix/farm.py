@@ -14,6 +14,7 @@ machine). ``out/NAME/`` has a task's files, ``out/results.json`` all outcomes. S
 from __future__ import annotations
 
 import contextlib
+import importlib
 import json
 import os
 import shutil
@@ -131,24 +132,27 @@ def find_binary(binary: str | os.PathLike[str] | None) -> str:
 @contextlib.contextmanager
 def connected(client: Client | None, workers: int | None, retries: int) -> Iterator[Client]:
     """The client given, or one of a cluster that lives as long as this."""
-    try:
-        import dask
-        from distributed import Client as DaskClient
-        from distributed import LocalCluster
-    except ImportError as error:
-        raise ImportError("superhelix.farm needs Dask: pip install 'superhelix[farm]'") from error
+    dask, distributed = needed("dask"), needed("distributed")
     # How often a part may lose its worker is the scheduler's to know: that of a cluster that is given has it from its own configuration.
     with contextlib.ExitStack() as stack:
         if client is None:
             stack.enter_context(dask.config.set({"distributed.scheduler.allowed-failures": retries}))
-            cluster = stack.enter_context(LocalCluster(n_workers=workers or os.cpu_count() or 1, threads_per_worker=1, dashboard_address=":0"))
-            client = stack.enter_context(DaskClient(cluster))
+            cluster = distributed.LocalCluster(n_workers=workers or os.cpu_count() or 1, threads_per_worker=1, dashboard_address=":0")
+            client = stack.enter_context(distributed.Client(stack.enter_context(cluster)))
         yield client
 
 
-def submit(cluster: Client, task: Task, folder: str, binary: str, retries: int) -> list[Future]:
+def needed(module: str) -> Any:
+    """A module of the extra."""
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        raise ImportError("superhelix.farm needs Dask: pip install 'superhelix[farm]'") from error
+
+
+def submit(cluster: Client, task: Task, folder: str, binary: str, retries: int) -> list[Future[Any]]:
     """Hands out the parts of a task, each of which waits for the one before."""
-    chain: list[Future] = []
+    chain: list[Future[Any]] = []
     for part in range(number_of_parts(task)):
         before = chain[-1] if chain else None
         # Impure: two calls of `run` with the same tasks are two.
@@ -157,15 +161,12 @@ def submit(cluster: Client, task: Task, folder: str, binary: str, retries: int) 
     return chain
 
 
-def follow(chains: Sequence[Sequence[Future]], log: TextIO | None) -> None:
+def follow(chains: Sequence[Sequence[Future[Any]]], log: TextIO | None) -> None:
     """Waits for all, telling how far they are."""
-    from distributed import as_completed
-
     futures = [future for chain in chains for future in chain]
     last = {chain[-1].key for chain in chains}
-    began, done, tasks_done, shown = time.monotonic(), 0, 0, -1.0
-    for future in as_completed(futures):
-        done += 1
+    began, tasks_done, shown = time.monotonic(), 0, -1.0
+    for done, future in enumerate(needed("distributed").as_completed(futures), 1):
         tasks_done += future.key in last
         now = time.monotonic()
         # A line a second is enough, and one at the end.
@@ -175,7 +176,7 @@ def follow(chains: Sequence[Sequence[Future]], log: TextIO | None) -> None:
             print(f"farm: {tasks_done} of {len(chains)} tasks, {done} of {len(futures)} parts, about {left:.0f} s left", file=log, flush=True)
 
 
-def gathered(task: Task, chain: Sequence[Future], folder: str) -> Outcome:
+def gathered(task: Task, chain: Sequence[Future[Any]], folder: str) -> Outcome:
     """The outcome of a task, whether its parts came to an end or not."""
     parts = []
     for future in chain:

@@ -408,4 +408,7 @@ def write(path: Path, text: str) -> None:
 @functools.cache
 def digest_of_binary(binary: str) -> str:
     """Which build it is: another one may come to other numbers."""
-    return hashlib.sha256(Path(binary).read_bytes()).hexdigest()
+    try:
+        return hashlib.sha256(Path(binary).read_bytes()).hexdigest()
+    except OSError as error:
+        raise FarmError(f"{binary}: not there on this worker: {error}") from error

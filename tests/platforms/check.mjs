@@ -1,5 +1,5 @@
 // The library as WebAssembly under node: the golden hashes of the tests, and the C interface.
-//   node tests/wasm/check.mjs MODULE.wasm
+//   node tests/platforms/check.mjs MODULE.wasm
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";

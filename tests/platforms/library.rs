@@ -1,5 +1,5 @@
-//! The module that `tests/wasm/check.mjs` runs under node: the C interface, and the golden courses of the tests, which must come to the same hashes
-//! there as on any other machine.
+//! The library as other platforms have it, WebAssembly under node (`check.mjs`) and Windows (`check.c`): the C interface, and the golden courses of the
+//! tests, which must come to the same hashes there as on any other machine.
 #![allow(unsafe_code, reason = "exported by name")]
 
 extern crate superhelix as _;
