@@ -47,6 +47,8 @@ export class Superhelix {
   #memory;
   #types = new Map();
   #functions = new Map();
+  // A block of memory: where it begins, where it is free from, where it ends.
+  #block = 0;
   #free = 0;
   #end = 0;
 
@@ -97,8 +99,8 @@ export class Superhelix {
     if (this.#free + size > this.#end) {
       const pages = Math.max(16, Math.ceil(size / PAGE));
       // Memory that the module did not ask for is never its allocator's.
-      this.#free = this.#memory.grow(pages) * PAGE;
-      this.#end = this.#free + pages * PAGE;
+      this.#block = this.#free = this.#memory.grow(pages) * PAGE;
+      this.#end = this.#block + pages * PAGE;
     }
     const address = this.#free;
     this.#free += size;
@@ -108,12 +110,12 @@ export class Superhelix {
 
   /** Runs `body`; what it allocates is free afterwards. Give it a body that returns at once, not a promise. */
   scope(body) {
-    const [free, end] = [this.#free, this.#end];
+    const [block, free] = [this.#block, this.#free];
     try {
       return body();
     } finally {
-      // A block that was begun in between is left: the one before has room again.
-      [this.#free, this.#end] = [free, end];
+      // Of a block that was begun in between all is free.
+      this.#free = this.#block === block ? free : this.#block;
     }
   }
 

@@ -54,6 +54,16 @@ test("every structure that states its size is filled at the size that this modul
   }
 });
 
+test("memory of a scope is used again", () => {
+  const pages = () => shx.exports.memory.buffer.byteLength / 65536;
+  shx.scope(() => shx.allocate(3 << 20));
+  const before = pages();
+  for (let frame = 0; frame < 100; frame++) shx.scope(() => shx.allocate(3 << 20));
+  assert.equal(pages(), before);
+  const [kept, next] = [shx.allocate(16), shx.allocate(16)];
+  assert.notEqual(kept, next);
+});
+
 test("errors name what is wrong, and what there is not is refused", () => {
   const refused = (body, code, text) =>
     assert.throws(body, (error) => error instanceof SuperhelixError && error.name === code && text.test(error.message));
