@@ -19,9 +19,9 @@ fn in_words_of_c(error: Error) -> Error {
 /// Adds count bodies, all or none. Definition i starts i * def_stride bytes after the first; def_stride is
 /// usually sizeof(shx_body_def). Writes count ids to out_ids, in the order of the definitions. Only strands
 /// with contact collide with bodies: see shx_solver_set_strand_contact.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the message names, say,
-/// "defs[3].radius", or the triangle at which a mesh is open), SHX_ERROR_INVALID_ID (shape_of),
-/// SHX_ERROR_OUT_OF_MEMORY.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the
+/// message names, say, "defs[3].radius", or the triangle at which a mesh is open),
+/// SHX_ERROR_INVALID_ID (shape_of), SHX_ERROR_OUT_OF_MEMORY.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_add_bodies(
@@ -122,8 +122,8 @@ pub unsafe extern "C" fn shx_solver_set_body_frames(
     }
 }
 
-/// Moves count bodies to the given frames at once, at rest, without sweeping the space in between. All or
-/// none.
+/// Moves count bodies to the given frames at once, at rest,
+/// without sweeping the space in between. All or none.
 /// Errors: as shx_solver_set_body_frames.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
@@ -141,10 +141,10 @@ pub unsafe extern "C" fn shx_solver_teleport_bodies(
     }
 }
 
-/// Writes the current frames of count bodies to frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the
-/// quaternions alone).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Writes the current frames of count bodies to frames
+/// (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_body_frames(
@@ -190,8 +190,8 @@ pub unsafe extern "C" fn shx_solver_set_body_vertices(
     }
 }
 
-/// Sets thickness (m), friction_scale and viscous_friction_scale of a body, as in shx_body_def; all zero or
-/// above.
+/// Sets thickness (m), friction_scale and viscous_friction_scale
+/// of a body, as in shx_body_def; all zero or above.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
@@ -211,8 +211,8 @@ pub unsafe extern "C" fn shx_solver_set_body_surface(
     }
 }
 
-/// Sets the collision groups of a body and the groups that it collides with, as in shx_body_def. Any bits are
-/// valid.
+/// Sets the collision groups of a body and the groups that it
+/// collides with, as in shx_body_def. Any bits are valid.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
@@ -230,8 +230,8 @@ pub unsafe extern "C" fn shx_solver_set_body_filter(
 
 /// Writes the wrench that strands exerted on each of count bodies in the last substep: force (N) and torque
 /// about the body's origin (N m), in world axes. SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_body_wrenches(

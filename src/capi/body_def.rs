@@ -32,19 +32,19 @@ pub const SHX_SHAPE_HALF_SPACE: u32 = 5;
 pub const SHX_SHAPE_HULL: u32 = 6;
 /// A triangle mesh: vertices, triangles, sides. The only shape that can deform (shx_solver_set_body_vertices).
 pub const SHX_SHAPE_MESH: u32 = 7;
-/// A signed distance grid from shx_distance_grid_bake: grid. Fast for large meshes that do not deform; edges
-/// are rounded by about a cell.
+/// A signed distance grid from shx_distance_grid_bake: grid. Fast for large meshes that
+/// do not deform; edges are rounded by about a cell.
 pub const SHX_SHAPE_GRID: u32 = 8;
 
-/// The current shape of another body of the solver: shape_of. Bodies that share a shape store it once; one
-/// that deforms gets its own copy.
+/// The current shape of another body of the solver: shape_of. Bodies that share a shape
+/// store it once; one that deforms gets its own copy.
 pub const SHX_SHAPE_SHARED: u32 = 9;
 
-/// The mesh is closed, its triangles counter-clockwise seen from outside. Strands inside are pushed out from
-/// any depth.
+/// The mesh is closed, its triangles counter-clockwise seen from
+/// outside. Strands inside are pushed out from any depth.
 pub const SHX_SIDES_SOLID: u32 = 1;
-/// Strands stay on the side from which triangles appear counter-clockwise. Strands behind it, closer than
-/// depth, are pushed to the front.
+/// Strands stay on the side from which triangles appear counter-clockwise. Strands
+/// behind it, closer than depth, are pushed to the front.
 pub const SHX_SIDES_FRONT: u32 = 2;
 /// Two-sided, like a sheet: a strand stays on the side on which it started the step.
 pub const SHX_SIDES_BOTH: u32 = 3;
@@ -74,8 +74,8 @@ pub struct shx_body_def {
     pub normal: [f64; 3],
     /// Hull, mesh: vertices in body axes, m (SHX_FORMAT_F32X3 or _F64X3). Default: none.
     pub vertices: shx_input,
-    /// Mesh: three vertex indices per triangle, counter-clockwise seen from outside; 3 triangle_count numbers.
-    /// Default null.
+    /// Mesh: three vertex indices per triangle, counter-clockwise seen from
+    /// outside; 3 triangle_count numbers. Default null.
     pub triangles: *const u32,
     /// Mesh: number of triangles. Default 0: set it.
     pub triangle_count: usize,
@@ -97,11 +97,11 @@ pub struct shx_body_def {
     pub viscous_friction_scale: f64,
     /// Collision groups of the body, as bits. Default 1.
     pub groups: u32,
-    /// Groups that the body collides with, as bits. A body and a strand collide if each is in a group of the
-    /// other's mask. Default: all.
+    /// Groups that the body collides with, as bits. A body and a strand collide if each
+    /// is in a group of the other's mask. Default: all.
     pub mask: u32,
-    /// Shared: a body from an earlier call. Its pose, surface and groups are not copied. Default null id: set
-    /// it.
+    /// Shared: a body from an earlier call. Its pose, surface
+    /// and groups are not copied. Default null id: set it.
     pub shape_of: shx_body_id,
 }
 

@@ -15,13 +15,13 @@ use crate::solver::id::{ConstraintId, StrandId};
 
 /// The material point stays at the origin of the target.
 pub const SHX_CONSTRAINT_POINT: u32 = 1;
-/// As SHX_CONSTRAINT_POINT, and the tangent stays along the first axis of the target. The strand can rotate
-/// about it.
+/// As SHX_CONSTRAINT_POINT, and the tangent stays along the first
+/// axis of the target. The strand can rotate about it.
 pub const SHX_CONSTRAINT_DIRECTION: u32 = 2;
 /// As SHX_CONSTRAINT_POINT, and the material frame stays that of the target.
 pub const SHX_CONSTRAINT_FRAME: u32 = 3;
-/// The strand slides through a ring at the origin of the target, with Coulomb friction, and is free once its
-/// tip has passed.
+/// The strand slides through a ring at the origin of the target, with
+/// Coulomb friction, and is free once its tip has passed.
 pub const SHX_CONSTRAINT_RING: u32 = 4;
 /// The material point stays at a material point of another strand, or of the same one (a closed loop).
 pub const SHX_CONSTRAINT_TIE: u32 = 5;
@@ -35,8 +35,8 @@ pub const SHX_CONSTRAINT_STATUS_VIOLATED: u32 = 3;
 /// The strand has slipped out of the ring.
 pub const SHX_CONSTRAINT_STATUS_RELEASED: u32 = 4;
 
-/// Definition of a constraint. Fill it with shx_constraint_def_init, then set strand, arclength, kind and what
-/// that kind needs.
+/// Definition of a constraint. Fill it with shx_constraint_def_init, then set
+/// strand, arclength, kind and what that kind needs.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_constraint_def {
@@ -46,8 +46,8 @@ pub struct shx_constraint_def {
     pub kind: u32,
     /// The constrained strand. Default null id: set it.
     pub strand: shx_strand_id,
-    /// Arclength of the constrained point from the root, m; 0 to the length of the strand. A ring starts near
-    /// it. Default 0.
+    /// Arclength of the constrained point from the root, m; 0 to the length
+    /// of the strand. A ring starts near it. Default 0.
     pub arclength: f64,
     /// Tie: the other strand, or the same one. Default null id.
     pub other_strand: shx_strand_id,
@@ -209,9 +209,9 @@ pub unsafe extern "C" fn shx_solver_remove_constraints(
     unsafe { write("shx_solver_remove_constraints", solver, |core, _| core.remove_constraints(&constraint_ids(ids, count)?)) }
 }
 
-/// Returns whether id names a constraint of this solver. False for the null id, a removed constraint, one
-/// whose strand was removed, one of another solver, and a null or poisoned solver (shx_last_error then has the
-/// message).
+/// Returns whether id names a constraint of this solver. False for the null id, a removed
+/// constraint, one whose strand was removed, one of another solver, and a null or
+/// poisoned solver (shx_last_error then has the message).
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_has_constraint(solver: *const shx_solver, id: shx_constraint_id) -> bool {
@@ -240,8 +240,8 @@ pub unsafe extern "C" fn shx_solver_constraint_count(solver: *const shx_solver, 
     }
 }
 
-/// Writes the ids of all constraints, in the order in which they were added, to out_ids, which holds capacity
-/// ids.
+/// Writes the ids of all constraints, in the order in which they
+/// were added, to out_ids, which holds capacity ids.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (see shx_solver_constraint_count).
 /// Threads: shared.
 #[unsafe(no_mangle)]
@@ -282,10 +282,10 @@ pub unsafe extern "C" fn shx_solver_set_constraint_targets(
     }
 }
 
-/// Writes the current targets of count constraints to frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the
-/// quaternions alone).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Writes the current targets of count constraints to frames
+/// (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_constraint_targets(
@@ -308,8 +308,8 @@ pub unsafe extern "C" fn shx_solver_get_constraint_targets(
     }
 }
 
-/// Writes the states of count constraints in the last substep to out_states, which holds count items, stride
-/// bytes apart (0: tightly packed; any alignment).
+/// Writes the states of count constraints in the last substep to out_states, which holds count items,
+/// stride bytes apart (0: tightly packed; any alignment).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: shared.
 #[unsafe(no_mangle)]

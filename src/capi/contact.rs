@@ -29,8 +29,8 @@ pub struct shx_contact_options {
     pub struct_size: u32,
     /// SHX_CONTACT_. Default SHX_CONTACT_COULOMB.
     pub model: u32,
-    /// 1: strands with a wisp_radius also collide with each other. 0 (default): strands collide with bodies
-    /// only.
+    /// 1: strands with a wisp_radius also collide with each
+    /// other. 0 (default): strands collide with bodies only.
     pub hair_contact: u32,
     /// Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1
     /// to 10000. Default 50. Penalty models: up to 10 is a choice of cost; the remaining penetration is resolved
@@ -54,8 +54,8 @@ pub struct shx_contact_options {
     /// weight of the lightest strand, if larger) and some sliding velocity within residual times 0.01 m/s of the
     /// actual one. Default 1e-4: a ten-thousandth of the force, and a micrometre per second.
     pub residual: f64,
-    /// SHX_CONTACT_COULOMB: speed at which surfaces that penetrate at the start of a step are separated, m/s;
-    /// above zero. Default 0.1.
+    /// SHX_CONTACT_COULOMB: speed at which surfaces that penetrate at the start of a
+    /// step are separated, m/s; above zero. Default 0.1.
     pub separation_speed: f64,
 }
 
@@ -172,15 +172,15 @@ pub struct shx_strand_contact {
     pub struct_size: u32,
     /// Collision groups of the strand, as bits. Default 1.
     pub groups: u32,
-    /// Groups that the strand collides with, as bits. Two objects collide if each is in a group of the other's
-    /// mask. Default: all.
+    /// Groups that the strand collides with, as bits. Two objects collide if each
+    /// is in a group of the other's mask. Default: all.
     pub mask: u32,
     /// Must be 0.
     pub reserved0: u32,
     /// Contact radius against bodies, m; zero or above. Default 50e-6.
     pub radius: f64,
-    /// Contact radius against other strands, m: that of the wisp which the strand represents; zero or above.
-    /// Default 0: no contact with strands.
+    /// Contact radius against other strands, m: that of the wisp which the strand represents;
+    /// zero or above. Default 0: no contact with strands.
     pub wisp_radius: f64,
     /// Coulomb coefficient against bodies, multiplied by their friction_scale; zero or above. Default 0.2.
     pub friction_along: f64,
@@ -261,11 +261,11 @@ pub unsafe extern "C" fn shx_strand_contact_init(contact: *mut shx_strand_contac
     unsafe { initialise("shx_strand_contact_init", "contact", contact, size) }
 }
 
-/// Sets the contact properties of count strands. With null contacts they collide with nothing, as new strands
-/// do. contact_stride 0: one structure for all strands; otherwise that of strand i starts i * contact_stride
-/// bytes after the first. All or none.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT
-/// (the message names, say, "contacts[3].radius").
+/// Sets the contact properties of count strands. With null contacts they collide with nothing, as new
+/// strands do. contact_stride 0: one structure for all strands; otherwise that of strand i starts i *
+/// contact_stride bytes after the first. All or none.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT (the message names, say, "contacts[3].radius").
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_strand_contact(
@@ -306,8 +306,8 @@ pub unsafe extern "C" fn shx_solver_set_strand_contact(
     unsafe { write("shx_solver_set_strand_contact", solver, |core, _| body(core)) }
 }
 
-/// Writes the contact properties of a strand to *out_contact and 1 to *out_enabled. For a strand without
-/// contact it writes the defaults and 0.
+/// Writes the contact properties of a strand to *out_contact and 1 to *out_enabled. For a
+/// strand without contact it writes the defaults and 0.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID.
 /// Threads: shared.
 #[unsafe(no_mangle)]

@@ -74,8 +74,8 @@ impl From<&Contact> for shx_contact {
     }
 }
 
-/// Returns the number of contacts with non-zero force at the end of the last substep: the capacity that
-/// shx_solver_contacts needs.
+/// Returns the number of contacts with non-zero force at the end of the last
+/// substep: the capacity that shx_solver_contacts needs.
 /// Errors: SHX_ERROR_NULL_ARGUMENT.
 /// Threads: shared.
 #[unsafe(no_mangle)]
@@ -93,8 +93,8 @@ pub unsafe extern "C" fn shx_solver_contact_count(solver: *const shx_solver, out
 /// capacity items, stride bytes apart (0: tightly packed; any alignment), and their number to *out_count.
 /// Their order does not depend on the number of threads. The list is empty after shx_solver_restore, and after
 /// strands or bodies were removed, until the next step.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (stride), SHX_ERROR_BUFFER_TOO_SMALL (see
-/// shx_solver_contact_count).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (stride),
+/// SHX_ERROR_BUFFER_TOO_SMALL (see shx_solver_contact_count).
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_contacts(

@@ -11,13 +11,13 @@ use super::types::shx_input;
 use crate::error::{Error, Result};
 use crate::files::curve_cache::{CurveCache, CurveCacheWriter};
 
-/// Curves over time. shx_curve_cache_read makes it, you own it, shx_curve_cache_destroy frees it. Immutable:
-/// any number of threads may use it at once.
+/// Curves over time. shx_curve_cache_read makes it, you own it, shx_curve_cache_destroy frees it.
+/// Immutable: any number of threads may use it at once.
 pub struct shx_curve_cache(CurveCache);
 
-/// A curve cache while it is being written. shx_curve_cache_writer_create makes it and you own it.
-/// shx_curve_cache_writer_finish completes the file and frees the writer; shx_curve_cache_writer_abandon
-/// discards both.
+/// A curve cache while it is being written. shx_curve_cache_writer_create makes it
+/// and you own it. shx_curve_cache_writer_finish completes the file and frees the
+/// writer; shx_curve_cache_writer_abandon discards both.
 pub struct shx_curve_cache_writer(CurveCacheWriter);
 
 /// Reads the curves of a .usda file at all of its time samples. Static curves become one frame at time 0. You
@@ -87,10 +87,10 @@ pub unsafe extern "C" fn shx_curve_cache_times(
 }
 
 /// Returns the curves at a time, s, with velocities if the file has them (shx_curves_attribute). Between
-/// frames it interpolates linearly; before the first and after the last frame it returns that frame. You own
-/// *out_curves; free it with shx_curves_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (time), SHX_ERROR_FILE,
-/// SHX_ERROR_OUT_OF_MEMORY.
+/// frames it interpolates linearly; before the first and after the last frame it returns that frame. You
+/// own *out_curves; free it with shx_curves_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT
+/// (time), SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_sample(
@@ -106,10 +106,10 @@ pub unsafe extern "C" fn shx_curve_cache_sample(
     })
 }
 
-/// Starts to write a cache, a .usda file. first gives the point counts and what does not change over time
-/// (diameters, colours, units, up axis). Its points are not written; if it has velocities, every frame must
-/// have them. Times are stored in units of 1/frames_per_second s; above 0. The file appears when you finish
-/// the cache. You own *out_writer.
+/// Starts to write a cache, a .usda file. first gives the point counts and what does not change over
+/// time (diameters, colours, units, up axis). Its points are not written; if it has velocities, every
+/// frame must have them. Times are stored in units of 1/frames_per_second s; above 0. The file
+/// appears when you finish the cache. You own *out_writer.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
 /// Threads: any.
 #[unsafe(no_mangle)]
@@ -131,11 +131,11 @@ pub unsafe extern "C" fn shx_curve_cache_writer_create(
     })
 }
 
-/// Writes a frame: its time, s, later than that of the previous frame, and the points of all strands
-/// (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4). velocities (same formats) are required if first had them, and
-/// null otherwise.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the writer is then useless:
-/// abandon it).
+/// Writes a frame: its time, s, later than that of the previous frame, and the points
+/// of all strands (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4). velocities (same formats)
+/// are required if first had them, and null otherwise.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT,
+/// SHX_ERROR_FILE (the writer is then useless: abandon it).
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_writer_write(

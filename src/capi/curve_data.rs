@@ -39,9 +39,9 @@ pub const SHX_UP_AXIS_Y: u32 = 1;
 /// The z axis points up.
 pub const SHX_UP_AXIS_Z: u32 = 2;
 
-/// Curves to write to a file. Fill it with shx_curve_data_init, then set at least points, point_counts and
-/// strand_count. Attributes whose array is null are not written. The library reads the arrays during the call
-/// only.
+/// Curves to write to a file. Fill it with shx_curve_data_init, then set at least
+/// points, point_counts and strand_count. Attributes whose array is null are not
+/// written. The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_curve_data {
@@ -214,9 +214,9 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
     Ok((curves, version))
 }
 
-/// Writes curves to a file: .hair (Cem Yuksel), .tfx (TressFX), .obj (Wavefront lines) or .usda (USD text), by
-/// the ending of its name. Attributes that the format cannot store are omitted: see the table in
-/// docs/files.md.
+/// Writes curves to a file: .hair (Cem Yuksel), .tfx (TressFX), .obj (Wavefront lines)
+/// or .usda (USD text), by the ending of its name. Attributes that the format cannot
+/// store are omitted: see the table in docs/files.md.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
 /// Threads: any.
 #[unsafe(no_mangle)]
@@ -231,9 +231,9 @@ pub unsafe extern "C" fn shx_curve_data_write(path: *const c_char, data: *const 
     })
 }
 
-/// Writes an attribute of curves (SHX_CURVE_ATTRIBUTE_) to out_values, which holds capacity floats, and its
-/// number of floats to *out_count: 0 if the file does not have it. With null out_values and capacity 0 it only
-/// returns the number.
+/// Writes an attribute of curves (SHX_CURVE_ATTRIBUTE_) to out_values, which holds capacity
+/// floats, and its number of floats to *out_count: 0 if the file does not have it. With null
+/// out_values and capacity 0 it only returns the number.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (attribute), SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]

@@ -10,9 +10,9 @@ use super::types::{MAX_COUNT, shx_input, shx_output};
 use crate::error::{Error, Result, check_finite};
 use crate::files::curves::Curves;
 
-/// Curves of a groom file: polylines, root first, in the units of the file. shx_curves_read and
-/// shx_curve_cache_sample make them, you own them, shx_curves_destroy frees them. Immutable: any number of
-/// threads may use them at once.
+/// Curves of a groom file: polylines, root first, in the units of the file. shx_curves_read
+/// and shx_curve_cache_sample make them, you own them, shx_curves_destroy frees them.
+/// Immutable: any number of threads may use them at once.
 pub struct shx_curves(Curves);
 
 impl shx_curves {
@@ -51,9 +51,9 @@ pub(super) unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Cu
     }
 }
 
-/// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines), .usda (USD
-/// text, first time sample) or plain .data. path is UTF-8 (on Unix any bytes). You own *out_curves; free it
-/// with shx_curves_destroy.
+/// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines),
+/// .usda (USD text, first time sample) or plain .data. path is UTF-8 (on Unix any bytes). You
+/// own *out_curves; free it with shx_curves_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (unreadable, unknown format,
 /// truncated, too large, malformed), SHX_ERROR_OUT_OF_MEMORY.
 /// Threads: any.
@@ -121,8 +121,8 @@ pub unsafe extern "C" fn shx_curves_point_counts(curves: *const shx_curves, out_
 
 /// Writes the points of strand_count strands from first_strand on, strand by strand, multiplied by scale
 /// (metres per file unit; above zero). points: SHX_FORMAT_F32X3 or _F64X3.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that do not exist, scale),
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that
+/// do not exist, scale), SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curves_points(
@@ -155,11 +155,11 @@ pub unsafe extern "C" fn shx_curves_points(
     })
 }
 
-/// Writes polylines to a file: .obj (Wavefront lines), .hair (Cem Yuksel), .tfx (TressFX) or .usda (USD text),
-/// by the ending of its name. Use it for the frames of a cache with one file per frame. points holds the
-/// points of all strands, strand by strand (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; rounded to floats, a
-/// fourth number is ignored). point_counts holds strand_count numbers, each at least 2, that sum to
-/// points.count.
+/// Writes polylines to a file: .obj (Wavefront lines), .hair (Cem Yuksel), .tfx (TressFX) or .usda
+/// (USD text), by the ending of its name. Use it for the frames of a cache with one file per
+/// frame. points holds the points of all strands, strand by strand (SHX_FORMAT_F32X3, _F32X4,
+/// _F64X3, _F64X4; rounded to floats, a fourth number is ignored). point_counts holds strand_count
+/// numbers, each at least 2, that sum to points.count.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
 /// Threads: any.
 #[unsafe(no_mangle)]

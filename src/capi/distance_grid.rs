@@ -25,8 +25,8 @@ pub struct shx_distance_grid_def {
     pub reserved0: u32,
     /// Vertices, m (SHX_FORMAT_F32X3 or _F64X3). Default: none, set it.
     pub vertices: shx_input,
-    /// Three vertex indices per triangle, counter-clockwise seen from outside; 3 triangle_count numbers. Default
-    /// null: set it.
+    /// Three vertex indices per triangle, counter-clockwise seen from
+    /// outside; 3 triangle_count numbers. Default null: set it.
     pub triangles: *const u32,
     /// Number of triangles. Default 0: set it.
     pub triangle_count: usize,

@@ -14,8 +14,8 @@ pub type shx_result = i32;
 pub const SHX_OK: i32 = 0;
 /// A required pointer is null. The message names it.
 pub const SHX_ERROR_NULL_ARGUMENT: i32 = -1;
-/// A value is invalid: not finite, out of range, an unknown enumerated value, a wrong count. The message names
-/// the argument and the value.
+/// A value is invalid: not finite, out of range, an unknown enumerated value, a wrong
+/// count. The message names the argument and the value.
 pub const SHX_ERROR_INVALID_ARGUMENT: i32 = -2;
 /// An id names nothing in this solver: it is null, its object was removed, or it belongs to another solver.
 pub const SHX_ERROR_INVALID_ID: i32 = -3;
@@ -23,8 +23,8 @@ pub const SHX_ERROR_INVALID_ID: i32 = -3;
 pub const SHX_ERROR_STRUCT_SIZE: i32 = -4;
 /// Your buffer is too small. The message gives the required size.
 pub const SHX_ERROR_BUFFER_TOO_SMALL: i32 = -5;
-/// The object is in use: the call came from one of its own callbacks, or from a second thread at the same
-/// time.
+/// The object is in use: the call came from one of its own
+/// callbacks, or from a second thread at the same time.
 pub const SHX_ERROR_BUSY: i32 = -6;
 /// The data is not a snapshot, is truncated or corrupt, or has another version.
 pub const SHX_ERROR_SNAPSHOT: i32 = -7;
@@ -32,14 +32,14 @@ pub const SHX_ERROR_SNAPSHOT: i32 = -7;
 pub const SHX_ERROR_OUT_OF_MEMORY: i32 = -8;
 /// This version does not support the request. The message says what to use instead.
 pub const SHX_ERROR_UNSUPPORTED: i32 = -9;
-/// A file could not be read, written or parsed. The message names the file, the position and what was expected
-/// there.
+/// A file could not be read, written or parsed. The message names
+/// the file, the position and what was expected there.
 pub const SHX_ERROR_FILE: i32 = -10;
-/// A bug in the library, caught before it could reach your program. The solver of this call is now poisoned:
-/// destroy it.
+/// A bug in the library, caught before it could reach your program.
+/// The solver of this call is now poisoned: destroy it.
 pub const SHX_ERROR_INTERNAL: i32 = -100;
-/// An earlier SHX_ERROR_INTERNAL left this solver in an unknown state. It accepts no call but
-/// shx_solver_destroy.
+/// An earlier SHX_ERROR_INTERNAL left this solver in an unknown
+/// state. It accepts no call but shx_solver_destroy.
 pub const SHX_ERROR_POISONED: i32 = -101;
 
 /// Bytes kept of an error's text, the closing zero included.
@@ -112,8 +112,8 @@ pub(crate) fn remember(function: &str, error: &Error) -> shx_result {
     code(error)
 }
 
-/// Returns the name of a result code, such as "SHX_ERROR_BUSY", or "unknown result". Static text: do not free
-/// it.
+/// Returns the name of a result code, such as "SHX_ERROR_BUSY",
+/// or "unknown result". Static text: do not free it.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn shx_result_name(result: shx_result) -> *const c_char {
@@ -136,11 +136,11 @@ pub extern "C" fn shx_result_name(result: shx_result) -> *const c_char {
     name.as_ptr()
 }
 
-/// Copies the message of this thread's last error into buffer: UTF-8, truncated to capacity bytes including
-/// the terminating zero. Returns the length of the whole message without the zero. The message names the
-/// function, the argument and the value. It remains until the next error on this thread; successful calls do
-/// not clear it. It is empty if there was no error. With a null buffer or capacity 0 the function only returns
-/// the length.
+/// Copies the message of this thread's last error into buffer: UTF-8, truncated to capacity bytes
+/// including the terminating zero. Returns the length of the whole message without the zero. The
+/// message names the function, the argument and the value. It remains until the next error on this
+/// thread; successful calls do not clear it. It is empty if there was no error. With a null buffer
+/// or capacity 0 the function only returns the length.
 /// Threads: any. Each thread has its own message.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_last_error(buffer: *mut c_char, capacity: usize) -> usize {

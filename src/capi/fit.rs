@@ -15,8 +15,8 @@ use crate::error::{Error, Result};
 use crate::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
 use crate::rod::definition::{MAX_ELEMENTS, check_rows};
 
-/// A strand fitted to a polyline, apart from its element lengths and curvatures. Fill it with
-/// shx_polyline_fit_init.
+/// A strand fitted to a polyline, apart from its element lengths
+/// and curvatures. Fill it with shx_polyline_fit_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_polyline_fit {
@@ -62,13 +62,13 @@ pub unsafe extern "C" fn shx_polyline_fit_init(fit: *mut shx_polyline_fit, size:
 }
 
 /// Fits a strand of element_count helical elements (1 to 100000) to a polyline of at least two distinct
-/// points, m, root first (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is ignored). Repeated
-/// points are skipped. Writes the root frame, the length and the errors to out_fit, element_count lengths (m)
-/// to out_element_lengths, and element_count rows of curvatures (rad/m) to out_curvatures. Both arrays hold
-/// capacity elements. Use them as shx_strand_def.root, .element_lengths and .natural_curvatures (or
-/// .initial_curvatures).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// points, m, root first (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is ignored).
+/// Repeated points are skipped. Writes the root frame, the length and the errors to out_fit,
+/// element_count lengths (m) to out_element_lengths, and element_count rows of curvatures (rad/m) to
+/// out_curvatures. Both arrays hold capacity elements. Use them as shx_strand_def.root, .element_lengths
+/// and .natural_curvatures (or .initial_curvatures).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_polyline(

@@ -24,8 +24,8 @@ use crate::workers::Workers;
 pub const SHX_FIT_LENGTHS_EQUAL: u32 = 1;
 /// Equal lengths where they fit well, otherwise free ones. The default.
 pub const SHX_FIT_LENGTHS_AUTO: u32 = 2;
-/// Free lengths: half the error. Strands step as fast; sampling vectorises across strands with equal elements
-/// only.
+/// Free lengths: half the error. Strands step as fast; sampling
+/// vectorises across strands with equal elements only.
 pub const SHX_FIT_LENGTHS_FREE: u32 = 3;
 
 /// Options of fitting. Fill it with shx_fit_options_init.
@@ -37,8 +37,8 @@ pub struct shx_fit_options {
     /// Number of helical elements per strand, 1 to 100000; with a tolerance, the maximum. Default 10.
     pub element_count: u32,
     /// Above 0: use the smallest number of elements for which no point is farther than this from the strand at
-    /// equal arclength, m. If element_count elements do not suffice, the strand has that many and its max_error
-    /// exceeds the tolerance. 0 (default): none.
+    /// equal arclength, m. If element_count elements do not suffice, the strand has that many and its
+    /// max_error exceeds the tolerance. 0 (default): none.
     pub tolerance: f64,
     /// SHX_FIT_LENGTHS_. Default SHX_FIT_LENGTHS_AUTO.
     pub length_mode: u32,
@@ -47,22 +47,22 @@ pub struct shx_fit_options {
     pub twist: u32,
     /// Minimum length of an element relative to equal lengths, 0.05 to 1. Default 0.3.
     pub min_length_ratio: f64,
-    /// A fit is good enough, and no other start is tried, once its RMS distance is below this fraction of the
-    /// length; 0 to 1. Default 1e-3.
+    /// A fit is good enough, and no other start is tried, once its RMS distance is below
+    /// this fraction of the length; 0 to 1. Default 1e-3.
     pub target_rms_error: f64,
     /// If the largest distance exceeds this fraction of the length, it is reduced below it, or as far as
     /// possible, at the expense of the RMS distance; 0 to 1. Default 0.01; 1: never. A tolerance replaces it.
     pub target_max_error: f64,
-    /// Expected error of the points, m; 0 or above. The length of a curve that zigzags by less is measured along
-    /// its middle. Default 0.
+    /// Expected error of the points, m; 0 or above. The length of a curve that zigzags
+    /// by less is measured along its middle. Default 0.
     pub noise: f64,
     /// For curves with frames: the distance, as a fraction of the length of the curve, that counts as much as
     /// one radian between the frames; 0 or above. Default 3e-3.
     pub frame_weight: f64,
     /// Maximum number of initial guesses, 1 to 8. Default 4.
     pub max_starts: u32,
-    /// Number of threads. 0 or 1 (default): the calling thread. 2 to 256: a pool for this call only. Results are
-    /// identical to the bit for any number.
+    /// Number of threads. 0 or 1 (default): the calling thread. 2 to 256: a pool for this call only.
+    /// Results are identical to the bit for any number.
     pub worker_count: u32,
     /// Your parallel loop instead. Default null: none.
     pub parallel_for: shx_parallel_for_fn,
@@ -170,14 +170,14 @@ pub struct shx_fit_input {
     pub points: shx_input,
     /// Number of points of each curve: curve_count numbers that sum to points.count.
     pub point_counts: *const u32,
-    /// Arclength of each point, m, ascending from 0 at each root. Null (default): the sum of the segment
-    /// lengths.
+    /// Arclength of each point, m, ascending from 0 at each
+    /// root. Null (default): the sum of the segment lengths.
     pub arclengths: *const f64,
     /// Width of the hair at each point, m; 0 or above. Null (default): none.
     pub widths: *const f64,
-    /// Material frame at each point (SHX_FORMAT_FRAME, of which only the rotation matters, or _F32X4, _F64X4:
-    /// quaternions x, y, z, w). n1 of the strands follows their y axes as closely as possible. count 0
-    /// (default): none.
+    /// Material frame at each point (SHX_FORMAT_FRAME, of which only the rotation matters,
+    /// or _F32X4, _F64X4: quaternions x, y, z, w). n1 of the strands follows their y axes
+    /// as closely as possible. count 0 (default): none.
     pub frames: shx_input,
     /// Root frame of each curve (formats as frames), or the direction in which its strand leaves
     /// (SHX_FORMAT_F32X3, _F64X3; any length above zero). count 0 (default): taken from the curve.
@@ -372,12 +372,12 @@ unsafe fn roots(input: &shx_input, needed: usize) -> Result<Option<Vec<FitRoot>>
     Ok(Some((0..needed).map(|index| FitRoot::Direction(reader.point(index).into())).collect()))
 }
 
-/// Fits a strand to each of many curves, on the threads that options ask for (null: defaults). Item i of
-/// out_strands (stride bytes apart, 0: tightly packed) is the result for curve i; a curve that cannot be
-/// fitted does not affect the others. The rows of curve i start at i * options.element_count, in
-/// out_element_lengths (m) as in out_curvatures (rad/m, rows of three doubles); unused rows are 0. Both hold
-/// capacity elements: at least curve_count * options.element_count. shx_strand_def_set_fit puts a fitted
-/// strand into a definition.
+/// Fits a strand to each of many curves, on the threads that options ask for (null: defaults). Item i
+/// of out_strands (stride bytes apart, 0: tightly packed) is the result for curve i; a curve that
+/// cannot be fitted does not affect the others. The rows of curve i start at i *
+/// options.element_count, in out_element_lengths (m) as in out_curvatures (rad/m, rows of three
+/// doubles); unused rows are 0. Both hold capacity elements: at least curve_count *
+/// options.element_count. shx_strand_def_set_fit puts a fitted strand into a definition.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
 /// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_UNSUPPORTED (threads that could not be started).
 /// Threads: any.
@@ -440,12 +440,12 @@ pub unsafe extern "C" fn shx_fit_strands(
 }
 
 /// Puts a fitted strand into a definition that shx_strand_def_init has filled: root, length, element_count,
-/// element_lengths, natural_curvatures, and both semi-axes (radius) if the curve had widths. The other fields
-/// stay. element_lengths (m) and curvatures (rad/m, rows of three doubles) are those of this strand: for curve
-/// i of shx_fit_strands they start at i * options.element_count. The definition points to them, so they must
-/// remain valid until you have used it.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the curve could not be
-/// fitted: its result is not SHX_OK).
+/// element_lengths, natural_curvatures, and both semi-axes (radius) if the curve had widths. The other
+/// fields stay. element_lengths (m) and curvatures (rad/m, rows of three doubles) are those of this strand:
+/// for curve i of shx_fit_strands they start at i * options.element_count. The definition points to them,
+/// so they must remain valid until you have used it.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the
+/// curve could not be fitted: its result is not SHX_OK).
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_strand_def_set_fit(

@@ -51,8 +51,8 @@ pub const SHX_COEFFICIENT_AT_LOWER_BOUND: u32 = 3;
 /// The best value is the upper bound of the range, and a larger one would fit better.
 pub const SHX_COEFFICIENT_AT_UPPER_BOUND: u32 = 4;
 
-/// What to fit, and how. Fill it with shx_friction_fit_def_init, then set at least coefficients. The library
-/// reads the arrays during the call only.
+/// What to fit, and how. Fill it with shx_friction_fit_def_init, then set at least coefficients.
+/// The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_friction_fit_def {
@@ -60,8 +60,8 @@ pub struct shx_friction_fit_def {
     pub struct_size: u32,
     /// Meaning of the recorded values: SHX_OBSERVABLE_. Default SHX_OBSERVABLE_SPAN.
     pub observable: u32,
-    /// Coefficients to fit: SHX_FRICTION_INTERNAL, _VISCOSITY and _AIR_DRAG bits, at least one. Default 0: set
-    /// it.
+    /// Coefficients to fit: SHX_FRICTION_INTERNAL, _VISCOSITY and
+    /// _AIR_DRAG bits, at least one. Default 0: set it.
     pub coefficients: u32,
     /// Initial state of the strand: SHX_FRICTION_START_. Default SHX_FRICTION_START_SETTLED.
     pub start: u32,
@@ -87,15 +87,15 @@ pub struct shx_friction_fit_def {
     pub time_step: f64,
     /// Grid points over each range, 2 to 64. 0: no grid, so every coefficient needs a guess. Default 9.
     pub grid_points: u32,
-    /// 1: also fit a constant that is added to the simulated values, for a marker that is not exactly at the
-    /// tip. Default 0.
+    /// 1: also fit a constant that is added to the simulated values, for a
+    /// marker that is not exactly at the tip. Default 0.
     pub fit_offset: u32,
     /// Maximum number of least-squares iterations, 1 to 1000. Default 50.
     pub max_iterations: u32,
     /// Must be 0.
     pub reserved0: u32,
-    /// Amplitude of the root, m: it moves by amplitude * sin(2 pi frequency t + phase) along
-    /// oscillation_direction. Default 0.
+    /// Amplitude of the root, m: it moves by amplitude * sin(2 pi frequency t
+    /// + phase) along oscillation_direction. Default 0.
     pub oscillation_amplitude: f64,
     /// Frequency, Hz; above zero, or 0 (default): the root does not oscillate.
     pub oscillation_frequency: f64,
@@ -172,11 +172,11 @@ pub struct shx_fitted_coefficient {
     pub value: f64,
     /// Standard error, in the same unit. Infinite if the curve does not depend on the coefficient.
     pub standard_error: f64,
-    /// Relative change of the value, to first order, if the steps were half as long. NaN if standard_error is
-    /// infinite.
+    /// Relative change of the value, to first order, if the steps were
+    /// half as long. NaN if standard_error is infinite.
     pub step_sensitivity: f64,
-    /// Largest grid value below the best one that the curve excludes by two standard deviations; 0 if there is
-    /// none.
+    /// Largest grid value below the best one that the curve
+    /// excludes by two standard deviations; 0 if there is none.
     pub excluded_below: f64,
     /// Smallest such grid value above; infinite if there is none.
     pub excluded_above: f64,
@@ -198,11 +198,11 @@ pub struct shx_friction_fit_report {
     pub air_drag: shx_fitted_coefficient,
     /// RMS of the compared residuals, in the unit of the recorded values.
     pub rms_residual: f64,
-    /// Standard deviation of the residuals, corrected for the number of fitted coefficients: the noise of the
-    /// recording if the model is right.
+    /// Standard deviation of the residuals, corrected for the number of fitted coefficients:
+    /// the noise of the recording if the model is right.
     pub noise: f64,
-    /// Correlation of consecutive residuals, -1 to 1. Near 1 the model lacks something, and the standard errors
-    /// are too small.
+    /// Correlation of consecutive residuals, -1 to 1. Near 1 the model lacks
+    /// something, and the standard errors are too small.
     pub residual_correlation: f64,
     /// Constant added to the simulated values; 0 unless fitted.
     pub offset: f64,
@@ -431,19 +431,19 @@ pub unsafe extern "C" fn shx_friction_fit_report_init(report: *mut shx_friction_
     unsafe { initialise("shx_friction_fit_report_init", "report", report, size) }
 }
 
-/// Fits friction coefficients of a strand to a recorded curve (Bertails et al. 2006, section 4.2): internal
-/// friction from the span of a curl that is shaken vertically, air drag from a pendulum that comes to rest.
-/// The recording has count times, s, strictly increasing, and as many values; at least two more of them are
-/// compared than there are unknowns. The fit simulates it with the strand and minimises the squared difference
-/// over the logarithms of the coefficients; the strand's own values of fitted coefficients have no effect.
-/// solver gives gravity, wind, integrator and worker_count; null: defaults. Its log is not used.
-/// docs/friction_fit.md explains how to record. The result goes to out_report. out_curve is null or holds
-/// count doubles: the best curve, starting with value first_compared. Takes some 20 simulations of the
-/// recording for one coefficient, 120 for two. A coefficient that the recording does not determine is not an
-/// error: see status.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a strand that
-/// finds no equilibrium, and a range in which no simulation stays finite), SHX_ERROR_UNSUPPORTED
-/// (parallel_for).
+/// Fits friction coefficients of a strand to a recorded curve (Bertails et al. 2006, section 4.2):
+/// internal friction from the span of a curl that is shaken vertically, air drag from a pendulum that
+/// comes to rest. The recording has count times, s, strictly increasing, and as many values; at least two
+/// more of them are compared than there are unknowns. The fit simulates it with the strand and minimises
+/// the squared difference over the logarithms of the coefficients; the strand's own values of fitted
+/// coefficients have no effect. solver gives gravity, wind, integrator and worker_count; null: defaults.
+/// Its log is not used. docs/friction_fit.md explains how to record. The result goes to out_report.
+/// out_curve is null or holds count doubles: the best curve, starting with value first_compared. Takes
+/// some 20 simulations of the recording for one coefficient, 120 for two. A coefficient that the
+/// recording does not determine is not an error: see status.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT (also a strand that finds no equilibrium, and a range
+/// in which no simulation stays finite), SHX_ERROR_UNSUPPORTED (parallel_for).
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_friction(

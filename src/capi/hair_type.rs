@@ -19,8 +19,8 @@ pub const SHX_CURL_EXACT: u32 = 0;
 /// Natural curvatures by the formula of Bertails et al. 2006, for pitches much smaller than the helix radius.
 pub const SHX_CURL_BERTAILS: u32 = 1;
 
-/// A type of hair: measured properties, and how strands vary. Fill it with shx_hair_type_init or
-/// shx_hair_type_from_name.
+/// A type of hair: measured properties, and how strands vary. Fill it
+/// with shx_hair_type_init or shx_hair_type_from_name.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_hair_type {
@@ -48,15 +48,15 @@ pub struct shx_hair_type {
     pub air_drag: f64,
     /// Factor on the default Coulomb coefficients of shx_strand_contact; 0 or above.
     pub friction: f64,
-    /// Variation of natural twist and curvature between strands: standard deviation over mean, 0 (default) to
-    /// 0.25.
+    /// Variation of natural twist and curvature between strands:
+    /// standard deviation over mean, 0 (default) to 0.25.
     pub variation_between: f64,
     /// Variation of natural twist and curvature along a strand; the same measure and range.
     pub variation_along: f64,
     /// Variation of the radius between strands; the same measure and range.
     pub variation_thickness: f64,
-    /// Natural curvature in random directions that is added along a strand: standard deviation, rad/m; 0
-    /// (default) or above.
+    /// Natural curvature in random directions that is added along a strand:
+    /// standard deviation, rad/m; 0 (default) or above.
     pub frizz: f64,
     /// Arclength over which properties vary along a strand, m; 1e-4 or above. Default 0.02.
     pub variation_period: f64,
@@ -145,8 +145,8 @@ impl shx_hair_type {
     }
 }
 
-/// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes their
-/// effects. Fill it with shx_hair_sliders_init.
+/// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes
+/// their effects. Fill it with shx_hair_sliders_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_hair_sliders {
@@ -206,9 +206,9 @@ pub unsafe extern "C" fn shx_hair_sliders_init(sliders: *mut shx_hair_sliders, s
     unsafe { initialise("shx_hair_sliders_init", "sliders", sliders, size) }
 }
 
-/// Writes a measured type of hair, without variation, to out_hair, which shx_hair_type_init has filled:
-/// "asian", "caucasian1", "caucasian2", "african" (Bertails et al. 2006, appendix B), "h1", "h2", "ga1", "gc3"
-/// (Bonanni and Kmoch 2008, table 1).
+/// Writes a measured type of hair, without variation, to out_hair, which shx_hair_type_init has
+/// filled: "asian", "caucasian1", "caucasian2", "african" (Bertails et al. 2006, appendix B), "h1",
+/// "h2", "ga1", "gc3" (Bonanni and Kmoch 2008, table 1).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name).
 /// Threads: any.
 #[unsafe(no_mangle)]
@@ -225,9 +225,9 @@ pub unsafe extern "C" fn shx_hair_type_from_name(name: *const c_char, out_hair: 
     })
 }
 
-/// Properties of a generated strand. Copy the first seven to a shx_strand_def, rotate its root frame about the
-/// tangent (the x axis of the frame) by root_turn, and copy friction_along and friction_against to a
-/// shx_strand_contact.
+/// Properties of a generated strand. Copy the first seven to a shx_strand_def, rotate its
+/// root frame about the tangent (the x axis of the frame) by root_turn, and copy
+/// friction_along and friction_against to a shx_strand_contact.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_hair_strand {
@@ -311,8 +311,8 @@ pub unsafe extern "C" fn shx_hair_strands_def_init(def: *mut shx_hair_strands_de
 /// Generates strands of a hair type. Item i of out_strands (stride bytes apart, 0: tightly packed) has the
 /// properties of strand i. Its natural twist and curvatures, rad/m, go to out_curvatures (rows of three
 /// doubles, one per element, strand by strand), which holds capacity rows.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_strands(

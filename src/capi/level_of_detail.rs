@@ -6,13 +6,13 @@ use super::guard::{shx_solver, write};
 use super::types::shx_strand_id;
 use crate::solver::id::StrandId;
 
-/// Changes the number of elements of count living strands to element_count each (1 to 100000), for level of
-/// detail. Shape, velocities and energies are kept as well as that many elements allow. A multiple of the
-/// current number splits every element and is exact; a divisor merges neighbours; any other number keeps the
-/// grading of the lengths. The solver remembers the natural shape that you defined or set last, so switching
-/// back and forth loses nothing of it. Ids remain valid and moving roots continue. Writes the largest
-/// displacement of each strand's curve, m, to out_distances: count numbers, or null. Costs as much as a few
-/// steps; no time passes.
+/// Changes the number of elements of count living strands to element_count each (1 to 100000), for
+/// level of detail. Shape, velocities and energies are kept as well as that many elements allow. A
+/// multiple of the current number splits every element and is exact; a divisor merges neighbours; any
+/// other number keeps the grading of the lengths. The solver remembers the natural shape that you
+/// defined or set last, so switching back and forth loses nothing of it. Ids remain valid and moving
+/// roots continue. Writes the largest displacement of each strand's curve, m, to out_distances: count
+/// numbers, or null. Costs as much as a few steps; no time passes.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
@@ -36,9 +36,9 @@ pub unsafe extern "C" fn shx_solver_set_element_count(
     }
 }
 
-/// Does the same as shx_solver_set_element_count for one strand and elements of given lengths: count numbers
-/// from root to tip, m, each above zero. Their sum is the length of the strand, within 1e-9 of it.
-/// out_distance may be null.
+/// Does the same as shx_solver_set_element_count for one strand and elements of given
+/// lengths: count numbers from root to tip, m, each above zero. Their sum is the length of
+/// the strand, within 1e-9 of it. out_distance may be null.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]

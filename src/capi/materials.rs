@@ -11,8 +11,8 @@ use crate::error::{Error, Result};
 use crate::rod::material::Material;
 use crate::solver::id::StrandId;
 
-/// Cross-section and material of a strand, as in shx_strand_def. Fill it with shx_material_init, then change
-/// what you need.
+/// Cross-section and material of a strand, as in shx_strand_def. Fill it
+/// with shx_material_init, then change what you need.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_material {
@@ -94,8 +94,8 @@ pub unsafe extern "C" fn shx_material_init(material: *mut shx_material, size: us
 /// def_count is count, or 1: one material for all. Shapes, natural shapes, velocities, degrees of freedom and
 /// contact radii (shx_solver_set_strand_contact) stay. A strand at rest is no longer in equilibrium:
 /// shx_solver_adopt_rest_shapes makes its shape a rest shape again.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT
-/// (the message names, say, "defs[3].density").
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT (the message names, say, "defs[3].density").
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_materials(
@@ -120,8 +120,8 @@ pub unsafe extern "C" fn shx_solver_set_materials(
     }
 }
 
-/// Writes the current cross-section and material of a strand to out_material, which shx_material_init has
-/// filled.
+/// Writes the current cross-section and material of a strand to
+/// out_material, which shx_material_init has filled.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID.
 /// Threads: shared.
 #[unsafe(no_mangle)]

@@ -8,7 +8,7 @@ use super::types::{shx_body_id, shx_strand_id};
 use crate::contact::allowance::Allowance;
 use crate::error::Error;
 use crate::solver::Overlap;
-use crate::solver::id::{BodyId, StrandId};
+use crate::solver::id::StrandId;
 
 /// The names of an allowance's lists, and those of the calls.
 const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_shares", "wisp_fractions"), ("sunk", "body_depths")];
@@ -16,8 +16,8 @@ const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_shares", "wis
 /// Computes how deep count strands currently overlap other strands (if hair_contact is set) and bodies, beyond
 /// their permitted overlap. Strands without contact overlap nothing; exempt lengths and filtered pairs do not
 /// count. Changes nothing. Each output holds count values or is null.
-/// out_hair_depths: largest overlap with a strand, m: the sum of the wisp radii minus the distance of the
-/// centrelines; 0 if there is none.
+/// out_hair_depths: largest overlap with a strand, m: the sum of the wisp radii minus
+/// the distance of the centrelines; 0 if there is none.
 /// out_strands: the strand of that overlap; null id if there is none.
 /// out_body_depths: largest depth of the strand's surface in a body, m; 0 if there is none.
 /// out_bodies: the body of that depth; null id if there is none.
@@ -58,8 +58,8 @@ pub unsafe extern "C" fn shx_solver_overlaps(
 /// intersect. Where two wisps overlap, both keep the same fraction of their radii; if one of them is not among
 /// ids, the other one gives way alone. Where a strand is inside a body, that depth is permitted. Both hold
 /// along the whole element. Elsewhere strands collide as before. Replaces overlaps that were permitted before.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a strand that appears
-/// twice).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT (a strand that appears twice).
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_permit_overlaps(
@@ -77,8 +77,8 @@ pub unsafe extern "C" fn shx_solver_permit_overlaps(
 /// arclengths: positions of the points, m from the root; ascending, zero or above.
 /// wisp_fractions: fraction of the wisp radius that remains at each point, 0 to 1.
 /// body_depths: permitted depth of the strand's surface in a body at each point, m; zero or above.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the message names, say,
-/// "body_depths[2]").
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT (the message names, say, "body_depths[2]").
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_permitted_overlap(
@@ -108,11 +108,11 @@ pub unsafe extern "C" fn shx_solver_set_permitted_overlap(
     }
 }
 
-/// Writes the permitted overlap of a strand, as shx_solver_set_permitted_overlap takes it: the number of
-/// points to *out_count (0: none), and their values to the arrays, which hold capacity numbers each or are
-/// null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Writes the permitted overlap of a strand, as shx_solver_set_permitted_overlap
+/// takes it: the number of points to *out_count (0: none), and their values to the
+/// arrays, which hold capacity numbers each or are null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_permitted_overlap(

@@ -57,8 +57,8 @@ unsafe impl Versioned for shx_pose_options {
     }
 }
 
-/// A sphere that moves and takes along the points inside it. Fill it with shx_brush_init, then set at least
-/// radius.
+/// A sphere that moves and takes along the points inside it. Fill
+/// it with shx_brush_init, then set at least radius.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_brush {
@@ -110,8 +110,8 @@ pub struct shx_element_change {
     pub bend: [f64; 2],
     /// Factor on the length of the element; above zero. Default 1.
     pub length_scale: f64,
-    /// 1 (default): the element keeps its curvatures when its length changes, so the helix continues. 0: it
-    /// keeps the angles by which it turns.
+    /// 1 (default): the element keeps its curvatures when its length changes, so the helix
+    /// continues. 0: it keeps the angles by which it turns.
     pub keep_curvature: u32,
     /// Must be 0.
     pub reserved: u32,

@@ -68,11 +68,11 @@ fn of_arclength(error: Error) -> Error {
     }
 }
 
-/// Moves a brush over count strands. Points inside the brush before the movement follow it according to its
-/// falloff; the strands bend in the least-squares sense, roots and lengths stay. Strands without a point in
-/// the brush stay unchanged to the bit, velocities included; the others are at rest afterwards and avoid
-/// bodies as in shx_solver_drag_strands. options may be null (defaults). Each output holds count items or is
-/// null.
+/// Moves a brush over count strands. Points inside the brush before the movement follow it
+/// according to its falloff; the strands bend in the least-squares sense, roots and lengths stay.
+/// Strands without a point in the brush stay unchanged to the bit, velocities included; the others
+/// are at rest afterwards and avoid bodies as in shx_solver_drag_strands. options may be null
+/// (defaults). Each output holds count items or is null.
 /// out_brushed: 1 for strands with a point in the brush, else 0.
 /// out_distances: RMS distance of the strand's points in the brush from where they should be, m.
 /// Each strand may appear once. The work runs on the solver's workers; results do not depend on their number.
@@ -152,8 +152,8 @@ fn of_defs(error: Error) -> Error {
 /// Cuts count strands, strand i at arclengths[i] (m from the root, above 0, at most its length), at any time
 /// during a simulation. The rest keeps its shape, natural shape and velocities exactly. The element at the cut
 /// becomes shorter and keeps its helix; elements beyond are removed. Each strand may appear once.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (also a strand with a
-/// constraint beyond the cut).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT
+/// (also a strand with a constraint beyond the cut).
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_cut_strands(
@@ -174,8 +174,8 @@ pub unsafe extern "C" fn shx_solver_cut_strands(
 /// Extends count strands at their tips by length (m, above 0), at any time during a simulation. The existing
 /// part keeps its shape and velocities; the new part moves with the tip. Adds element_count elements of equal
 /// length; 0: the last element becomes longer. curvatures: three doubles, rad/m, the initial and natural
-/// curvatures of the new elements. Null: those of the last element, so the helix continues; it must be null if
-/// element_count is 0. Each strand may appear once.
+/// curvatures of the new elements. Null: those of the last element, so the helix continues; it must be null
+/// if element_count is 0. Each strand may appear once.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]

@@ -13,8 +13,8 @@ use crate::error::Error;
 use crate::groom::outside::BroughtOut;
 use crate::solver::id::BodyId;
 
-/// Curves to push out of a body. Fill it with shx_push_out_def_init, then set body, point_counts and
-/// curve_count.
+/// Curves to push out of a body. Fill it with shx_push_out_def_init,
+/// then set body, point_counts and curve_count.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_push_out_def {
@@ -77,8 +77,8 @@ fn in_words_of_c(error: Error) -> Error {
 /// out_depths: depth of the deepest point below the surface, m; 0 if none was inside.
 /// out_displacements: largest displacement of a point, m.
 /// out_stuck: 1 if no way out was found and the curve is unchanged, else 0.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
-/// No point has moved then.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT. No point has moved then.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_push_out_curves(

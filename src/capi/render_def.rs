@@ -15,8 +15,8 @@ use super::versioned::{Versioned, initialise};
 use crate::error::{Error, Result};
 use crate::groom::render_hair::{GuideSamples, RenderSettings, Space, resampled};
 
-/// Interpolate the positions of guides: strands stay between them, but curls that are out of phase cancel. The
-/// default.
+/// Interpolate the positions of guides: strands stay between them,
+/// but curls that are out of phase cancel. The default.
 pub const SHX_INTERPOLATION_POSITION: u32 = 1;
 /// Interpolate lengths and curvatures of guides: strands keep their length and curls.
 pub const SHX_INTERPOLATION_CURVATURE: u32 = 2;
@@ -33,23 +33,23 @@ pub struct shx_render_settings {
     pub interpolation: u32,
     /// Maximum number of guides that a strand follows, 1 to 4. Default 4.
     pub guides_per_strand: u32,
-    /// 0: interpolated from root to tip. 0.5 (default): interpolated at the root, gathered in wisps at the tip.
-    /// 1: separate locks.
+    /// 0: interpolated from root to tip. 0.5 (default): interpolated at the root,
+    /// gathered in wisps at the tip. 1: separate locks.
     pub curliness: f64,
     /// 1: use the curliness measured on the shape of each guide instead. Default 0.
     pub measure_curliness: u32,
     /// Wisps per guide, 1 to 10000. Default 4.
     pub wisps_per_guide: u32,
-    /// Guides are not interpolated if their tips are farther apart than their roots by more than this. 0
-    /// (default): no limit.
+    /// Guides are not interpolated if their tips are farther apart than
+    /// their roots by more than this. 0 (default): no limit.
     pub max_tip_distance: f64,
     /// The same as a fraction of the shorter guide's length. 0: no limit. Default 0.6.
     pub max_tip_ratio: f64,
-    /// Radius of a wisp at root, middle and tip relative to the spacing of roots, 0 or above. Default 1, 0.6,
-    /// 0.08.
+    /// Radius of a wisp at root, middle and tip relative to the
+    /// spacing of roots, 0 or above. Default 1, 0.6, 0.08.
     pub wisp_profile: [f64; 3],
-    /// How far the cross-sections of wisps are flattened along the normal of the scalp. 0 (default): as round as
-    /// their patch of scalp. 1: ribbons.
+    /// How far the cross-sections of wisps are flattened along the normal of the scalp. 0
+    /// (default): as round as their patch of scalp. 1: ribbons.
     pub wisp_flatness: f64,
     /// RMS deviation of whole wisps from their path at the tip, 0 or above. Default 0.
     pub wisp_noise: f64,
@@ -80,12 +80,12 @@ pub struct shx_render_settings {
     pub body_clearance: f64,
     /// Random seed. Default 0.
     pub seed: u64,
-    /// 1 (default): strands are as long as their guides before they are cut short. 0: interpolation may shorten
-    /// them.
+    /// 1 (default): strands are as long as their guides before they
+    /// are cut short. 0: interpolation may shorten them.
     pub preserve_length: u32,
-    /// Threads that evaluate strands. 0 or 1 (default): the calling thread. 2 to 256: a pool that lives as long
-    /// as the hair and its poses. With a task system, leave it at 0 and call shx_render_pose_evaluate from your
-    /// tasks, each for some of the strands.
+    /// Threads that evaluate strands. 0 or 1 (default): the calling thread. 2 to 256: a pool that lives
+    /// as long as the hair and its poses. With a task system, leave it at 0 and call
+    /// shx_render_pose_evaluate from your tasks, each for some of the strands.
     pub worker_count: u32,
     /// Your parallel loop instead. Default null: none.
     pub parallel_for: shx_parallel_for_fn,
@@ -227,16 +227,16 @@ pub struct shx_render_guides {
     pub reserved0: u32,
     /// Number of guides.
     pub guide_count: usize,
-    /// Points of all guides, guide by guide, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth
-    /// number is ignored).
+    /// Points of all guides, guide by guide, root first, m: SHX_FORMAT_F32X3,
+    /// _F32X4, _F64X3, _F64X4 (a fourth number is ignored).
     pub points: shx_input,
-    /// Null (default): every guide has settings.points_per_strand points, uniform in arclength. Otherwise
-    /// guide_count numbers, each 1 or above, that sum to points.count; guides are then resampled uniformly in
-    /// arclength.
+    /// Null (default): every guide has settings.points_per_strand points, uniform in
+    /// arclength. Otherwise guide_count numbers, each 1 or above, that sum to points.count;
+    /// guides are then resampled uniformly in arclength.
     pub point_counts: *const u32,
-    /// Orientation of each follicle: any frame that moves with the head (SHX_FORMAT_FRAME, of which only the
-    /// rotation matters, or _F32X4, _F64X4: quaternions x, y, z, w). count 0 (default): the rotation of the head
-    /// is estimated from the root positions.
+    /// Orientation of each follicle: any frame that moves with the head (SHX_FORMAT_FRAME, of which only
+    /// the rotation matters, or _F32X4, _F64X4: quaternions x, y, z, w). count 0 (default): the rotation
+    /// of the head is estimated from the root positions.
     pub roots: shx_input,
     /// Velocity of each point, m/s: SHX_FORMAT_F32X3, _F64X3. count 0 (default): none.
     pub velocities: shx_input,
@@ -381,14 +381,14 @@ pub struct shx_render_view {
     pub strand_count: usize,
     /// Subtracted from positions before they are rounded to floats, m. Default 0.
     pub origin: [f64; 3],
-    /// For velocities: a pose of the same hair, interval seconds earlier. Null (default): velocities follow from
-    /// those of the guides.
+    /// For velocities: a pose of the same hair, interval seconds earlier. Null
+    /// (default): velocities follow from those of the guides.
     pub previous_pose: *const shx_render_pose,
     /// Time since previous_pose, s; above 0. 0 without it.
     pub interval: f64,
     /// Root positions, m: item i is strand first_strand + i. Formats as shx_render_guides.points, or
-    /// SHX_FORMAT_FRAME, of which only the origin matters (shx_scalp_root_frames). count 0 (default): every root
-    /// follows the roots of its guides.
+    /// SHX_FORMAT_FRAME, of which only the origin matters (shx_scalp_root_frames). count 0
+    /// (default): every root follows the roots of its guides.
     pub roots: shx_input,
     /// With previous_pose and roots: the root positions at that time.
     pub previous_roots: shx_input,

@@ -24,9 +24,9 @@ use crate::workers::Workers;
 /// it. Immutable: any number of threads may use it at once.
 pub struct shx_render_hair(Arc<RenderHair>);
 
-/// The pose of the guides of a shx_render_hair at one moment. shx_render_pose_create makes it, you own it,
-/// shx_render_pose_destroy frees it. Keep one for each moment that you need at the same time (two for
-/// velocities between frames).
+/// The pose of the guides of a shx_render_hair at one moment. shx_render_pose_create makes
+/// it, you own it, shx_render_pose_destroy frees it. Keep one for each moment that you need
+/// at the same time (two for velocities between frames).
 pub struct shx_render_pose(RwLock<RenderPose>);
 
 /// # Safety
@@ -83,12 +83,12 @@ fn bind(settings: &RenderSettings, guides: &GuideSamples, ground: &Ground) -> Re
     }
 }
 
-/// Creates render hair from guides in their rest pose. roots has the root positions of the render strands at
-/// the same moment, m, one per strand: formats as shx_render_guides.points, or SHX_FORMAT_FRAME, whose n0 is
-/// the normal of the scalp. settings may be null (defaults). Takes some microseconds per strand. You own
-/// *out_hair; free it with shx_render_hair_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED
-/// (threads that could not be started).
+/// Creates render hair from guides in their rest pose. roots has the root positions of the render strands
+/// at the same moment, m, one per strand: formats as shx_render_guides.points, or SHX_FORMAT_FRAME, whose
+/// n0 is the normal of the scalp. settings may be null (defaults). Takes some microseconds per strand. You
+/// own *out_hair; free it with shx_render_hair_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
+/// SHX_ERROR_UNSUPPORTED (threads that could not be started).
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_hair_create(
@@ -148,9 +148,9 @@ pub unsafe extern "C" fn shx_solver_create_render_hair(
     }
 }
 
-/// Writes render hair to out_image, which holds capacity bytes, and its size to *out_size.
-/// shx_render_hair_load restores it without binding it again. With a null out_image and capacity 0 it only
-/// returns the size.
+/// Writes render hair to out_image, which holds capacity bytes, and its size to
+/// *out_size. shx_render_hair_load restores it without binding it again. With a null
+/// out_image and capacity 0 it only returns the size.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]
@@ -202,10 +202,10 @@ pub unsafe extern "C" fn shx_render_hair_load(
     })
 }
 
-/// Creates a copy of render hair without count of its guides, whose numbers as at creation are in removed. The
-/// other guides keep their order. Strands that follow none of the removed guides stay identical to the bit.
-/// Poses belong to the hair that they were created for. You own *out_hair; free it with
-/// shx_render_hair_destroy.
+/// Creates a copy of render hair without count of its guides, whose numbers as at creation are
+/// in removed. The other guides keep their order. Strands that follow none of the removed
+/// guides stay identical to the bit. Poses belong to the hair that they were created for. You
+/// own *out_hair; free it with shx_render_hair_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (guides that do not exist, appear twice, or are
 /// all guides), SHX_ERROR_UNSUPPORTED (threads that could not be started).
 /// Threads: any.
@@ -240,9 +240,9 @@ pub unsafe extern "C" fn shx_render_hair_destroy(hair: *mut shx_render_hair) {
     });
 }
 
-/// For count strands from first on, writes the first guide of each (numbered as at creation) to out_guides and
-/// the number of its wisp around that guide, from 0, to out_wisps: for colours by lock, or to find the strands
-/// of a guide. Either may be null.
+/// For count strands from first on, writes the first guide of each (numbered as at creation) to
+/// out_guides and the number of its wisp around that guide, from 0, to out_wisps: for colours by lock, or
+/// to find the strands of a guide. Either may be null.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that do not exist).
 /// Threads: any.
 #[unsafe(no_mangle)]
@@ -280,8 +280,8 @@ pub unsafe extern "C" fn shx_render_hair_wisps(
     })
 }
 
-/// Creates a pose of render hair. Set its guides before you evaluate it. You own *out_pose; free it with
-/// shx_render_pose_destroy.
+/// Creates a pose of render hair. Set its guides before you evaluate it. You
+/// own *out_pose; free it with shx_render_pose_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT.
 /// Threads: any.
 #[unsafe(no_mangle)]
@@ -309,8 +309,8 @@ pub unsafe extern "C" fn shx_render_pose_destroy(pose: *mut shx_render_pose) {
 
 /// Sets the guides of a pose, in the number and order of shx_render_hair_create. guides.roots is allowed only
 /// if it was given there. A failed call leaves the pose as it was.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY (the
-/// pose is being evaluated).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY (the pose is being evaluated).
 /// Threads: exclusive for the pose.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_pose_set_guides(pose: *mut shx_render_pose, guides: *const shx_render_guides) -> shx_result {
@@ -323,9 +323,9 @@ pub unsafe extern "C" fn shx_render_pose_set_guides(pose: *mut shx_render_pose, 
     })
 }
 
-/// Sets the guides of a pose to count strands of a solver in their current shapes, in the number and order of
-/// shx_solver_create_render_hair. velocities: 1 if you will evaluate velocities, else 0. A failed call leaves
-/// the pose as it was.
+/// Sets the guides of a pose to count strands of a solver in their current shapes, in the
+/// number and order of shx_solver_create_render_hair. velocities: 1 if you will evaluate
+/// velocities, else 0. A failed call leaves the pose as it was.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY.
 /// Threads: shared for the solver, exclusive for the pose.
 #[unsafe(no_mangle)]
@@ -361,9 +361,9 @@ pub unsafe extern "C" fn shx_solver_set_render_pose(
 /// Results are identical to the bit for any number of threads and any partition into calls. It runs on the
 /// hair's own threads (settings.worker_count), on your parallel loop (settings.parallel_for), or on the
 /// calling thread; you may also call it from several threads at once, each for other strands.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a pose that was never
-/// set, velocities of guides without velocities), SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_BUSY (the pose is
-/// being set).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a
+/// pose that was never set, velocities of guides without velocities),
+/// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_BUSY (the pose is being set).
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_pose_evaluate(

@@ -35,14 +35,14 @@ pub unsafe extern "C" fn shx_solver_adopt_natural_shapes(
     unsafe { write("shx_solver_adopt_natural_shapes", solver, |core, _| core.take_natural_shapes(&strand_ids(ids, count)?)) }
 }
 
-/// Makes the current shapes of count strands their rest shapes under gravity, with their roots where they are
-/// (sag-free). It sets natural curvatures that balance the weight, in closed form. Velocities stay: moving
-/// strands keep moving, about their new rest shape. To stop them, call shx_solver_set_shapes with the output
-/// of shx_solver_get_shapes. Wind, contacts and constraints are ignored. The equilibrium need not be stable:
-/// see shx_solver_shape_stability. The natural shapes that shx_solver_set_element_count remembered are
-/// replaced.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a strand so limp that no
-/// finite curvatures support it).
+/// Makes the current shapes of count strands their rest shapes under gravity, with their roots where
+/// they are (sag-free). It sets natural curvatures that balance the weight, in closed form. Velocities
+/// stay: moving strands keep moving, about their new rest shape. To stop them, call
+/// shx_solver_set_shapes with the output of shx_solver_get_shapes. Wind, contacts and constraints are
+/// ignored. The equilibrium need not be stable: see shx_solver_shape_stability. The natural shapes that
+/// shx_solver_set_element_count remembered are replaced.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a
+/// strand so limp that no finite curvatures support it).
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_adopt_rest_shapes(
@@ -54,14 +54,14 @@ pub unsafe extern "C" fn shx_solver_adopt_rest_shapes(
     unsafe { write("shx_solver_adopt_rest_shapes", solver, |core, _| core.take_rest_shapes(&strand_ids(ids, count)?)) }
 }
 
-/// Computes how stable count strands would be in their current shapes under gravity, if
-/// shx_solver_adopt_rest_shapes made them rest shapes. Changes nothing. Each output holds count values or is
-/// null.
+/// Computes how stable count strands would be in their current shapes under
+/// gravity, if shx_solver_adopt_rest_shapes made them rest shapes. Changes
+/// nothing. Each output holds count values or is null.
 /// out_eigenvalues: smallest eigenvalue of the static Hessian relative to the elastic stiffness, as in
 /// shx_solver_settle: stable above 0, 1 if gravity has no effect.
-/// out_youngs_scales: smallest factor (1 or above) on Young's modulus that raises the eigenvalue to margin (0
-/// to less than 1). With margin 0 a strand ends at the limit of stability and needs slightly more. Choose the
-/// natural shape again afterwards.
+/// out_youngs_scales: smallest factor (1 or above) on Young's modulus that raises the eigenvalue to
+/// margin (0 to less than 1). With margin 0 a strand ends at the limit of stability and needs
+/// slightly more. Choose the natural shape again afterwards.
 /// out_radius_scales: the same for a factor on both radii.
 /// Costs the cube of the number of elements. The work runs on the solver's own threads, not on parallel_for.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
@@ -143,8 +143,8 @@ pub unsafe extern "C" fn shx_solver_stiffen_strands(
 /// Writes the current curvatures of count strands, rad/m: a row of three doubles per element, strand by strand
 /// in the order of ids, to out_curvatures, which holds capacity rows: at least the total number of elements.
 /// Keep them as shapes for shx_solver_set_shapes; the solver stores none.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_shapes(
@@ -165,9 +165,9 @@ pub unsafe extern "C" fn shx_solver_get_shapes(
     }
 }
 
-/// Sets the shapes of count strands, at rest relative to their roots: row_count rows of curvatures as from
-/// shx_solver_get_shapes. Releases quarantined strands. Frozen curvatures must have their natural value. All
-/// or none.
+/// Sets the shapes of count strands, at rest relative to their roots: row_count rows of
+/// curvatures as from shx_solver_get_shapes. Releases quarantined strands. Frozen
+/// curvatures must have their natural value. All or none.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (row_count is not the
 /// total number of elements, a value that is not finite, a frozen curvature).
 /// Threads: exclusive.

@@ -46,10 +46,10 @@ pub unsafe extern "C" fn shx_solver_teleport_roots(
     }
 }
 
-/// Writes the current root frames of count strands to frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the
-/// quaternions alone).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Writes the current root frames of count strands to frames
+/// (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_root_frames(

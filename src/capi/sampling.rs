@@ -55,8 +55,8 @@ pub unsafe extern "C" fn shx_sample_def_init(def: *mut shx_sample_def, size: usi
 /// within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Large calls
 /// run on the solver's own threads (shx_solver_def.worker_count), never on parallel_for: with a task system,
 /// call it from your tasks, each for some of the strands.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_sample_strands(
@@ -99,8 +99,8 @@ fn origin(argument: &str, origin: [f64; 3]) -> Result<Vector3<f64>> {
 /// Samples one strand at count arclengths from the root (m, 0 to the length of the strand, in any order): item
 /// i of each output belongs to arclengths[i]. origin (three doubles, m) is subtracted from positions; null: 0.
 /// The outputs are those of shx_solver_sample_strands.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (an arclength outside the
-/// strand), SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (an
+/// arclength outside the strand), SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 /// cbindgen:ptrs-as-arrays=[[origin; 3]]
 #[unsafe(no_mangle)]
@@ -141,8 +141,8 @@ pub unsafe extern "C" fn shx_solver_sample_at(
 /// Writes the wrench that each of count strands exerts on its follicle as of the last step: force (N) and
 /// torque about the root's origin (N m), in world axes. At rest the force is the weight of the strand.
 /// SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_root_wrenches(

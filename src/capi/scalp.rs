@@ -27,8 +27,8 @@ pub struct shx_follicle {
     pub triangle: u32,
     /// Must be 0.
     pub reserved: u32,
-    /// Barycentric coordinates of its second and third corner, 0 or above, sum at most 1; the first corner has
-    /// the rest.
+    /// Barycentric coordinates of its second and third corner, 0 or
+    /// above, sum at most 1; the first corner has the rest.
     pub barycentric: [f64; 2],
 }
 
@@ -55,11 +55,11 @@ pub struct shx_scalp_def {
     pub triangles: *const u32,
     /// Number of triangles.
     pub triangle_count: usize,
-    /// Texture coordinates: u and v of the three corners of each triangle, six doubles per triangle. Null
-    /// (default): none.
+    /// Texture coordinates: u and v of the three corners of each
+    /// triangle, six doubles per triangle. Null (default): none.
     pub uvs: *const f64,
-    /// Without texture coordinates: the direction that n1 follows along the scalp at rest; any length above
-    /// zero. Default x.
+    /// Without texture coordinates: the direction that n1 follows along the
+    /// scalp at rest; any length above zero. Default x.
     pub reference_axis: [f64; 3],
     /// Must be 0.
     pub reserved: [u64; 4],
@@ -99,11 +99,11 @@ pub struct shx_scatter_def {
     pub reserved0: u32,
     /// Number of follicles, spread as far apart as possible; up to 10000000. 0 (default): use spacing.
     pub count: usize,
-    /// Minimum distance between follicles along the scalp, m; larger where the density is below its maximum. 0
-    /// (default): use count.
+    /// Minimum distance between follicles along the scalp, m; larger where the
+    /// density is below its maximum. 0 (default): use count.
     pub spacing: f64,
-    /// Relative densities, 0 or above: one per vertex, or an image over the texture coordinates. Null (default):
-    /// uniform.
+    /// Relative densities, 0 or above: one per vertex, or an image over
+    /// the texture coordinates. Null (default): uniform.
     pub density: *const f64,
     /// Image: pixels per row. 0 (default): one density per vertex.
     pub density_width: usize,
@@ -111,12 +111,12 @@ pub struct shx_scatter_def {
     pub density_height: usize,
     /// Random seed. Default 0.
     pub seed: u64,
-    /// Roots of guides, m: follicles only where guides cover the scalp, judged by their spacing, so that faces,
-    /// ears and necks stay bare. It multiplies the density. Formats as shx_scalp_def.vertices. count 0
-    /// (default): everywhere.
+    /// Roots of guides, m: follicles only where guides cover the scalp, judged by their spacing, so
+    /// that faces, ears and necks stay bare. It multiplies the density. Formats as
+    /// shx_scalp_def.vertices. count 0 (default): everywhere.
     pub guide_roots: shx_input,
-    /// With guide_roots: follicles only within this distance of a guide root, m. 0 (default): the region that
-    /// the guides cover.
+    /// With guide_roots: follicles only within this distance of a guide root,
+    /// m. 0 (default): the region that the guides cover.
     pub max_guide_distance: f64,
     /// Must be 0.
     pub reserved: [u64; 4],
@@ -228,8 +228,8 @@ pub unsafe extern "C" fn shx_scalp_destroy(scalp: *mut shx_scalp) {
 /// distance of two follicles along the scalp, m, where the density has its maximum (elsewhere it scales with
 /// one over the root of the relative density); infinity if no two are close to each other. Takes some 20
 /// microseconds per follicle; 30 from 150,000 on or with a spacing.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_scatter(
@@ -315,8 +315,8 @@ unsafe fn root_region(def: &shx_scatter_def) -> Result<Option<Density>> {
 /// Finds the follicles at count texture coordinates (uvs: u and v, two doubles each) and writes count items to
 /// out_follicles. Each is first offset randomly, by up to jitter in u and v and less at the edge of the scalp,
 /// since regular rows are visible in hair; 0: no offset. seed is the random seed.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (a scalp without texture coordinates,
-/// coordinates without a triangle).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (a scalp without
+/// texture coordinates, coordinates without a triangle).
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_follicles_at_uvs(
@@ -338,12 +338,12 @@ pub unsafe extern "C" fn shx_scalp_follicles_at_uvs(
 }
 
 /// Writes the frames of count follicles on the deformed scalp to frames (SHX_FORMAT_FRAME), as
-/// shx_solver_set_root_frames and shx_render_view.roots take them. vertices: current vertices, as many as at
-/// rest and in their order, m; null: at rest. n0 is the normal of the scalp, n1 the direction of increasing u
-/// (or of shx_scalp_def.reference_axis). If a guide does not leave along the normal, multiply the frame by its
-/// own rotation.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (another number of vertices, follicles that are
-/// not on the scalp), SHX_ERROR_BUFFER_TOO_SMALL.
+/// shx_solver_set_root_frames and shx_render_view.roots take them. vertices: current vertices, as
+/// many as at rest and in their order, m; null: at rest. n0 is the normal of the scalp, n1 the
+/// direction of increasing u (or of shx_scalp_def.reference_axis). If a guide does not leave along
+/// the normal, multiply the frame by its own rotation.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (another number of vertices, follicles that
+/// are not on the scalp), SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_root_frames(

@@ -38,8 +38,8 @@ pub struct shx_settings {
     pub max_subdivisions: u32,
     /// Tolerance of Newton's method, rad.
     pub tolerance: f64,
-    /// Error that a substep may add before it is halved, as a fraction of the length of the strand; 0: not
-    /// estimated.
+    /// Error that a substep may add before it is halved, as a
+    /// fraction of the length of the strand; 0: not estimated.
     pub error_tolerance: f64,
     /// RMS position error as a fraction of the length of the strand, over two seconds in the worst of the
     /// measured scenes. Negative: such hair was not measured.
@@ -129,9 +129,9 @@ pub unsafe extern "C" fn shx_settings_from_preset(
 }
 
 /// Returns the cheapest settings whose measured error was at most target_error in all measured scenes: RMS
-/// position error as a fraction of the strand's length, above zero (divide an error in metres by the length).
-/// Hair and frame_time are as in shx_settings_from_preset. Four types of hair were measured; docs/tradeoff.md
-/// says what the result means for others.
+/// position error as a fraction of the strand's length, above zero (divide an error in metres by the
+/// length). Hair and frame_time are as in shx_settings_from_preset. Four types of hair were measured;
+/// docs/tradeoff.md says what the result means for others.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a target_error
 /// below that of the finest settings, which the message gives, and a curvature above all that were measured).
 /// Threads: any.

@@ -49,15 +49,15 @@ unsafe impl Versioned for shx_settle_def {
     }
 }
 
-/// Report of shx_solver_settle for all of its strands. Fill it with shx_settle_report_init once; each call
-/// overwrites it.
+/// Report of shx_solver_settle for all of its strands. Fill it with
+/// shx_settle_report_init once; each call overwrites it.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_settle_report {
     /// Set by shx_settle_report_init.
     pub struct_size: u32,
-    /// Number of strands that did not reach the tolerance, or ended in an unstable state. They are at rest in
-    /// the best shape that was found.
+    /// Number of strands that did not reach the tolerance, or ended in an unstable state.
+    /// They are at rest in the best shape that was found.
     pub unconverged: u32,
     /// Number of those whose smallest eigenvalue is negative beyond rounding.
     pub unstable: u32,
@@ -166,18 +166,18 @@ fn tell(log: &LogSink, report: &shx_settle_report, count: usize) {
     );
 }
 
-/// Moves count strands to their static equilibrium under gravity and leaves them at rest. The search descends
-/// from the current shape with the root fixed at its current frame. Wind is ignored, moving roots stop,
-/// quarantined strands are released. def may be null (defaults), report may be null. Each output holds count
-/// values or is null.
+/// Moves count strands to their static equilibrium under gravity and leaves them at rest. The
+/// search descends from the current shape with the root fixed at its current frame. Wind is
+/// ignored, moving roots stop, quarantined strands are released. def may be null (defaults), report
+/// may be null. Each output holds count values or is null.
 /// out_status: SHX_STRAND_CONVERGED, or SHX_STRAND_UNCONVERGED if no stable equilibrium was found; the strand
 /// is then at rest in the best shape that was found.
-/// out_eigenvalues: smallest eigenvalue of the static Hessian relative to the elastic stiffness. 1: gravity
-/// has no effect (slightly more if it stabilises the whole strand). 0: the limit of stability. Negative:
-/// unstable. NaN without check_stability.
+/// out_eigenvalues: smallest eigenvalue of the static Hessian relative to the elastic stiffness. 1:
+/// gravity has no effect (slightly more if it stabilises the whole strand). 0: the limit of
+/// stability. Negative: unstable. NaN without check_stability.
 /// out_residuals: largest moment out of balance, relative as in shx_settle_def.tolerance.
-/// If several stable states exist, the result need not be the lowest. The work runs on the solver's own
-/// threads, not on parallel_for.
+/// If several stable states exist, the result need not be the lowest. The work runs
+/// on the solver's own threads, not on parallel_for.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]

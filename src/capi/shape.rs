@@ -16,8 +16,8 @@ unsafe fn curvature_rows<'a>(argument: &str, rows: *const f64, count: usize) -> 
 
 /// Sets the natural curvatures of a strand: count rows, one per element, rad/m. The strand moves towards them
 /// from the next step on; frozen curvatures follow at once.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not the number
-/// of elements, a value that is not finite).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not
+/// the number of elements, a value that is not finite).
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_natural_curvatures(
@@ -34,8 +34,8 @@ pub unsafe extern "C" fn shx_solver_set_natural_curvatures(
     }
 }
 
-/// Writes the natural curvatures of a strand, rad/m, to out_curvatures, which holds count rows: at least the
-/// number of elements.
+/// Writes the natural curvatures of a strand, rad/m, to out_curvatures, which
+/// holds count rows: at least the number of elements.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]

@@ -15,9 +15,9 @@ use crate::solver::definition::Workers;
 
 /// Creates a solver. def may be null: all defaults. You own *out_solver; free it with shx_solver_destroy. The
 /// callbacks and user pointers of def must remain valid until then.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range),
-/// SHX_ERROR_UNSUPPORTED (a combination or an instruction set that is not available, or threads that could not
-/// be started).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value
+/// out of range), SHX_ERROR_UNSUPPORTED (a combination or an instruction set that is not
+/// available, or threads that could not be started).
 /// Threads: any. A solver is not bound to the thread that created it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_create(def: *const shx_solver_def, out_solver: *mut *mut shx_solver) -> shx_result {
@@ -78,10 +78,10 @@ pub unsafe extern "C" fn shx_solver_set_wind(solver: *mut shx_solver, wind: *con
     unsafe { write("shx_solver_set_wind", solver, |core, _| core.set_wind(vector("wind", wind)?)) }
 }
 
-/// Returns the number of bytes that the solver has allocated, including all strands, bodies and constraints.
-/// It excludes allocator overhead, thread stacks, and the scratch memory of each thread; that grows with the
-/// longest strand, and with the number of strands in contact or with constraints. Takes time proportional to
-/// the number of strands.
+/// Returns the number of bytes that the solver has allocated, including all strands, bodies and
+/// constraints. It excludes allocator overhead, thread stacks, and the scratch memory of each thread;
+/// that grows with the longest strand, and with the number of strands in contact or with constraints.
+/// Takes time proportional to the number of strands.
 /// Errors: SHX_ERROR_NULL_ARGUMENT.
 /// Threads: shared.
 #[unsafe(no_mangle)]

@@ -19,21 +19,21 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 /// Linearly implicit step (Bertails et al. 2006): one linear solve per step; gravity, drag and velocity
 /// products are explicit. Fast, for calm scenes only.
 pub const SHX_INTEGRATOR_LINEARLY_IMPLICIT: u32 = 1;
-/// Implicit Euler: Newton's method minimises the incremental potential. First order, strongly damped, the most
-/// robust.
+/// Implicit Euler: Newton's method minimises the incremental
+/// potential. First order, strongly damped, the most robust.
 pub const SHX_INTEGRATOR_IMPLICIT_EULER: u32 = 2;
-/// BDF2: two-step backward differences, second order in the step size, as cheap as implicit Euler. The
-/// default.
+/// BDF2: two-step backward differences, second order in the
+/// step size, as cheap as implicit Euler. The default.
 pub const SHX_INTEGRATOR_SECOND_ORDER: u32 = 3;
-/// Radau IIA, order 5, with its own error control: meets reference_tolerance. Slow: use it to measure the
-/// other integrators. Free strands only: shx_solver_step fails if strands can come into contact or have
-/// constraints.
+/// Radau IIA, order 5, with its own error control: meets reference_tolerance. Slow: use
+/// it to measure the other integrators. Free strands only: shx_solver_step fails if
+/// strands can come into contact or have constraints.
 pub const SHX_INTEGRATOR_REFERENCE: u32 = 4;
 
 /// Elimination from tip to root. Cost is proportional to the number of elements. The default.
 pub const SHX_LINEAR_SOLVER_LINEAR_TIME: u32 = 1;
-/// Dense matrix, Cholesky factorisation. The dense solvers are references for tests, and slow for many
-/// elements.
+/// Dense matrix, Cholesky factorisation. The dense solvers are
+/// references for tests, and slow for many elements.
 pub const SHX_LINEAR_SOLVER_DENSE_CHOLESKY: u32 = 2;
 /// Dense matrix, conjugate gradients.
 pub const SHX_LINEAR_SOLVER_DENSE_CG: u32 = 3;
@@ -89,19 +89,19 @@ pub struct shx_solver_def {
     pub linear_solver: u32,
     /// SHX_PRECISION_. Default SHX_PRECISION_F64.
     pub precision: u32,
-    /// Maximum number of Newton iterations per substep, 1 to 10000. Default 50. A strand that needs more is
-    /// reported as unconverged.
+    /// Maximum number of Newton iterations per substep, 1 to 10000. Default 50. A
+    /// strand that needs more is reported as unconverged.
     pub max_iterations: u32,
     /// 1 (default): Newton's method uses the exact Hessian, tension included. 0: Gauss-Newton, for comparison.
     pub exact_hessian: u32,
-    /// Newton's method has converged when no element is estimated to be farther than this from the solution,
-    /// rad; above zero. Default 1e-6.
+    /// Newton's method has converged when no element is estimated to be farther than this
+    /// from the solution, rad; above zero. Default 1e-6.
     pub tolerance: f64,
-    /// How many times a strand's substep may be halved, 0 to 10, if it does not converge, becomes non-finite or
-    /// exceeds error_tolerance. Only that strand is subdivided. Default 3; 0: never. Strands in contact are
-    /// subdivided with their whole island: where SHX_CONTACT_COULOMB leaves surfaces too deep in each other, and
-    /// islands of up to 20 strands whenever they do not converge; larger islands are halved once only. Applies
-    /// to implicit Euler and second order.
+    /// How many times a strand's substep may be halved, 0 to 10, if it does not converge, becomes non-finite
+    /// or exceeds error_tolerance. Only that strand is subdivided. Default 3; 0: never. Strands in contact
+    /// are subdivided with their whole island: where SHX_CONTACT_COULOMB leaves surfaces too deep in each
+    /// other, and islands of up to 20 strands whenever they do not converge; larger islands are halved once
+    /// only. Applies to implicit Euler and second order.
     pub max_subdivisions: u32,
     /// SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST. Results are identical to the bit for all of them.
     /// One that the machine does not have is SHX_ERROR_UNSUPPORTED.
@@ -110,19 +110,19 @@ pub struct shx_solver_def {
     /// it is halved, as a fraction of the length of the strand. 0 (default): errors are not estimated, which
     /// costs nothing. If max_subdivisions does not suffice, max_local_error in the report shows it.
     pub error_tolerance: f64,
-    /// Must be 0.
-    pub reserved: [u64; 2],
     /// SHX_INTEGRATOR_REFERENCE only: allowed position error per second of simulated time, as a fraction of the
     /// length of the strand: 1e-12 to 1e-2. Default 1e-8.
     pub reference_tolerance: f64,
     /// Allowed relative error of the integrals along an element (inertia, drag, weight): 1e-12 to 1e-2. Default
     /// 1e-4. It determines the number of quadrature points, and with it time and memory.
     pub quadrature_tolerance: f64,
-    /// A root jumps if reaching its target needs more than this acceleration, m/s^2, and moves it by more than a
-    /// quarter of the strand's length. The strand then moves rigidly with its root in one step and continues
-    /// from there; bodies that jump along do not sweep it. The report counts such strands in jumped_roots. Above
-    /// zero; INFINITY: no root jumps. Default 200.
+    /// A root jumps if reaching its target needs more than this acceleration, m/s^2, and moves it by more than
+    /// a quarter of the strand's length. The strand then moves rigidly with its root in one step and continues
+    /// from there; bodies that jump along do not sweep it. The report counts such strands in jumped_roots.
+    /// Above zero; INFINITY: no root jumps. Default 200.
     pub jump_acceleration: f64,
+    /// Must be 0.
+    pub reserved: [u64; 2],
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, pointers and nullable functions only.
@@ -150,10 +150,10 @@ unsafe impl Versioned for shx_solver_def {
             max_subdivisions: options.step.max_subdivisions,
             instruction_set: SHX_INSTRUCTION_SET_BEST,
             error_tolerance: options.step.error_tolerance,
-            reserved: [0; 2],
             reference_tolerance: options.step.reference_tolerance,
             quadrature_tolerance: options.step.quadrature_tolerance,
             jump_acceleration: options.jump_acceleration,
+            reserved: [0; 2],
         }
     }
 }

@@ -13,8 +13,8 @@ use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::groom::spline::{Spline, SplineEnds, SplineKind};
 
-/// Uniform Catmull-Rom spline: interpolates the control points; the first and the last one only give
-/// directions.
+/// Uniform Catmull-Rom spline: interpolates the control
+/// points; the first and the last one only give directions.
 pub const SHX_SPLINE_CATMULL_ROM: u32 = 1;
 /// Uniform cubic B-spline.
 pub const SHX_SPLINE_BSPLINE: u32 = 2;
@@ -23,12 +23,12 @@ pub const SHX_SPLINE_BEZIER: u32 = 3;
 
 /// One span for every four consecutive control points.
 pub const SHX_SPLINE_ENDS_OPEN: u32 = 1;
-/// The curve starts at the first control point and ends at the last: one point is extrapolated beyond each
-/// end.
+/// The curve starts at the first control point and ends at
+/// the last: one point is extrapolated beyond each end.
 pub const SHX_SPLINE_ENDS_PINNED: u32 = 2;
 
-/// A cubic spline to sample. Fill it with shx_spline_def_init, then set at least controls. The library reads
-/// the arrays during the call only.
+/// A cubic spline to sample. Fill it with shx_spline_def_init, then set at least controls.
+/// The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_spline_def {
@@ -40,8 +40,8 @@ pub struct shx_spline_def {
     pub ends: u32,
     /// Points per span, 1 to 1024. Default 8.
     pub points_per_span: u32,
-    /// Control points: at least 4, or 2 with pinned ends (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth
-    /// number is ignored).
+    /// Control points: at least 4, or 2 with pinned ends (SHX_FORMAT_F32X3,
+    /// _F32X4, _F64X3, _F64X4; a fourth number is ignored).
     pub controls: shx_input,
 }
 
@@ -81,8 +81,8 @@ fn in_words_of_c(error: Error) -> Error {
 /// the arclength of each along the spline itself. Writes their number to *out_count; with null points and null
 /// out_arclengths it only returns that. points: SHX_FORMAT_F32X3, _F64X3. out_arclengths holds as many doubles
 /// as there are points, or is null. Pass both to shx_fit_strands.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_spline_points(

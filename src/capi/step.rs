@@ -15,8 +15,8 @@ use crate::solver::definition::Workers;
 use crate::solver::report::StepReport;
 use crate::step::options::LinearSolver;
 
-/// Report of a step, accumulated over all of its substeps. Fill it with shx_step_report_init once; each step
-/// overwrites it.
+/// Report of a step, accumulated over all of its substeps. Fill it with
+/// shx_step_report_init once; each step overwrites it.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_step_report {
@@ -29,8 +29,8 @@ pub struct shx_step_report {
     pub unconverged: u32,
     /// Largest number of Newton iterations of a strand in a substep.
     pub max_iterations: u32,
-    /// Largest estimated distance of an element from the solution, rad: compare it with
-    /// shx_solver_def.tolerance.
+    /// Largest estimated distance of an element from the
+    /// solution, rad: compare it with shx_solver_def.tolerance.
     pub max_residual: f64,
     /// Kinetic energy of all strands after the step, J.
     pub kinetic_energy: f64,
@@ -67,9 +67,9 @@ pub struct shx_step_report {
     pub max_penetration: f64,
     /// Largest constraint error at the end of a substep, m.
     pub max_constraint_error: f64,
-    /// Number of strands whose root is deeper in a body than the contact tolerance at the end of the last
-    /// substep, and not exempt. Roots are where you put them, so no contact force can separate the two.
-    /// max_penetration includes their depth.
+    /// Number of strands whose root is deeper in a body than the contact tolerance at the end of
+    /// the last substep, and not exempt. Roots are where you put them, so no contact force can
+    /// separate the two. max_penetration includes their depth.
     pub roots_inside_bodies: u64,
     /// Why the step stopped before it was complete: SHX_STOP_. SHX_STOP_NONE if it was not stopped.
     pub stop_reason: u32,
@@ -220,14 +220,14 @@ pub unsafe extern "C" fn shx_solver_step(
     }
 }
 
-/// Does the same as shx_solver_step within limits: on work (identical bits on every machine), on time (results
-/// depend on the clock), or by a flag that another thread sets. When a limit is reached, strands that have not
-/// converged keep their last iterate. Strands without any iterate, and all strands in contact if the step is
-/// cancelled, keep their shape and move with their roots. All states remain finite, roots and bodies reach
-/// their targets, and the report says what is unfinished and why. The function returns SHX_OK whichever limit
-/// stopped it.
-/// Errors: as shx_solver_step; SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT
-/// (limits).
+/// Does the same as shx_solver_step within limits: on work (identical bits on every machine), on time
+/// (results depend on the clock), or by a flag that another thread sets. When a limit is reached, strands
+/// that have not converged keep their last iterate. Strands without any iterate, and all strands in
+/// contact if the step is cancelled, keep their shape and move with their roots. All states remain
+/// finite, roots and bodies reach their targets, and the report says what is unfinished and why. The
+/// function returns SHX_OK whichever limit stopped it.
+/// Errors: as shx_solver_step; SHX_ERROR_NULL_ARGUMENT,
+/// SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (limits).
 /// Threads: exclusive; any thread may write *cancel meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_step_with_limits(

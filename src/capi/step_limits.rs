@@ -30,12 +30,12 @@ pub struct shx_step_limits {
     /// number of threads. 0 (default): a limit that keeps an application responsive, about a quarter of a second
     /// of one core for up to 2280 elements and proportionally more beyond.
     pub max_work: u64,
-    /// Maximum duration of the call, s. Results then depend on the clock. 0 (default): no limit. A step needs
-    /// some time to finish after its last iteration; the solver learns how much from earlier steps and reserves
-    /// it.
+    /// Maximum duration of the call, s. Results then depend on the clock. 0 (default): no
+    /// limit. A step needs some time to finish after its last iteration; the solver
+    /// learns how much from earlier steps and reserves it.
     pub max_seconds: f64,
-    /// Null (default), or a flag that another thread sets to a non-zero value to cancel the step. It is polled
-    /// many times per millisecond.
+    /// Null (default), or a flag that another thread sets to a non-zero value to cancel
+    /// the step. It is polled many times per millisecond.
     pub cancel: *const u32,
 }
 

@@ -33,8 +33,8 @@ const LENGTH_TOLERANCE: f64 = 1e-9;
 pub struct shx_strand_def {
     /// Set by shx_strand_def_init.
     pub struct_size: u32,
-    /// Number of helical elements, 1 to 100000. Default 0: set it. Five suit straight hair; coils need four per
-    /// turn.
+    /// Number of helical elements, 1 to 100000. Default 0: set it.
+    /// Five suit straight hair; coils need four per turn.
     pub element_count: u32,
     /// Length, m; above zero. With element_lengths: their sum, or 0.
     pub length: f64,
@@ -54,8 +54,8 @@ pub struct shx_strand_def {
     pub viscosity: f64,
     /// Air drag nu, kg/(m s); zero or above. Default 0; hair has 5e-6 (disciplined) to 5e-5 (fuzzy).
     pub air_drag: f64,
-    /// Degrees of freedom: SHX_DOF_ bits. A curvature without its bit stays frozen at its natural value and
-    /// costs nothing. Default: all three.
+    /// Degrees of freedom: SHX_DOF_ bits. A curvature without its bit stays frozen at its
+    /// natural value and costs nothing. Default: all three.
     pub dofs: u32,
     /// Must be 0.
     pub reserved0: u32,
@@ -65,11 +65,11 @@ pub struct shx_strand_def {
     pub natural_curvatures: *const f64,
     /// Your own number; the library does not use it. Default 0.
     pub user_data: u64,
-    /// Initial curvatures, element_count rows. Null (default): the natural ones. Frozen curvatures must have
-    /// their natural value.
+    /// Initial curvatures, element_count rows. Null (default): the natural ones.
+    /// Frozen curvatures must have their natural value.
     pub initial_curvatures: *const f64,
-    /// Initial rates of the curvatures, rad/(m s), element_count rows. Null (default): 0. Rates of frozen
-    /// curvatures must be 0.
+    /// Initial rates of the curvatures, rad/(m s), element_count rows. Null
+    /// (default): 0. Rates of frozen curvatures must be 0.
     pub initial_rates: *const f64,
     /// Initial velocity of the root, m/s. The strand starts by moving rigidly with its root. Default 0.
     pub root_velocity: [f64; 3],

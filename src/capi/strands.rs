@@ -36,8 +36,8 @@ fn warn_of_coarse(log: &LogSink, definitions: &[StrandDef]) {
 /// turn by more than pi/2 in their initial shape, the strands are added and one SHX_LOG_WARN message gives
 /// their number: a helix cannot bend its own axis, so tight coils need about four elements per turn
 /// (shx_solver_strand_turning_angles, shx_suggest_elements).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the message names, say,
-/// "defs[3].length"), SHX_ERROR_OUT_OF_MEMORY.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the message
+/// names, say, "defs[3].length"), SHX_ERROR_OUT_OF_MEMORY.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_add_strands(
@@ -141,8 +141,8 @@ pub unsafe extern "C" fn shx_solver_get_element_count(
     }
 }
 
-/// Writes the lengths of a strand's elements from root to tip, m, to out_lengths, which holds capacity
-/// numbers.
+/// Writes the lengths of a strand's elements from root to
+/// tip, m, to out_lengths, which holds capacity numbers.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.
 #[unsafe(no_mangle)]
@@ -185,16 +185,16 @@ pub type shx_strand_status = i32;
 
 /// The strand converged.
 pub const SHX_STRAND_CONVERGED: i32 = 0;
-/// The solver stopped before it reached the tolerance: it ran out of iterations or could not descend further.
-/// The state is usable.
+/// The solver stopped before it reached the tolerance: it ran out of iterations
+/// or could not descend further. The state is usable.
 pub const SHX_STRAND_UNCONVERGED: i32 = 1;
 /// The state became non-finite, or contacts or constraints made it diverge. The strand was rolled back to the
 /// start of the step and moves rigidly with its root. The solver retries it; if that fails for a tenth of a
 /// second, the strand returns to its natural shape by itself.
 pub const SHX_STRAND_QUARANTINED: i32 = 2;
 
-/// Writes the status of count strands after the last step to out_status. shx_solver_reset_strands releases
-/// quarantined strands.
+/// Writes the status of count strands after the last step to out_status.
+/// shx_solver_reset_strands releases quarantined strands.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: shared.
 #[unsafe(no_mangle)]
@@ -238,11 +238,11 @@ pub unsafe extern "C" fn shx_solver_strand_iterations(
     }
 }
 
-/// Writes the number of quadrature points per element of count strands to out_points. Writes to out_errors the
-/// relative error of inertia, drag and weight of the element that turns most in the current shape: 1e-12
-/// stands for that or less, infinity for more than 1e-2. The error is at most the solver's
-/// quadrature_tolerance, unless an element turns more than any rule supports (about 200 rad) or has turned
-/// further since the start of the last step.
+/// Writes the number of quadrature points per element of count strands to out_points. Writes to
+/// out_errors the relative error of inertia, drag and weight of the element that turns most in the
+/// current shape: 1e-12 stands for that or less, infinity for more than 1e-2. The error is at most the
+/// solver's quadrature_tolerance, unless an element turns more than any rule supports (about 200 rad) or
+/// has turned further since the start of the last step.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: shared.
 #[unsafe(no_mangle)]
@@ -285,8 +285,8 @@ pub unsafe extern "C" fn shx_solver_strand_turning_angles(
     }
 }
 
-/// Writes the energies of count strands, J: kinetic, elastic, and gravitational relative to the world origin.
-/// Each output holds count numbers or is null.
+/// Writes the energies of count strands, J: kinetic, elastic, and gravitational relative to the world
+/// origin. Each output holds count numbers or is null.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: shared.
 #[unsafe(no_mangle)]
@@ -319,8 +319,8 @@ pub unsafe extern "C" fn shx_solver_strand_energies(
     }
 }
 
-/// Resets count strands to their natural curvatures, at rest relative to their roots, and releases them from
-/// quarantine. All or none.
+/// Resets count strands to their natural curvatures, at rest relative to their
+/// roots, and releases them from quarantine. All or none.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]

@@ -23,8 +23,8 @@ pub struct shx_suggest_def {
     pub struct_size: u32,
     /// Maximum number of elements, 1 to 1000. Default 100.
     pub max_elements: u32,
-    /// Allowed error, m; above zero. At rest: of the point with the largest error. In motion: RMS over time and
-    /// arclength. Default 1e-3.
+    /// Allowed error, m; above zero. At rest: of the point with the largest error. In
+    /// motion: RMS over time and arclength. Default 1e-3.
     pub tolerance: f64,
     /// Gravity, m/s^2. Default (0, 0, -9.81).
     pub gravity: [f64; 3],
@@ -141,8 +141,8 @@ pub unsafe extern "C" fn shx_suggestion_init(suggestion: *mut shx_suggestion, si
 /// finely as you have them, or one element for a uniform curl. The error is measured by settling the strand on
 /// N and on 4 N elements and, with a motion, by simulating it on N and 2 N; elements that turn by more than
 /// pi/2 are not considered. Takes some tens of milliseconds at rest.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a strand that
-/// finds no equilibrium).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT (also a strand that finds no equilibrium).
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_suggest_elements(

@@ -4,8 +4,8 @@
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
 
-/// Names a strand of one solver. Zero bits is the null id. The id of a removed strand never names another
-/// strand.
+/// Names a strand of one solver. Zero bits is the null id. The
+/// id of a removed strand never names another strand.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct shx_strand_id {
@@ -13,8 +13,8 @@ pub struct shx_strand_id {
     pub bits: u64,
 }
 
-/// Names a body of one solver, as shx_strand_id names a strand. It never has the same bits as a strand or a
-/// constraint.
+/// Names a body of one solver, as shx_strand_id names a strand. It
+/// never has the same bits as a strand or a constraint.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct shx_body_id {
@@ -22,8 +22,8 @@ pub struct shx_body_id {
     pub bits: u64,
 }
 
-/// Names a constraint of one solver, as shx_strand_id names a strand. It never has the same bits as a strand
-/// or a body.
+/// Names a constraint of one solver, as shx_strand_id names a strand.
+/// It never has the same bits as a strand or a body.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct shx_constraint_id {
@@ -76,8 +76,8 @@ pub struct shx_output {
 
 /// Three floats: x, y, z.
 pub const SHX_FORMAT_F32X3: u32 = 1;
-/// Four floats. Points: x, y, z and the radius of the strand, as Embree and Cycles take curve vertices.
-/// Frames: a quaternion x, y, z, w.
+/// Four floats. Points: x, y, z and the radius of the strand, as Embree and Cycles
+/// take curve vertices. Frames: a quaternion x, y, z, w.
 pub const SHX_FORMAT_F32X4: u32 = 2;
 /// Three doubles: x, y, z.
 pub const SHX_FORMAT_F64X3: u32 = 3;

@@ -78,16 +78,16 @@ pub extern "C" fn shx_version() -> u32 {
     SHX_VERSION
 }
 
-/// Returns the binary interface of the loaded library. Compare it with SHX_ABI_VERSION when your program
-/// starts.
+/// Returns the binary interface of the loaded library. Compare
+/// it with SHX_ABI_VERSION when your program starts.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn shx_abi_version() -> u32 {
     SHX_ABI_VERSION
 }
 
-/// Returns one line for bug reports: name, version, CPU, operating system, checks. Static text: do not free
-/// it.
+/// Returns one line for bug reports: name, version, CPU,
+/// operating system, checks. Static text: do not free it.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn shx_build_info() -> *const c_char {

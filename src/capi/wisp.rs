@@ -20,8 +20,8 @@ pub struct shx_wisp {
     pub reserved0: u32,
     /// Number of hairs, 1 to 1e6. Default 200.
     pub hairs: f64,
-    /// How firmly the hairs hold together and keep their style: 0 (bare hair that slides freely) to 1
-    /// (lacquered). Default 0.6.
+    /// How firmly the hairs hold together and keep their style: 0 (bare hair
+    /// that slides freely) to 1 (lacquered). Default 0.6.
     pub hold: f64,
 }
 
@@ -57,15 +57,15 @@ pub unsafe extern "C" fn shx_wisp_init(wisp: *mut shx_wisp, size: usize) -> shx_
     unsafe { initialise("shx_wisp_init", "wisp", wisp, size) }
 }
 
-/// Computes the material of a rod that moves as a wisp of such hairs does, and writes it to out_material,
-/// which shx_material_init has filled. Its cross-section is that of all hairs without air between them.
-/// Relative to its weight it is hairs^hold times as stiff as one hair. Internal friction scales with
-/// stiffness, plus 0.1 hold seconds of viscosity; air drag scales with the number of hairs. (A bundle of n
-/// fibres bends with n EI if they slide and n^2 EI if they are bonded: Bathe et al. 2008, Heussinger et al.
-/// 2007.) The other outputs may be null.
+/// Computes the material of a rod that moves as a wisp of such hairs does, and writes it to
+/// out_material, which shx_material_init has filled. Its cross-section is that of all hairs without air
+/// between them. Relative to its weight it is hairs^hold times as stiff as one hair. Internal friction
+/// scales with stiffness, plus 0.1 hold seconds of viscosity; air drag scales with the number of hairs.
+/// (A bundle of n fibres bends with n EI if they slide and n^2 EI if they are bonded: Bathe et al. 2008,
+/// Heussinger et al. 2007.) The other outputs may be null.
 /// out_radius: radius within which the hairs lie, m; use it as shx_strand_contact.wisp_radius.
-/// out_margin: margin for shx_solver_stiffen_strands with which the wisp rests as drawn: 0.9 hold. With hold 0
-/// it is 0: bare hair rests where it can.
+/// out_margin: margin for shx_solver_stiffen_strands with which the wisp rests as drawn: 0.9 hold.
+/// With hold 0 it is 0: bare hair rests where it can.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: any.
 #[unsafe(no_mangle)]

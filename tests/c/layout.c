@@ -27,10 +27,10 @@ AT(shx_solver_def, tolerance, 112);
 AT(shx_solver_def, max_subdivisions, 120);
 AT(shx_solver_def, instruction_set, 124);
 AT(shx_solver_def, error_tolerance, 128);
-AT(shx_solver_def, reserved, 136);
-AT(shx_solver_def, reference_tolerance, 152);
-AT(shx_solver_def, quadrature_tolerance, 160);
-AT(shx_solver_def, jump_acceleration, 168);
+AT(shx_solver_def, reference_tolerance, 136);
+AT(shx_solver_def, quadrature_tolerance, 144);
+AT(shx_solver_def, jump_acceleration, 152);
+AT(shx_solver_def, reserved, 160);
 
 SIZE(shx_frame, 56);
 AT(shx_frame, origin, 0);

@@ -132,6 +132,8 @@ fn tidy(header: &str) -> String {
             tidied.push_str(&wrapped(&declaration.replace("struct shx_", "shx_").replace("( ", "(")));
         } else if let Some((define, code)) = line.split_once(" -").filter(|_| line.starts_with("#define SHX_")) {
             tidied.push_str(&format!("{define} (-{code})"));
+        } else if line.starts_with("typedef void (*") {
+            tidied.push_str(&wrapped(line));
         } else if line.starts_with("typedef struct") {
             tidied.push_str(line);
         } else {

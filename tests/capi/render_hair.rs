@@ -108,7 +108,14 @@ fn plain() -> shx_render_settings {
 
 fn settings(space: u32) -> shx_render_settings {
     let base = filled(shx_render_settings_init);
-    shx_render_settings { points_per_strand: POINTS as u32, interpolation: space, curliness: 0.4, frizz: 0.002, wisps_per_guide: 2, ..base }
+    shx_render_settings {
+        points_per_strand: POINTS as u32,
+        interpolation: space,
+        curliness: 0.4,
+        frizz: 0.002,
+        wisps_per_guide: 2,
+        ..base
+    }
 }
 
 fn guides(points: &[[f64; 3]]) -> shx_render_guides {
