@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sees to it that the tools named on the command line are there: installs what is missing by apt-get when run by root on Debian or
-# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|abi|wasm|platforms|figures ...
+# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|python|abi|wasm|platforms|figures ...
 set -euo pipefail
 
 missing=()
@@ -37,10 +37,14 @@ for part in "$@"; do
       need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
       need wine wine
       ;;
-    figures)
+    figures | python)
       need python3 python3
       if command -v python3 >/dev/null 2>&1; then
         python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3-venv)
+        if [ "$part" = python ] && ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 10))'; then
+          echo "setup.sh: Python 3.10 or later is needed, and python3 is $(python3 --version)" >&2
+          exit 1
+        fi
       fi
       ;;
     *)

@@ -136,7 +136,7 @@ class Generator:
         def function(match: re.Match[str]) -> str:
             name = match[0]
             if name in self.structs:
-                return IDS.get(name) or camel(name)
+                return "StrandDefs" if name == "shx_strand_def" else IDS.get(name) or camel(name)
             if name.startswith("shx_solver_"):
                 return "Solver." + name.removeprefix("shx_solver_")
             return "Solver" if name == "shx_solver" else name
@@ -215,13 +215,14 @@ class Generator:
     def capi(self) -> str:
         """The C API for ctypes."""
         lines = self.header("The C API as ctypes sees it: constants, structures, functions.")
-        lines += ["# ruff: noqa: N801", "from __future__ import annotations", "", "import ctypes", "from collections.abc import Callable"]
+        lines += ["from __future__ import annotations", "", "import ctypes", "from collections.abc import Callable"]
         lines += ["from typing import Any", "", "#: What ctypes takes for a pointer: an address, None, byref(...), an array, a Handle.", "Pointer = Any", ""]
         for constant in self.api.constants:
             lines.append(f"{constant.name} = {constant.value}")
         for struct in self.ordered_structs():
             lines += ["", "", f"class {struct.name}(ctypes.Structure):"]
-            lines += [f'    """{struct.size} bytes."""', "", "    _fields_ = ["]
+            # Slots: a name that is no field is an error, not a new attribute. kept holds what a pointer points to.
+            lines += [f'    """{struct.size} bytes."""', "", '    __slots__ = ("kept",)', "    _fields_ = ["]
             for member in struct.fields:
                 lines.append(f'        ("{member.name}", {self.ctype(member.type, member.array)}),')
             lines.append("    ]")
@@ -246,10 +247,10 @@ class Generator:
             result = "None" if function.returns == Type("void") else self.ctype(function.returns)
             if function.returns == Type("char", True, 1):
                 result = "ctypes.c_char_p"
-            parameters = [self.ctype(parameter.type) if not parameter.array else "ctypes.c_void_p" for parameter in function.parameters]
-            line = f'    "{function.name}": ({result}, [{", ".join(parameters)}]),'
+            ctypes = ["ctypes.c_void_p" if parameter.array else self.ctype(parameter.type) for parameter in function.parameters]
+            line = f'    "{function.name}": ({result}, [{", ".join(ctypes)}]),'
             if len(line) > WIDTH:
-                line = f'    "{function.name}": (\n        {result},\n        [{", ".join(parameters)}],\n    ),'
+                line = f'    "{function.name}": (\n        {result},\n        [{", ".join(ctypes)}],\n    ),'
             lines.append(line)
         lines.append("}")
         lines += ["", "#: Each versioned structure's function that fills it with defaults.", "INITIALIZERS: dict[type[ctypes.Structure], str] = {"]
@@ -358,14 +359,15 @@ class Generator:
                 names.append(name + "Table")
                 body += ["", "", f"class {name}Table(Table):"]
                 body += self.doc(f"A row each: {struct.doc[0].lower()}{struct.doc[1:]}", "    ")
-                body += ["", f"    _STRUCT = _capi.{struct.name}"]
+                body += ["", "    __slots__ = ()", f"    _STRUCT = _capi.{struct.name}"]
                 for member in struct.fields:
                     if column := self.column(member):
                         kinds.add(column.split("(")[0])
                         body += self.field_lines(member, column)
                 continue
             names.append(name)
-            body += ["", "", f"class {name}(Record):", *self.doc(struct.doc, "    "), "", f"    _STRUCT = _capi.{struct.name}"]
+            body += ["", "", f"class {name}(Record):", *self.doc(struct.doc, "    "), "", "    __slots__ = ()"]
+            body += [f"    _STRUCT = _capi.{struct.name}"]
             given: list[tuple[str, str]] = []
             for member in struct.fields:
                 found = self.descriptor(member)
@@ -381,7 +383,9 @@ class Generator:
                 body += ["", "    def __init__(", "        self,", "        *,"]
                 body += [f"        {field}: {kind} | None = None," for field, kind in given]
                 body += ["    ) -> None:", "        super().__init__()", "        self._set("]
-                body += [f"            {field}={field}," for field, _ in given]
+                identity = "(0.0, 0.0, 0.0, 1.0) if rotation is None else rotation"
+                whole = struct.name == "shx_frame"
+                body += [f"            {field}={identity if whole and field == 'rotation' else field}," for field, _ in given]
                 body += ["        )"]
         lines = self.header("Structures of the API as classes: options that functions take, reports and tables that they give.")
         lines += ["from __future__ import annotations", "", "from collections.abc import Sequence", "", "from superhelix import _capi"]
@@ -389,7 +393,9 @@ class Generator:
         lines += ["from superhelix.enums import (", *(f"    {enum}," for enum in sorted(used_enums)), ")"]
         ids = sorted({*IDS.values(), *(f"{name}s" for name in IDS.values())})
         lines += ["from superhelix.ids import (", *(f"    {name}," for name in ids if any(re.search(rf"\b{name}\b", line) for line in body)), ")"]
-        lines += [*body, "", "", "__all__ = [", *(f'    "{name}",' for name in sorted(names)), "]"]
+        # bodies.BodyDef, which also has the arrays, goes by that name.
+        public = sorted(name for name in names if name != "BodyDef")
+        lines += [*body, "", "", "__all__ = [", *(f'    "{name}",' for name in public), "]"]
         return "\n".join(lines) + "\n"
 
     def files(self) -> dict[Path, str]:

@@ -7,27 +7,13 @@ or float64, without copies. Errors are SuperhelixError and its subclasses, with 
 
 from __future__ import annotations
 
-from superhelix import enums, frames, groom, records
+from superhelix import enums, errors, frames, groom, records
 from superhelix._callbacks import Run, log_to_logging, parallel_for_on
-from superhelix._library import build_info, version
+from superhelix._library import abi_version, build_info, version
 from superhelix.bodies import BodyDef, bake_distance_grid
 from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, write_curves
 from superhelix.enums import *  # noqa: F403
-from superhelix.errors import (
-    BufferTooSmallError,
-    BusyError,
-    FileError,
-    InternalError,
-    InvalidArgumentError,
-    InvalidIdError,
-    NullArgumentError,
-    OutOfMemoryError,
-    PoisonedError,
-    SnapshotError,
-    StructSizeError,
-    SuperhelixError,
-    UnsupportedError,
-)
+from superhelix.errors import *  # noqa: F403
 from superhelix.fit import Fit, fit_polyline, fit_strands, sag_free_curvatures, spline_points
 from superhelix.friction import fit_friction
 from superhelix.groom import Groom, interpolate, simulate
@@ -40,7 +26,56 @@ from superhelix.settings import preset_settings, suggest_elements, suggest_setti
 from superhelix.solver import Cancel, Solver
 from superhelix.strand_defs import StrandDefs
 
-# The class with constructors for each shape, not the plain structure.
-BodyDef = BodyDef
-
 __version__ = version()
+
+__all__ = [
+    "BodyDef",
+    "BodyId",
+    "BodyIds",
+    "Cancel",
+    "ConstraintId",
+    "ConstraintIds",
+    "CurveCache",
+    "CurveCacheWriter",
+    "CurveData",
+    "Curves",
+    "Fit",
+    "Groom",
+    "RenderGuides",
+    "RenderHair",
+    "RenderPose",
+    "Run",
+    "Scalp",
+    "Solver",
+    "StrandDefs",
+    "StrandId",
+    "StrandIds",
+    "abi_version",
+    "bake_distance_grid",
+    "build_info",
+    "enums",
+    "errors",
+    "fit_friction",
+    "fit_polyline",
+    "fit_strands",
+    "frames",
+    "groom",
+    "hair_strands",
+    "hair_type",
+    "interpolate",
+    "log_to_logging",
+    "parallel_for_on",
+    "preset_settings",
+    "records",
+    "sag_free_curvatures",
+    "simulate",
+    "spline_points",
+    "suggest_elements",
+    "suggest_settings",
+    "version",
+    "wisp_material",
+    "write_curves",
+    *enums.__all__,
+    *errors.__all__,
+    *records.__all__,
+]

@@ -8,6 +8,7 @@ converted where they have another type or layout.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any, TypeVar
 
 import numpy as np
@@ -58,7 +59,7 @@ def _rows(name: str, array: npt.NDArray[Any], widths: Sequence[int]) -> tuple[in
         raise ValueError(f"{name}: the numbers of an item are not contiguous (strides {array.strides}); np.ascontiguousarray makes them so")
     # All axes but the last must be one axis of evenly spaced items. An axis of length 1 may have any stride.
     axes = [(length, stride) for length, stride in zip(array.shape[:-1], array.strides[:-1]) if length != 1]
-    for (_, outer), (length, inner) in zip(axes, axes[1:]):
+    for (_, outer), (length, inner) in pairwise(axes):
         if outer != length * inner and count:
             raise ValueError(f"{name}: items are not evenly spaced (strides {array.strides}); np.ascontiguousarray makes them so")
     stride = axes[-1][1] if axes and count else item
@@ -140,7 +141,7 @@ def column(name: str, values: ArrayLike, kind: type[ScalarT], count: int | None 
         if found.dtype == object or (found.size and not np.can_cast(found.dtype, kind, "same_kind") and found.dtype.kind not in "iub"):
             raise TypeError(f"{found.dtype}")
         if found.dtype.kind in "iu" and np.dtype(kind).kind in "iu" and found.size:
-            limits = np.iinfo(kind)
+            limits = np.iinfo(np.dtype(kind))
             if found.min() < limits.min or found.max() > limits.max:
                 raise TypeError(f"a number outside {limits.min} to {limits.max}")
         array = np.ascontiguousarray(found, dtype=kind)

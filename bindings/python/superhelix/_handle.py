@@ -46,7 +46,7 @@ def made(destroy: Callable[[_capi.Pointer], Any], make: Callable[[_capi.Pointer]
 class Owner:
     """A Python object around a handle: a context manager that closes it."""
 
-    __slots__ = ("_open", "__weakref__")
+    __slots__ = ("__weakref__", "_open")
     _open: Handle | None
 
     @property

@@ -40,9 +40,7 @@ def check_version(found: int, found_abi: int, where: str) -> None:
     if found_abi != _capi.SHX_ABI_VERSION:
         raise ImportError(f"superhelix: {where} has ABI version {found_abi}, but this package needs {_capi.SHX_ABI_VERSION}")
     if found < _capi.SHX_VERSION:
-        raise ImportError(
-            f"superhelix: {where} is version {version_text(found)}, but this package needs {version_text(_capi.SHX_VERSION)} or later"
-        )
+        raise ImportError(f"superhelix: {where} is version {version_text(found)}, but this package needs {version_text(_capi.SHX_VERSION)} or later")
 
 
 def load() -> _capi.Functions:
@@ -66,6 +64,11 @@ functions = load()
 def version() -> str:
     """The version of the library that runs, such as "0.1.0"."""
     return version_text(functions.shx_version())
+
+
+def abi_version() -> int:
+    """The binary interface of the library that runs. It is the one that this package was generated for."""
+    return functions.shx_abi_version()
 
 
 def build_info() -> str:

@@ -6,7 +6,7 @@ import ctypes
 import operator
 from collections.abc import Sequence
 from enum import IntEnum, IntFlag
-from functools import lru_cache
+from functools import cache
 from typing import Any, ClassVar, Generic, SupportsFloat, SupportsIndex, TypeVar, overload
 
 import numpy as np
@@ -26,8 +26,8 @@ RecordT = TypeVar("RecordT", bound="Record")
 TableT = TypeVar("TableT", bound="Table")
 
 
-@lru_cache(maxsize=None)
-def dtype_of(struct: type[ctypes.Structure]) -> np.dtype[np.void]:
+@cache
+def dtype_of(struct: type[ctypes.Structure]) -> np.dtype[Any]:
     """The numpy type with a structure's fields, offsets and size."""
     return np.dtype(struct)
 
@@ -83,7 +83,7 @@ class Record:
         return other
 
     def __eq__(self, other: object) -> bool:
-        return type(other) is type(self) and isinstance(other, Record) and self.as_dict() == other.as_dict()
+        return type(other) is type(self) and isinstance(other, Record) and bytes(self._c) == bytes(other._c)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -93,6 +93,15 @@ class Record:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _record_from_bytes, (type(self), bytes(self._c))
+
+
+def reference(name: str, record: RecordT | None, kind: type[RecordT]) -> Any:
+    """A pointer to a record that a function was given, or None; raises where it is of another kind."""
+    if record is None:
+        return None
+    if not isinstance(record, kind):
+        raise TypeError(f"{name}: {record!r}; {kind.__name__} expected")
+    return ctypes.byref(record._c)
 
 
 def _record_from_bytes(cls: type[RecordT], data: bytes) -> RecordT:
@@ -173,7 +182,7 @@ class EnumField(RecordDescriptor[EnumT, EnumT], Generic[EnumT]):
 
     def __init__(self, members: type[EnumT], doc: str) -> None:
         super().__init__(doc)
-        self.members = members
+        self.members: Any = members
 
     def read(self, value: Any) -> Any:
         try:
@@ -323,5 +332,3 @@ class IdColumn(Column[IdsT], Generic[IdsT]):
 
     def read(self, column: npt.NDArray[Any]) -> IdsT:
         return self.kind(column["bits"])
-
-

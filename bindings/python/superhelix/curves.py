@@ -230,11 +230,7 @@ class CurveCacheWriter(Owner):
         """Writes a frame: its time, s, after that of the frame before, the points of all strands, and their velocities if the first had some."""
         view = input_rows("points", points)
         speeds = None if velocities is None else input_rows("velocities", velocities)
-        check(
-            functions.shx_curve_cache_writer_write(
-                self._handle, time, ctypes.byref(view), None if speeds is None else ctypes.byref(speeds)
-            )
-        )
+        check(functions.shx_curve_cache_writer_write(self._handle, time, ctypes.byref(view), None if speeds is None else ctypes.byref(speeds)))
         self.frame_count += 1
 
     def close(self) -> None:

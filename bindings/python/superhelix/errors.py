@@ -137,3 +137,20 @@ def check(result: int) -> None:
     """Raises where a function's result is not success."""
     if result != _capi.SHX_OK:
         raise error_of(result)
+
+
+__all__ = [
+    "BufferTooSmallError",
+    "BusyError",
+    "FileError",
+    "InternalError",
+    "InvalidArgumentError",
+    "InvalidIdError",
+    "NullArgumentError",
+    "OutOfMemoryError",
+    "PoisonedError",
+    "SnapshotError",
+    "StructSizeError",
+    "SuperhelixError",
+    "UnsupportedError",
+]

@@ -44,7 +44,7 @@ class Fit:
     @property
     def fitted(self) -> npt.NDArray[np.bool_]:
         """Which curves could be fitted: others have no length, or numbers that are not finite."""
-        return self.strands.result == _capi.SHX_OK
+        return np.asarray(self.strands.result == _capi.SHX_OK)
 
     def select(self, which: slice | npt.NDArray[Any] | list[int]) -> Fit:
         """Some of the strands: fit.select(fit.fitted) are those that could be fitted."""
@@ -69,11 +69,7 @@ def fit_polyline(polyline: npt.ArrayLike, element_count: int) -> PolylineStrand:
     # No more memory than a valid count needs: an invalid one is refused before anything is written.
     room = min(count, 100_000)
     lengths, curvatures = np.zeros(room), np.zeros((room, 3))
-    check(
-        functions.shx_fit_polyline(
-            ctypes.byref(view), count, ctypes.byref(fit._c), address(lengths), address(curvatures), room
-        )
-    )
+    check(functions.shx_fit_polyline(ctypes.byref(view), count, ctypes.byref(fit._c), address(lengths), address(curvatures), room))
     return PolylineStrand(fit, lengths, curvatures)
 
 

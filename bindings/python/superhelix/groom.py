@@ -17,11 +17,11 @@ from superhelix import frames as turned
 from superhelix._buffers import column, frame_rows
 from superhelix.bodies import BodyDef
 from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, Path
-from superhelix.enums import CurveAttribute, UpAxis
+from superhelix.enums import CurveAttribute, StrandStatus, UpAxis
 from superhelix.fit import Fit, fit_strands
 from superhelix.hair import wisp_material
 from superhelix.ids import BodyId, StrandIds
-from superhelix.records import ContactOptions, FitOptions, FittedStrandTable, Material, RenderSettings, Settings, StepReport, StrandContact, Wisp
+from superhelix.records import ContactOptions, FitOptions, Material, RenderSettings, Settings, StepReport, StrandContact, Wisp
 from superhelix.render import RenderGuides, RenderHair
 from superhelix.scalp import Scalp
 from superhelix.solver import Solver
@@ -233,9 +233,7 @@ def prepare(
     roots = solver.root_frames(strands)
     joint = roots[:, :3].mean(axis=0) if pivot is None else np.asarray(pivot, dtype=np.float64)
     indices = np.arange(len(groom))
-    return GroomSolver(
-        solver, strands, fit, indices[good], indices[~good], roots, joint, body_id, stiffening, max(rod.radius, meets.wisp_radius)
-    )
+    return GroomSolver(solver, strands, fit, indices[good], indices[~good], roots, joint, body_id, stiffening, max(rod.radius, meets.wisp_radius))
 
 
 def still(_time: float) -> Numbers:
@@ -263,15 +261,16 @@ def motion_from_samples(times: npt.ArrayLike, poses: Any) -> Motion:
 
 
 def read_motion(path: Path) -> tuple[Numbers, Numbers]:
-    """Times (s) and frames of a .csv of poses, with columns t or time, x, y, z, qx, qy, qz, qw: give them to motion_from_samples."""
+    """Times (s) and frames of a .csv of poses, with columns time_s, px_m, py_m, pz_m, qx, qy, qz, qw in any order: give them to
+    motion_from_samples.
+    """
     with open(path, newline="", encoding="utf-8") as file:
         rows = list(csv.reader(line for line in file if not line.startswith("#")))
     names = [name.strip() for name in rows[0]]
-    wanted = [("t", "time", "seconds"), ("x",), ("y",), ("z",), ("qx",), ("qy",), ("qz",), ("qw",)]
-    try:
-        columns = [next(names.index(name) for name in choices if name in names) for choices in wanted]
-    except StopIteration:
-        raise ValueError(f"{path}: columns {names}; t, x, y, z, qx, qy, qz, qw expected") from None
+    wanted = ("time_s", "px_m", "py_m", "pz_m", "qx", "qy", "qz", "qw")
+    if missing := [name for name in wanted if name not in names]:
+        raise ValueError(f"{path}: no columns {', '.join(missing)} among {', '.join(names)}")
+    columns = [names.index(name) for name in wanted]
     numbers = np.array([[float(row[place]) for place in columns] for row in rows[1:] if row])
     return numbers[:, 0], numbers[:, 1:]
 
@@ -332,7 +331,7 @@ def simulate(
                         made.move_head(first, motion(time), dt)
                         solver.step(dt, report=reports[-1])
                         if reports[-1].quarantined:
-                            quarantined |= solver.strand_status(strands) == 2
+                            quarantined |= solver.strand_status(strands) == StrandStatus.QUARANTINED
                 solver.sample_strands(points_per_strand, strands, out=points[frame])
                 if cache is not None:
                     writer = _write_frame(made, groom, cache, writer, fps, times[frame], points[frame])
@@ -410,3 +409,28 @@ def interpolate(
                     pose.set_guides(RenderGuides(curves.points(metres, dtype=np.float64), counts))
                     writer.write(time, pose.evaluate() / np.float32(metres))
             return hair.strand_count
+
+
+def read_obj_mesh(path: Path, scale: float = 1.0) -> tuple[Numbers, npt.NDArray[np.uint32]]:
+    """Vertices (times scale: metres a file unit) and triangles of a Wavefront .obj with faces, for BodyDef.mesh, bake_distance_grid and Scalp.
+    Faces of more than three corners are split into fans: they should be convex.
+    """
+    vertices: list[list[float]] = []
+    triangles: list[tuple[int, int, int]] = []
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            words = line.split()
+            if not words or words[0] not in ("v", "f"):
+                continue
+            try:
+                if words[0] == "v":
+                    vertices.append([float(word) for word in words[1:4]])
+                    continue
+                corners = [int(word.split("/")[0]) for word in words[1:]]
+                corners = [corner - 1 if corner > 0 else len(vertices) + corner for corner in corners]
+            except ValueError as error:
+                raise ValueError(f"{path}:{number}: {error}") from None
+            if len(corners) < 3 or not all(0 <= corner < len(vertices) for corner in corners):
+                raise ValueError(f"{path}:{number}: a face whose corners are not there")
+            triangles += [(corners[0], corners[place], corners[place + 1]) for place in range(1, len(corners) - 1)]
+    return np.array(vertices, dtype=np.float64).reshape(-1, 3) * scale, np.array(triangles, dtype=np.uint32).reshape(-1, 3)

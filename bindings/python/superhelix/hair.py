@@ -11,7 +11,7 @@ import numpy.typing as npt
 from superhelix import _capi
 from superhelix._buffers import address, column, whole
 from superhelix._library import functions
-from superhelix._record import initialize
+from superhelix._record import initialize, reference
 from superhelix.errors import check
 from superhelix.records import HairSliders, HairStrandTable, HairType, Material, Wisp
 
@@ -47,18 +47,16 @@ def hair_strands(
     """
     counts = column("element_counts", element_counts, np.uint32)
     lengths = column("element_lengths", element_lengths, np.float64, int(counts.sum()))
+    reference("kind", kind, HairType)
+    reference("sliders", sliders, HairSliders)
     definition = _capi.shx_hair_strands_def()
     initialize(definition)
-    definition.type = ctypes.addressof(kind._c)
+    definition.hair_type = ctypes.addressof(kind._c)
     definition.sliders = None if sliders is None else ctypes.addressof(sliders._c)
     definition.first_strand, definition.strand_count = whole("first_strand", first_strand, 0, 2**64 - 1), len(counts)
     definition.element_counts, definition.element_lengths = address(counts), address(lengths)
     table, natural = HairStrandTable._zeros(len(counts)), np.empty((len(lengths), 3))
-    check(
-        functions.shx_hair_strands(
-            ctypes.byref(definition), address(table.data), table.data.dtype.itemsize, address(natural), len(natural)
-        )
-    )
+    check(functions.shx_hair_strands(ctypes.byref(definition), address(table.data), table.data.dtype.itemsize, address(natural), len(natural)))
     return HairStrands(table, natural)
 
 
@@ -78,8 +76,8 @@ def wisp_material(wisp: Wisp | None = None, hair: Material | None = None) -> Wis
     radius, margin = ctypes.c_double(), ctypes.c_double()
     check(
         functions.shx_wisp_material(
-            ctypes.byref(chosen._c),
-            ctypes.byref(single._c),
+            reference("wisp", chosen, Wisp),
+            reference("hair", single, Material),
             ctypes.byref(material._c),
             ctypes.byref(radius),
             ctypes.byref(margin),

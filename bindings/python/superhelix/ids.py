@@ -124,7 +124,7 @@ class Ids(Generic[IdT]):
         return type(self)(np.concatenate([self.bits, other.bits]))
 
     def __contains__(self, one: object) -> bool:
-        return type(one) is self._ID and bool((self.bits == np.uint64(one.bits)).any())
+        return isinstance(one, Id) and type(one) is self._ID and bool((self.bits == np.uint64(one.bits)).any())
 
     def __eq__(self, other: object) -> bool:
         return type(other) is type(self) and isinstance(other, Ids) and np.array_equal(self.bits, other.bits)

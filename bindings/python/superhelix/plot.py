@@ -72,7 +72,8 @@ def _fit_axes(ax: Any, points: npt.NDArray[np.float64]) -> None:
     ax.set_xlim(middle[0] - half, middle[0] + half)
     ax.set_ylim(middle[1] - half, middle[1] + half)
     ax.set_zlim(middle[2] - half, middle[2] + half)
-    ax.set_box_aspect((1, 1, 1))
+    ax.set_box_aspect((1, 1, 1), zoom=1.1)
+    ax.locator_params(nbins=4)
 
 
 def plot_solver(solver: Solver, ids: Any = None, *, points_per_strand: int = 24, ax: Axes | None = None, **style: Any) -> Axes:

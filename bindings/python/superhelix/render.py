@@ -135,17 +135,13 @@ class RenderHair(Owner):
         view, bits = _places("roots", roots), solver._strands(ids)
 
         def make(chosen: Any, out: Any) -> int:
-            solver._call(
-                functions.shx_solver_create_render_hair, address(bits), len(bits), chosen, ctypes.byref(view), out
-            )
+            solver._call(functions.shx_solver_create_render_hair, address(bits), len(bits), chosen, ctypes.byref(view), out)
             return _capi.SHX_OK
 
         return cls._make(make, settings, parallel_for, int(view.count))
 
     @classmethod
-    def load(
-        cls, image: bytes, settings: RenderSettings | None = None, *, parallel_for: ParallelFor | None = None, points_per_strand: int
-    ) -> RenderHair:
+    def load(cls, image: bytes, settings: RenderSettings | None = None, *, parallel_for: ParallelFor | None = None, points_per_strand: int) -> RenderHair:
         """Makes render hair of bytes that save gave. Of settings only worker_count is looked at; points_per_strand must be that of the hair."""
 
         def make(chosen: Any, out: Any) -> int:
@@ -167,7 +163,8 @@ class RenderHair(Owner):
         return least
 
     def _has(self, count: int) -> bool:
-        return functions.shx_render_hair_wisps(self._handle, count - 1, 1, None, None) == _capi.SHX_OK
+        guide = ctypes.c_uint32()
+        return functions.shx_render_hair_wisps(self._handle, count, 0, ctypes.byref(guide), None) == _capi.SHX_OK
 
     def save(self) -> bytes:
         """The hair as bytes: load makes the same hair of them, so that binding need not be done again."""

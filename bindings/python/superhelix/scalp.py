@@ -45,9 +45,7 @@ class Scalp(Owner):
             definition.uvs = address(coordinates)
         if reference_axis is not None:
             definition.reference_axis = (ctypes.c_double * 3)(*vector("reference_axis", reference_axis))
-        self._open = made(
-            functions.shx_scalp_destroy, lambda out: functions.shx_scalp_create(ctypes.byref(definition), out), None
-        )
+        self._open = made(functions.shx_scalp_destroy, lambda out: functions.shx_scalp_create(ctypes.byref(definition), out), None)
         del coordinates
 
     def scatter(
@@ -85,11 +83,7 @@ class Scalp(Owner):
         return table[: number.value]
 
     def _scatter(self, definition: Any, place: int | None, room: int, number: ctypes.c_size_t) -> None:
-        check(
-            functions.shx_scalp_scatter(
-                self._handle, ctypes.byref(definition), place, room, ctypes.byref(number), None
-            )
-        )
+        check(functions.shx_scalp_scatter(self._handle, ctypes.byref(definition), place, room, ctypes.byref(number), None))
 
     def follicles_at_uvs(self, uvs: npt.ArrayLike, jitter: float = 0.0, seed: int = 0) -> FollicleTable:
         """The follicles at texture coordinates (u and v, a row each), each offset at random by up to jitter."""

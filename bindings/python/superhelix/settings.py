@@ -20,9 +20,7 @@ def preset_settings(preset: Preset, *, curvature: float, length: float, frame_ti
     them to Solver(settings=...), and element_count to the strands.
     """
     settings = Settings()
-    check(
-        functions.shx_settings_from_preset(whole("preset", preset), curvature, length, frame_time, ctypes.byref(settings._c))
-    )
+    check(functions.shx_settings_from_preset(whole("preset", preset), curvature, length, frame_time, ctypes.byref(settings._c)))
     return settings
 
 

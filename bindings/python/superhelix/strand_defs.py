@@ -70,7 +70,7 @@ class StrandDefs:
         first = _capi.shx_strand_def()
         check(functions.shx_strand_def_init(ctypes.byref(first), ctypes.sizeof(first)))
         self.data: npt.NDArray[Any] = np.empty(count, dtype=dtype_of(_capi.shx_strand_def))
-        self.data[:] = np.frombuffer(first, dtype=self.data.dtype, count=1)
+        self.data[:] = np.frombuffer(bytes(first), dtype=self.data.dtype, count=1)
         self._kept: dict[str, npt.NDArray[Any]] = {}
         if material is not None:
             self.set_material(material)

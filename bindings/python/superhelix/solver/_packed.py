@@ -14,9 +14,7 @@ from superhelix._record import Record
 RecordT = TypeVar("RecordT", bound=Record)
 
 
-def packed(
-    name: str, records: RecordT | Sequence[RecordT], kind: type[RecordT], count: int | None
-) -> tuple[npt.NDArray[np.uint8], int, int]:
+def packed(name: str, records: RecordT | Sequence[RecordT], kind: type[RecordT], count: int | None) -> tuple[npt.NDArray[np.uint8], int, int]:
     """The bytes of one record, or of count records; the size of one; how many there are."""
     listed: list[Any] = [records] if isinstance(records, kind) else list(records)  # type: ignore[arg-type]
     for place, record in enumerate(listed):

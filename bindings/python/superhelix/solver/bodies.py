@@ -71,9 +71,7 @@ class Bodies(SolverBase):
         view = input_rows("vertices", vertices, (3,))
         self._call(functions.shx_solver_set_body_vertices, self._body(id), ctypes.byref(view), over_seconds)
 
-    def set_body_surface(
-        self, id: BodyId, thickness: float, friction_scale: float = 1.0, viscous_friction_scale: float = 1.0
-    ) -> None:
+    def set_body_surface(self, id: BodyId, thickness: float, friction_scale: float = 1.0, viscous_friction_scale: float = 1.0) -> None:
         """Changes how far outside its shape a body's surface lies (m), and the factors on the strands' coefficients of friction."""
         self._call(functions.shx_solver_set_body_surface, self._body(id), thickness, friction_scale, viscous_friction_scale)
 

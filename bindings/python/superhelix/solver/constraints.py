@@ -64,7 +64,5 @@ class Constraints(SolverBase):
         """What constraints did in the last substep: whether they hold, where, and with which force and torque."""
         bits = self._constraints(ids)
         table = ConstraintStateTable._zeros(len(bits))
-        self._call(
-            functions.shx_solver_constraint_states, address(bits), len(bits), address(table.data), table.data.dtype.itemsize
-        )
+        self._call(functions.shx_solver_constraint_states, address(bits), len(bits), address(table.data), table.data.dtype.itemsize)
         return table

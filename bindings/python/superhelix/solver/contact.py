@@ -12,7 +12,7 @@ import numpy.typing as npt
 from superhelix import _capi
 from superhelix._buffers import address, column
 from superhelix._library import functions
-from superhelix._record import initialize
+from superhelix._record import initialize, reference
 from superhelix.ids import BodyId, BodyIds, StrandId, StrandIds
 from superhelix.records import ContactOptions, ContactTable, StrandContact
 from superhelix.solver._base import Numbers, SolverBase, StrandsLike
@@ -56,7 +56,7 @@ class Contact(SolverBase):
 
     def set_contact_options(self, options: ContactOptions) -> None:
         """Changes how contact is answered, from the next step on."""
-        self._call(functions.shx_solver_set_contact_options, ctypes.byref(options._c))
+        self._call(functions.shx_solver_set_contact_options, reference("options", options, ContactOptions))
 
     def contact_options(self) -> ContactOptions:
         """How contact is answered."""
@@ -64,9 +64,7 @@ class Contact(SolverBase):
         self._call(functions.shx_solver_get_contact_options, ctypes.byref(options._c))
         return options
 
-    def set_strand_contact(
-        self, contact: StrandContact | Sequence[StrandContact] | None, ids: StrandsLike = None
-    ) -> None:
+    def set_strand_contact(self, contact: StrandContact | Sequence[StrandContact] | None, ids: StrandsLike = None) -> None:
         """Says what strands are to contact: one for all, or one each. None: they meet nothing, which is how strands begin."""
         bits = self._strands(ids)
         if contact is None:
@@ -79,18 +77,14 @@ class Contact(SolverBase):
     def strand_contact(self, id: StrandId) -> StrandContact | None:
         """What a strand is to contact; None where it meets nothing."""
         contact, touches = StrandContact(), ctypes.c_uint32()
-        self._call(
-            functions.shx_solver_get_strand_contact, self._strand(id), ctypes.byref(contact._c), ctypes.byref(touches)
-        )
+        self._call(functions.shx_solver_get_strand_contact, self._strand(id), ctypes.byref(contact._c), ctypes.byref(touches))
         return contact if touches.value else None
 
     def contacts(self) -> ContactTable:
         """The contacts that carried a force at the end of the last substep."""
         table = ContactTable._zeros(self._count(functions.shx_solver_contact_count))
         number = ctypes.c_size_t()
-        self._call(
-            functions.shx_solver_contacts, address(table.data), table.data.dtype.itemsize, len(table), ctypes.byref(number)
-        )
+        self._call(functions.shx_solver_contacts, address(table.data), table.data.dtype.itemsize, len(table), ctypes.byref(number))
         return table[: number.value]
 
     def overlaps(self, ids: StrandsLike = None) -> Overlaps:
@@ -114,9 +108,7 @@ class Contact(SolverBase):
         bits = self._strands(ids)
         self._call(functions.shx_solver_permit_overlaps, address(bits), len(bits))
 
-    def set_permitted_overlap(
-        self, id: StrandId, arclengths: npt.ArrayLike, wisp_fractions: npt.ArrayLike, body_depths: npt.ArrayLike
-    ) -> None:
+    def set_permitted_overlap(self, id: StrandId, arclengths: npt.ArrayLike, wisp_fractions: npt.ArrayLike, body_depths: npt.ArrayLike) -> None:
         """Says what a strand may overlap: see PermittedOverlap. Empty arrays: nothing."""
         along = column("arclengths", arclengths, np.float64)
         fractions = column("wisp_fractions", wisp_fractions, np.float64, len(along))
@@ -136,12 +128,11 @@ class Contact(SolverBase):
         function = functions.shx_solver_get_permitted_overlap
         self._call(function, strand, None, None, None, 0, ctypes.byref(number))
         found = PermittedOverlap(*(np.empty(number.value) for _ in range(3)))
-        self._call(function, strand, *(address(numbers) for numbers in found), number.value, ctypes.byref(number))
+        places = [address(numbers) for numbers in found]
+        self._call(function, strand, places[0], places[1], places[2], number.value, ctypes.byref(number))
         return found
 
-    def push_out_curves(
-        self, body: BodyId, points: npt.ArrayLike, point_counts: npt.ArrayLike, clearance: float = 0.0
-    ) -> PushedOut:
+    def push_out_curves(self, body: BodyId, points: npt.ArrayLike, point_counts: npt.ArrayLike, clearance: float = 0.0) -> PushedOut:
         """Pushes curves that are drawn inside a body out of it, where it is now: before strands are fitted to them. points: world, m, one curve after
         the other; point_counts: how many each has. Roots stay, edges keep their lengths, and every point comes to at least clearance (m) from the
         surface. A curve that would have to be moved too far stays as it is.

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from superhelix._buffers import address, column, input_rows, vector, whole
 from superhelix._library import functions
+from superhelix._record import reference
 from superhelix.ids import StrandIds
 from superhelix.records import Brush, ElementChange, PoseOptions
 from superhelix.solver._base import Numbers, SolverBase, StrandsLike
@@ -28,8 +29,9 @@ class Brushed(NamedTuple):
 
 def pose_options(options: PoseOptions | None, movable: npt.ArrayLike | None) -> Any:
     """Options with the elements that may change; None where both are left out. The structure keeps the array alive."""
+    reference("options", options, PoseOptions)
     if movable is None:
-        return None if options is None else options.copy()._c
+        return None if options is None else options._c
     chosen = PoseOptions() if options is None else options.copy()
     flags = column("movable", movable, np.uint8)
     chosen._c.movable, chosen._c.movable_count = address(flags), len(flags)
@@ -70,9 +72,7 @@ class Posing(SolverBase):
         )
         return distances
 
-    def brush_strands(
-        self, brush: Brush, ids: StrandsLike = None, options: PoseOptions | None = None, *, movable: npt.ArrayLike | None = None
-    ) -> Brushed:
+    def brush_strands(self, brush: Brush, ids: StrandsLike = None, options: PoseOptions | None = None, *, movable: npt.ArrayLike | None = None) -> Brushed:
         """Moves a brush over strands: the points in it follow, by its falloff. Strands with no point in it are left alone to the bit."""
         bits = self._strands(ids)
         chosen = pose_options(options, movable)
@@ -81,7 +81,7 @@ class Posing(SolverBase):
             functions.shx_solver_brush_strands,
             address(bits),
             len(bits),
-            ctypes.byref(brush._c),
+            reference("brush", brush, Brush),
             None if chosen is None else ctypes.byref(chosen),
             address(touched),
             address(distances),
@@ -101,9 +101,7 @@ class Posing(SolverBase):
         along = column("arclengths", arclengths, np.float64, len(bits))
         self._call(functions.shx_solver_cut_strands, address(bits), len(bits), address(along))
 
-    def grow_strands(
-        self, length: float, ids: StrandsLike = None, *, element_count: int = 0, curvatures: npt.ArrayLike | None = None
-    ) -> None:
+    def grow_strands(self, length: float, ids: StrandsLike = None, *, element_count: int = 0, curvatures: npt.ArrayLike | None = None) -> None:
         """Lets strands grow at their tips by length, m. element_count elements are added; 0: the last one becomes longer. curvatures: three
         numbers, rad/m, of the added elements; None: those of the last one.
         """
@@ -123,8 +121,6 @@ class Posing(SolverBase):
         bits = self._strands(ids)
         through, across = vector("point", point), vector("normal", normal)
         images = np.empty(len(bits), dtype=np.uint64)
-        self._call(
-            functions.shx_solver_mirror_strands, address(bits), len(bits), address(through), address(across), address(images)
-        )
+        self._call(functions.shx_solver_mirror_strands, address(bits), len(bits), address(through), address(across), address(images))
         self._all = None
         return StrandIds(images)

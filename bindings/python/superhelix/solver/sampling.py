@@ -73,9 +73,7 @@ class Sampling(SolverBase):
         self._sample_one("frames", frames, bits, points_per_strand)
         return frames
 
-    def sample_velocities(
-        self, points_per_strand: int = 33, ids: StrandsLike = None, dtype: npt.DTypeLike = np.float64
-    ) -> npt.NDArray[Any]:
+    def sample_velocities(self, points_per_strand: int = 33, ids: StrandsLike = None, dtype: npt.DTypeLike = np.float64) -> npt.NDArray[Any]:
         """The velocities of material points of strands, (strands, points, 3), m/s."""
         bits = self._strands(ids)
         velocities = np.empty((len(bits), whole("points_per_strand", points_per_strand), 3), dtype=float_type("dtype", dtype))
@@ -134,7 +132,5 @@ class Sampling(SolverBase):
         bits = self._strands(ids)
         forces, torques = (np.empty((len(bits), 3), dtype=float_type("dtype", dtype)) for _ in range(2))
         views = [Output("forces", forces, (3,), len(bits)).view, Output("torques", torques, (3,), len(bits)).view]
-        self._call(
-            functions.shx_solver_root_wrenches, address(bits), len(bits), ctypes.byref(views[0]), ctypes.byref(views[1])
-        )
+        self._call(functions.shx_solver_root_wrenches, address(bits), len(bits), ctypes.byref(views[0]), ctypes.byref(views[1]))
         return forces, torques

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from superhelix._buffers import address, column, whole
 from superhelix._library import functions
+from superhelix._record import reference
 from superhelix.enums import Stiffen
 from superhelix.ids import StrandId
 from superhelix.records import SettleDef, SettleReport
@@ -99,9 +100,7 @@ class Shapes(SolverBase):
         """Puts a strand on elements of given lengths, m, from root to tip; gives how far its curve has moved at most, m."""
         numbers = column("lengths", lengths, np.float64)
         distance = ctypes.c_double()
-        self._call(
-            functions.shx_solver_set_element_lengths, self._strand(id), address(numbers), len(numbers), ctypes.byref(distance)
-        )
+        self._call(functions.shx_solver_set_element_lengths, self._strand(id), address(numbers), len(numbers), ctypes.byref(distance))
         return distance.value
 
     def settle(self, ids: StrandsLike = None, options: SettleDef | None = None) -> Settled:
@@ -115,7 +114,7 @@ class Shapes(SolverBase):
             functions.shx_solver_settle,
             address(bits),
             len(bits),
-            None if options is None else ctypes.byref(options._c),
+            reference("options", options, SettleDef),
             ctypes.byref(report._c),
             address(status),
             address(eigenvalues),
@@ -139,14 +138,10 @@ class Shapes(SolverBase):
         """How firmly strands would rest in their present shapes once adopt_rest_shapes has made them rest shapes. Changes nothing."""
         bits = self._strands(ids)
         found = Stability(np.empty(len(bits)), np.empty(len(bits)), np.empty(len(bits)))
-        self._call(
-            functions.shx_solver_shape_stability, address(bits), len(bits), margin, *(address(numbers) for numbers in found)
-        )
+        self._call(functions.shx_solver_shape_stability, address(bits), len(bits), margin, *(address(numbers) for numbers in found))
         return found
 
-    def stiffen_strands(
-        self, margin: float, ids: StrandsLike = None, by: Stiffen = Stiffen.YOUNGS_MODULUS
-    ) -> Numbers:
+    def stiffen_strands(self, margin: float, ids: StrandsLike = None, by: Stiffen = Stiffen.YOUNGS_MODULUS) -> Numbers:
         """Makes strands that would not rest stably in their present shapes as much stiffer as that takes, and adopts the shapes of all as rest
         shapes. margin, 0 to below 1, is what the smallest eigenvalue is at least afterwards. Gives the factors, 1 where nothing was changed.
         """

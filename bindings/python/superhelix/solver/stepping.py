@@ -60,6 +60,8 @@ class Stepping(SolverBase):
         """
         if report is None:
             report = StepReport()
+        elif type(report) is not StepReport:
+            raise TypeError(f"report: {report!r}; StepReport expected")
         substeps = whole("substeps", substeps)
         if max_work is None and max_seconds is None and cancel is None:
             self._call(functions.shx_solver_step, dt, substeps, ctypes.byref(report._c))

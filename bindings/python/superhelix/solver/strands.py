@@ -97,9 +97,7 @@ class Strands(SolverBase):
         """Energies of strands, J."""
         bits = self._strands(ids)
         kinetic, elastic, gravity = (np.empty(len(bits)) for _ in range(3))
-        self._call(
-            functions.shx_solver_strand_energies, address(bits), len(bits), address(kinetic), address(elastic), address(gravity)
-        )
+        self._call(functions.shx_solver_strand_energies, address(bits), len(bits), address(kinetic), address(elastic), address(gravity))
         return Energies(kinetic, elastic, gravity)
 
     def reset_strands(self, ids: StrandsLike = None) -> None:
@@ -139,9 +137,7 @@ class Strands(SolverBase):
         """
         return self._frames_out(functions.shx_solver_get_root_frames, self._strands(ids), out)
 
-    def _frames_out(
-        self, function: Callable[[Any, Any, int, Any], int], bits: npt.NDArray[np.uint64], out: npt.NDArray[Any] | None
-    ) -> npt.NDArray[Any]:
+    def _frames_out(self, function: Callable[[Any, Any, int, Any], int], bits: npt.NDArray[np.uint64], out: npt.NDArray[Any] | None) -> npt.NDArray[Any]:
         array = np.empty((len(bits), 7)) if out is None else out
         output = Output("out", array, (7, 4), len(bits))
         self._call(function, address(bits), len(bits), ctypes.byref(output.view))
