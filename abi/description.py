@@ -80,10 +80,7 @@ def of_header(path: Path) -> Description:
     found.callbacks = {each.name: signature(each.returns, each.parameters) for each in model.callbacks}
     found.functions = {each.name: signature(each.returns, each.parameters) for each in model.functions}
     for struct in model.structs:
-        fields = {
-            each.name: Field(each.name, each.offset, each.size, each.type.text() + (f"[{each.array}]" if each.array else ""))
-            for each in struct.fields
-        }
+        fields = {each.name: Field(each.name, each.offset, each.size, each.type.text() + (f"[{each.array}]" if each.array else "")) for each in struct.fields}
         found.structs[struct.name] = Struct(struct.size, struct.alignment, struct.versioned, fields)
     return found
 

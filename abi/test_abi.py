@@ -12,10 +12,9 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import abi
 from compare import compare
 from description import of_header, of_text, to_text
-
-import abi
 
 TEXT = abi.BASELINE_HEADER.read_text(encoding="utf-8")
 OLD = abi.baseline()
