@@ -73,9 +73,9 @@ test("errors name what is wrong, and what there is not is refused", () => {
     refused(() => shx.made("shx_solver_create", def), "SHX_ERROR_UNSUPPORTED", /worker_count.*2.*no threads/);
     const solver = shx.made("shx_solver_create", 0);
     refused(() => shx.call("shx_solver_step", solver, -1, 1, 0), "SHX_ERROR_INVALID_ARGUMENT", /dt.*-1/);
-    const options = shx.filled("shx_step_options");
-    options.seconds = 0.5;
-    refused(() => shx.call("shx_solver_step_within", solver, 0.01, 1, options, 0), "SHX_ERROR_UNSUPPORTED", /seconds.*0\.5.*no clock/);
+    const limits = shx.filled("shx_step_limits");
+    limits.max_seconds = 0.5;
+    refused(() => shx.call("shx_solver_step_with_limits", solver, 0.01, 1, limits, 0), "SHX_ERROR_UNSUPPORTED", /seconds.*0\.5.*no clock/);
     shx.call("shx_solver_destroy", solver);
     const path = shx.array(Uint8Array, 16);
     path.set(new TextEncoder().encode("groom.hair"));
