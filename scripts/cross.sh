@@ -22,12 +22,22 @@ has_library() {
   ls "$(rustc --print target-libdir --target "$target" 2>/dev/null)"/libstd-*.rlib >/dev/null 2>&1
 }
 
+debian_version() {
+  apt-cache policy rustc-web 2>/dev/null | sed -n 's/^ *Candidate: \([0-9.]*\).*/\1/p'
+}
+
+offered() {
+  local version
+  version=$(debian_version)
+  [ -n "$version" ] && [ "$(printf '%s\n1.89\n' "$version" | sort -V | head -n 1)" = 1.89 ]
+}
+
 unpack_debian() {
   local version library llvm file packages
   command -v apt-get >/dev/null && command -v dpkg-deb >/dev/null || return 1
-  apt-cache policy rustc-web 2>/dev/null | grep -q Candidate || { [ "$(id -u)" = 0 ] && apt-get update -qq; } || return 1
-  version=$(apt-cache policy rustc-web | sed -n 's/^ *Candidate: \([0-9.]*\).*/\1/p')
-  [ -n "$version" ] && [ "$(printf '%s\n1.89\n' "$version" | sort -V | head -n 1)" = 1.89 ] || return 1
+  # The lists of a machine may be missing, or older than the package.
+  offered || { [ "$(id -u)" = 0 ] && apt-get update -qq && offered; } || return 1
+  version=$(debian_version)
   echo "cross.sh: unpacking Debian's rustc $version into build/cross" >&2
   rm -rf "$cross/debian.new"
   mkdir -p "$cross/packages" "$cross/debian.new"
