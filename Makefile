@@ -6,10 +6,10 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test python demo soak bench contact pictures fit instructions figures tradeoff peers clean
+.PHONY: help lib test python abi abi-baseline wasm platforms demo soak bench contact pictures fit instructions figures tradeoff peers clean
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
 
 lib: ## the shared and the static library, the header and superhelix.pc, into build/
 	@scripts/setup.sh build
@@ -23,10 +23,28 @@ test: ## everything: format, lints, documentation, tests in Rust and C, examples
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --all-features
 	cargo test --locked --all-features
 	scripts/test_python.sh
+	$(MAKE) --no-print-directory abi wasm
 
 python: ## the tests of the Python binding alone: lints, types, pytest, the guide's examples, an installed wheel (two minutes)
 	@scripts/setup.sh test python
 	scripts/test_python.sh
+
+abi: ## the binary interface against its baseline (docs/abi.md)
+	@scripts/setup.sh abi
+	python3 abi/test_abi.py
+	python3 abi/abi.py check
+	python3 abi/abi.py abidiff
+
+abi-baseline: ## makes the present header and the present examples what later ones are held to
+	python3 abi/abi.py baseline
+
+wasm: ## the library as WebAssembly, and the golden hashes under node (docs/platforms.md); says so where it is skipped
+	@scripts/setup.sh wasm
+	scripts/wasm.sh
+
+platforms: ## what can be checked here for Windows and macOS: compiled for both, linked for Windows and run under wine; says so where it is skipped
+	@scripts/setup.sh platforms
+	scripts/platforms.sh
 
 # The profile `demo` compiles in a third of the time of `release` and runs nearly as fast.
 demo: ## a head of hair on a recorded walk, hosted by a C program, drawn lit: out/demo/ holds an animation, a contact sheet, the frames (under 3 minutes)

@@ -12,8 +12,6 @@ mod tests;
 pub(super) use account::Account;
 pub use account::ContactTally;
 
-use std::time::Instant;
-
 use nalgebra::Vector3;
 
 use super::bodies::Contact;
@@ -30,6 +28,7 @@ use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
 use crate::contact::shape::Bounds;
 use crate::meter::{Meter, Stopped};
+use crate::platform::Instant;
 use crate::step::options::Integrator;
 use crate::step::{Setting, StrandOutcome};
 
