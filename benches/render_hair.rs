@@ -152,7 +152,7 @@ fn main() {
     println!("copy of the positions' bytes           {least:8.2} {median:8.2}");
     let _ = writeln!(csv, "copy,1,positions,{least:.2},{median:.2}");
 
-    for (space, name) in [(SHX_SPACE_POSITION, "position"), (SHX_SPACE_CURVATURE, "curvature")] {
+    for (space, name) in [(SHX_INTERPOLATION_POSITION, "position"), (SHX_INTERPOLATION_CURVATURE, "curvature")] {
         for threads in [1, 2] {
             let given = shx_render_guides {
                 guide_count: curves.strand_count(),

@@ -18,8 +18,9 @@ use std::time::Instant;
 use superhelix::capi::errors::SHX_OK;
 use superhelix::capi::guard::shx_solver;
 use superhelix::capi::sampling::{shx_sample_def, shx_solver_sample_strands};
-use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy, shx_solver_step};
+use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
 use superhelix::capi::solver_def::{shx_solver_def, shx_solver_def_init};
+use superhelix::capi::step::shx_solver_step;
 use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
 use superhelix::capi::strands::{shx_solver_add_strands, shx_solver_remove_strands};
 use superhelix::capi::types::*;
@@ -132,7 +133,7 @@ fn definitions(strands: usize) -> (Vec<shx_strand_def>, Vec<[[f64; 3]; ELEMENTS]
             let mut def = def;
             def.element_count = ELEMENTS as u32;
             def.length = 0.1 + 1e-6 * (strand % 100_000) as f64;
-            def.natural = shapes[strand].as_ptr().cast();
+            def.natural_curvatures = shapes[strand].as_ptr().cast();
             def.root.origin = [1e-3 * (strand % 388) as f64, 1e-3 * (strand / 388) as f64, 1.7];
             def
         })

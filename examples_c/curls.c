@@ -49,7 +49,7 @@ static void describe(const hair_type *type, int index, double natural[ELEMENTS][
     natural[element][1] = r > 0.0 ? 1.0 / r : 0.0;
     natural[element][2] = 0.0;
   }
-  def->natural = &natural[0][0];
+  def->natural_curvatures = &natural[0][0];
 }
 
 int main(int argc, char **argv) {
@@ -95,7 +95,7 @@ int main(int argc, char **argv) {
 
   const shx_input drawn = {points, 0, TYPES * POINTS, SHX_FORMAT_F32X3, 0};
   const uint32_t counts[TYPES] = {POINTS, POINTS, POINTS, POINTS};
-  CHECK(shx_curves_write(path, &drawn, counts, TYPES));
+  CHECK(shx_curves_write_points(path, &drawn, counts, TYPES));
   printf("%s: the strands at the end\n", path);
   shx_solver_destroy(solver);
   return EXIT_SUCCESS;

@@ -133,9 +133,9 @@ static groom read_groom(const options *o) {
   }
 
   shx_fit_options how;
-  shx_fit_curves what;
+  shx_fit_input what;
   CHECK(shx_fit_options_init(&how, sizeof how));
-  CHECK(shx_fit_curves_init(&what, sizeof what));
+  CHECK(shx_fit_input_init(&what, sizeof what));
   how.element_count = o->elements > 0 ? (uint32_t)o->elements : most / 2 < 4 ? 4 : most / 2 > 32 ? 32 : most / 2;
   how.worker_count = (uint32_t)o->threads;
   what.curve_count = taken;
@@ -229,26 +229,32 @@ static void make_wisps(const groom *g, shx_solver *solver, const shx_strand_id *
   free(scales);
 }
 
-/* The cheap model of contact: springs. What the groom overlaps as it is drawn is allowed. */
+/* The cheap model of contact: springs. The overlaps that the groom is drawn with are permitted. */
 static void set_contact(const options *o, const groom *g, shx_solver *solver, const shx_strand_id *ids) {
   shx_contact_options contact;
   CHECK(shx_contact_options_init(&contact, sizeof contact));
   contact.model = SHX_CONTACT_PENALTY;
-  contact.hair = o->wisp > 0.0;
+  contact.hair_contact = o->wisp > 0.0;
   CHECK(shx_solver_set_contact_options(solver, &contact));
   shx_strand_contact strand;
   CHECK(shx_strand_contact_init(&strand, sizeof strand));
   strand.wisp_radius = o->wisp;
-  CHECK(shx_solver_set_contact(solver, ids, g->strand_count, &strand, 0));
+  CHECK(shx_solver_set_strand_contact(solver, ids, g->strand_count, &strand, 0));
 }
 
 /* The head as a grid of distances, which costs the same however fine its mesh is. */
 static shx_body_id add_head(shx_solver *solver, const mesh *head) {
-  const shx_input vertices = {head->vertices, 0, head->vertex_count, SHX_FORMAT_F64X3, 0};
+  shx_distance_grid_def baked;
+  CHECK(shx_distance_grid_def_init(&baked, sizeof baked));
+  baked.vertices = (shx_input){head->vertices, 0, head->vertex_count, SHX_FORMAT_F64X3, 0};
+  baked.triangles = head->triangles;
+  baked.triangle_count = head->triangle_count;
+  baked.cell = GRID_CELL;
+  baked.band = GRID_BAND;
   size_t size;
-  CHECK(shx_bake_distance_grid(&vertices, head->triangles, head->triangle_count, GRID_CELL, GRID_BAND, NULL, 0, &size));
+  CHECK(shx_distance_grid_bake(&baked, NULL, 0, &size));
   void *grid = allocate(size, 1);
-  CHECK(shx_bake_distance_grid(&vertices, head->triangles, head->triangle_count, GRID_CELL, GRID_BAND, grid, size, &size));
+  CHECK(shx_distance_grid_bake(&baked, grid, size, &size));
   shx_body_def def;
   CHECK(shx_body_def_init(&def, sizeof def));
   def.shape = SHX_SHAPE_GRID;
@@ -332,7 +338,7 @@ static void write_render_frame(const options *o, const groom *g, const render *r
   char path[1024];
   snprintf(path, sizeof path, "%s/hair.%04ld.hair", o->render, frame);
   const shx_input drawn = {r->points, 0, HAIR_POINTS * r->count, SHX_FORMAT_F32X3, 0};
-  CHECK(shx_curves_write(path, &drawn, r->point_counts, r->count));
+  CHECK(shx_curves_write_points(path, &drawn, r->point_counts, r->count));
 }
 
 static void free_render(render *r) {
@@ -359,7 +365,7 @@ static void write_frame(const options *o, const groom *g, const shx_solver *solv
   char path[1024];
   snprintf(path, sizeof path, "%s/groom.%04ld.%s", o->directory, frame, o->format);
   const shx_input drawn = {points, 0, g->point_total, SHX_FORMAT_F32X3, 0};
-  CHECK(shx_curves_write(path, &drawn, g->point_counts, g->strand_count));
+  CHECK(shx_curves_write_points(path, &drawn, g->point_counts, g->strand_count));
 }
 
 int main(int argc, char **argv) {
@@ -377,7 +383,7 @@ int main(int argc, char **argv) {
   CHECK(shx_solver_create(&def, &solver));
   shx_strand_id *ids = allocate(g.strand_count, sizeof *ids);
   CHECK(shx_solver_add_strands(solver, g.defs, sizeof *g.defs, g.strand_count, ids));
-  CHECK(shx_solver_take_rest_shapes(solver, ids, g.strand_count)); /* the groom as it is drawn is its shape at rest */
+  CHECK(shx_solver_adopt_rest_shapes(solver, ids, g.strand_count)); /* the groom as it is drawn is its shape at rest */
   mesh body = {NULL, NULL, 0, 0};
   shx_body_id body_id = {0};
   render r = {NULL, NULL, 0, NULL, NULL};
@@ -386,7 +392,7 @@ int main(int argc, char **argv) {
     make_wisps(&g, solver, ids);
     set_contact(&o, &g, solver, ids);
     body_id = add_head(solver, &body);
-    CHECK(shx_solver_allow_overlaps(solver, ids, g.strand_count));
+    CHECK(shx_solver_permit_overlaps(solver, ids, g.strand_count));
     printf("%s: %zu triangles, a grid of distances %g mm apart\n", o.body, body.triangle_count, 1000.0 * GRID_CELL);
   }
   if (o.hairs > 0) {

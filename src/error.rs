@@ -71,9 +71,6 @@ pub enum Error {
         /// What is wrong with it, and where.
         reason: String,
     },
-    /// The strand's state turned non-finite in a step, or touches or constraints drove it astray and found no end, and it was rolled
-    /// back (a strand's status, never a call's result).
-    Quarantined,
     /// A bug of the library was caught at its border; the solver is poisoned.
     Panic {
         /// The panic's message.
@@ -116,6 +113,16 @@ impl Error {
         self.with_argument(|argument| argument.replace(old, name))
     }
 
+    /// The same error with the fields of an argument under other names: each pair is the old name and the new one.
+    pub(crate) fn with_fields(self, names: &[(&str, &str)]) -> Self {
+        let rename = |segment: &str| {
+            let (name, index) = segment.split_at(segment.find('[').unwrap_or(segment.len()));
+            let name = names.iter().find(|(old, _)| *old == name).map_or(name, |(_, new)| new);
+            format!("{name}{index}")
+        };
+        self.with_argument(|argument| argument.split('.').map(rename).collect::<Vec<_>>().join("."))
+    }
+
     fn with_argument(self, change: impl FnOnce(String) -> String) -> Self {
         match self {
             Error::InvalidArgument { argument, value, expected } => {
@@ -155,7 +162,6 @@ impl fmt::Display for Error {
             Error::OutOfMemory { bytes } => write!(f, "{bytes} bytes of memory could not be had"),
             Error::Unsupported { argument, value, hint } => write!(f, "{argument} is {value}, which is not supported: {hint}"),
             Error::File { path, reason } => write!(f, "{path}: {reason}"),
-            Error::Quarantined => write!(f, "the strand's state turned non-finite or went astray, and was rolled back"),
             Error::Panic { message } => write!(f, "internal error: {message}; the solver is poisoned"),
             Error::Poisoned => write!(f, "an earlier internal error poisoned this solver: destroy it"),
         }

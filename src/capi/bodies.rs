@@ -7,10 +7,17 @@ use super::guard::{read, shx_solver, write};
 use super::types::{shx_body_id, shx_input, shx_output};
 use super::versioned::definitions;
 use super::wrenches::write_wrenches;
+use crate::error::Error;
 use crate::solver::id::BodyId;
 
+/// The engine's error with the names of the C structure.
+fn in_words_of_c(error: Error) -> Error {
+    let fields = [("friction", "friction_scale"), ("viscous_friction", "viscous_friction_scale")];
+    error.renamed("bodies", "defs").with_fields(&fields)
+}
+
 /// Adds count bodies, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_body_def)). out_ids
-/// receives count ids, in the order of the definitions. Strands touch bodies once they have been made to: shx_solver_set_contact.
+/// receives count ids, in the order of the definitions. Strands touch bodies once they have been made to: shx_solver_set_strand_contact.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].radius", or the triangle
 /// where a mesh is not closed), SHX_ERROR_INVALID_ID (shape_of), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
 #[unsafe(no_mangle)]
@@ -27,7 +34,7 @@ pub unsafe extern "C" fn shx_solver_add_bodies(
             let places = Places::new("out_ids", "count", out_ids, count)?;
             let read = |def: &shx_body_def, argument: &str| def.definition(argument, core);
             let definitions = definitions("shx_body_def", defs, def_stride, count, read)?;
-            let ids = core.add_bodies(definitions).map_err(|error| error.renamed("bodies", "defs"))?;
+            let ids = core.add_bodies(definitions).map_err(in_words_of_c)?;
             places.write(&ids.iter().map(|id| shx_body_id { bits: id.bits() }).collect::<Vec<_>>())
         })
     }
@@ -177,13 +184,13 @@ pub unsafe extern "C" fn shx_solver_set_body_surface(
     solver: *mut shx_solver,
     id: shx_body_id,
     thickness: f64,
-    friction: f64,
-    viscous_friction: f64,
+    friction_scale: f64,
+    viscous_friction_scale: f64,
 ) -> shx_result {
     // SAFETY: the caller's handle, null or alive.
     unsafe {
         write("shx_solver_set_body_surface", solver, |core, _| {
-            core.set_body_surface(BodyId::from_bits(id.bits), thickness, friction, viscous_friction)
+            core.set_body_surface(BodyId::from_bits(id.bits), thickness, friction_scale, viscous_friction_scale).map_err(in_words_of_c)
         })
     }
 }
@@ -194,12 +201,12 @@ pub unsafe extern "C" fn shx_solver_set_body_surface(
 pub unsafe extern "C" fn shx_solver_set_body_filter(
     solver: *mut shx_solver,
     id: shx_body_id,
-    group: u32,
+    groups: u32,
     mask: u32,
 ) -> shx_result {
     // SAFETY: the caller's handle, null or alive.
     unsafe {
-        write("shx_solver_set_body_filter", solver, |core, _| core.set_body_filter(BodyId::from_bits(id.bits), group, mask))
+        write("shx_solver_set_body_filter", solver, |core, _| core.set_body_filter(BodyId::from_bits(id.bits), groups, mask))
     }
 }
 

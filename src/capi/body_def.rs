@@ -6,13 +6,12 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::buffers::{Place, Places, Reader, VECTOR_FORMATS, array};
+use super::buffers::{Reader, VECTOR_FORMATS, array};
 use super::errors::shx_result;
-use super::guard::call;
 use super::types::{SHX_FORMAT_F64X3, shx_body_id, shx_frame, shx_input};
 use super::versioned::{Versioned, initialise};
 use crate::contact::body::BodyDef;
-use crate::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
+use crate::contact::shape::{Shape, Sides};
 use crate::error::{Error, Result, check_finite};
 use crate::files::distance_grid;
 use crate::math::frame::Frame;
@@ -33,7 +32,7 @@ pub const SHX_SHAPE_HALF_SPACE: u32 = 5;
 pub const SHX_SHAPE_HULL: u32 = 6;
 /// A triangle mesh: vertices, triangles, sides. The only shape that may deform (shx_solver_set_body_vertices).
 pub const SHX_SHAPE_MESH: u32 = 7;
-/// A signed distance grid, as shx_bake_distance_grid made it: grid. Cheap for large meshes that do not deform; edges are rounded
+/// A signed distance grid, as shx_distance_grid_bake made it: grid. Cheap for large meshes that do not deform; edges are rounded
 /// by about a cell.
 pub const SHX_SHAPE_GRID: u32 = 8;
 
@@ -68,7 +67,7 @@ pub struct shx_body_def {
     /// Ellipsoid: along the body's axes, m, each above zero. Default 0: set it.
     pub semi_axes: [f64; 3],
     /// Box: half its edges along the body's axes, m, each above zero. Default 0: set it.
-    pub half_edges: [f64; 3],
+    pub half_extents: [f64; 3],
     /// Half-space: points out of it, the body's axes; any length above zero. Default (0, 0, 1).
     pub normal: [f64; 3],
     /// Hull, mesh: points, m, the body's axes (SHX_FORMAT_F32X3 or _F64X3). Default: none.
@@ -83,18 +82,18 @@ pub struct shx_body_def {
     pub reserved0: u32,
     /// Mesh with SHX_SIDES_FRONT: how far behind its triangles it acts, m, above zero. Default 0: set it.
     pub depth: f64,
-    /// Grid: the bytes that shx_bake_distance_grid wrote. Default null.
+    /// Grid: the bytes that shx_distance_grid_bake wrote. Default null.
     pub grid: *const c_void,
     /// Grid: how many bytes. Default 0.
     pub grid_size: usize,
     /// How far outside its shape the body's surface lies, m; zero or above. Default 0.
     pub thickness: f64,
     /// Multiplies the strands' coefficients of Coulomb friction; zero or above. Default 1.
-    pub friction: f64,
+    pub friction_scale: f64,
     /// Multiplies the strands' coefficients of viscous friction; zero or above. Default 1.
-    pub viscous_friction: f64,
+    pub viscous_friction_scale: f64,
     /// Bits of the groups that the body is in. Default 1.
-    pub group: u32,
+    pub groups: u32,
     /// Bits of the groups that it touches: a body and a strand meet where each is in a group that the other touches. Default all.
     pub mask: u32,
     /// Shared: a body that was added by an earlier call. Its pose, surface and groups are not taken over. Default the null id: set it.
@@ -115,7 +114,7 @@ unsafe impl Versioned for shx_body_def {
             a: [0.0; 3],
             b: [0.0; 3],
             semi_axes: [0.0; 3],
-            half_edges: [0.0; 3],
+            half_extents: [0.0; 3],
             normal: [0.0, 0.0, 1.0],
             vertices: shx_input { data: std::ptr::null(), stride: 0, count: 0, format: SHX_FORMAT_F64X3, reserved: 0 },
             triangles: std::ptr::null(),
@@ -126,9 +125,9 @@ unsafe impl Versioned for shx_body_def {
             grid: std::ptr::null(),
             grid_size: 0,
             thickness: 0.0,
-            friction: 1.0,
-            viscous_friction: 1.0,
-            group: 1,
+            friction_scale: 1.0,
+            viscous_friction_scale: 1.0,
+            groups: 1,
             mask: u32::MAX,
             shape_of: shx_body_id { bits: 0 },
         }
@@ -139,7 +138,7 @@ unsafe impl Versioned for shx_body_def {
 const _: () = {
     assert!(size_of::<shx_body_def>() == 312);
     assert!(offset_of!(shx_body_def, radius) == 64 && offset_of!(shx_body_def, vertices) == 192);
-    assert!(offset_of!(shx_body_def, sides) == 240 && offset_of!(shx_body_def, group) == 296);
+    assert!(offset_of!(shx_body_def, sides) == 240 && offset_of!(shx_body_def, groups) == 296);
     assert!(offset_of!(shx_body_def, shape_of) == 304);
 };
 
@@ -163,9 +162,9 @@ pub(super) unsafe fn points(argument: &str, vertices: *const shx_input) -> Resul
 
 /// # Safety
 /// `triangles` is null or points to three indices for each of `count` triangles.
-unsafe fn corners(triangles: *const u32, count: usize) -> Result<Vec<[u32; 3]>> {
+pub(super) unsafe fn corners(within: &str, triangles: *const u32, count: usize) -> Result<Vec<[u32; 3]>> {
     // SAFETY: the same. A triangle is three indices.
-    unsafe { array("triangles", "triangle_count", triangles.cast::<[u32; 3]>(), count) }.map(<[_]>::to_vec)
+    unsafe { array(&format!("{within}triangles"), &format!("{within}triangle_count"), triangles.cast::<[u32; 3]>(), count) }.map(<[_]>::to_vec)
 }
 
 impl shx_body_def {
@@ -188,9 +187,9 @@ impl shx_body_def {
             shape,
             pose: Frame::from_arrays(&format!("{argument}.pose"), self.pose.origin, self.pose.rotation)?,
             thickness: self.thickness,
-            friction: self.friction,
-            viscous_friction: self.viscous_friction,
-            group: self.group,
+            friction: self.friction_scale,
+            viscous_friction: self.viscous_friction_scale,
+            group: self.groups,
             mask: self.mask,
         })
     }
@@ -202,7 +201,9 @@ impl shx_body_def {
             SHX_SHAPE_SPHERE => Shape::new_sphere(self.radius),
             SHX_SHAPE_CAPSULE => Shape::new_capsule(self.a.into(), self.b.into(), self.radius),
             SHX_SHAPE_ELLIPSOID => Shape::new_ellipsoid(self.semi_axes.into()),
-            SHX_SHAPE_BOX => Shape::new_box(self.half_edges.into()),
+            SHX_SHAPE_BOX => {
+                Shape::new_box(self.half_extents.into()).map_err(|error| error.renamed("half_edges", "half_extents"))
+            }
             SHX_SHAPE_HALF_SPACE => Shape::new_half_space(self.normal.into()),
             SHX_SHAPE_HULL => {
                 // SAFETY: the caller's points.
@@ -218,7 +219,7 @@ impl shx_body_def {
                 };
                 // SAFETY: the caller's points and indices.
                 let (vertices, triangles) =
-                    unsafe { (points("vertices", &raw const self.vertices)?, corners(self.triangles, self.triangle_count)?) };
+                    unsafe { (points("vertices", &raw const self.vertices)?, corners("", self.triangles, self.triangle_count)?) };
                 Shape::new_mesh(vertices, triangles, sides).map_err(|error| error.renamed("sides.depth", "depth"))
             }
             SHX_SHAPE_GRID => {
@@ -230,7 +231,7 @@ impl shx_body_def {
                 match distance_grid::read_from_bytes("it", bytes) {
                     Ok(grid) => Ok(Shape::new_grid(grid)),
                     Err(Error::File { reason, .. }) => {
-                        Err(Error::invalid("grid", format!("no distance grid ({reason})"), "what shx_bake_distance_grid wrote"))
+                        Err(Error::invalid("grid", format!("no distance grid ({reason})"), "what shx_distance_grid_bake wrote"))
                     }
                     Err(other) => Err(other),
                 }
@@ -246,45 +247,4 @@ impl shx_body_def {
 pub unsafe extern "C" fn shx_body_def_init(def: *mut shx_body_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_body_def_init", "def", def, size) }
-}
-
-/// Bakes a mesh into a signed distance grid, for bodies of SHX_SHAPE_GRID: its distances at the nodes of a lattice of cell metres
-/// that reaches at least band metres beyond it. A strand is told of the body within that band, inside at any depth. A mesh that is not
-/// closed (a head cut off at the neck, parts that do not quite meet) has its inside where its winding number is above one half: an opening
-/// is closed by the surface on which it is one half. vertices: SHX_FORMAT_F32X3 or _F64X3, m; triangles: three indices each,
-/// anticlockwise seen from outside, in a mesh that is not closed for the most part. Writes the grid into image, which
-/// holds capacity bytes, and its size into *out_size; image null with capacity 0: only the size, which bakes nothing. The bytes may be
-/// kept in a file; they are the same on every machine. Takes about a microsecond a node, some microseconds where the mesh is not closed.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (also: the mesh is too open to have an inside, or more than 2^27 nodes),
-/// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY. Any thread.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_bake_distance_grid(
-    vertices: *const shx_input,
-    triangles: *const u32,
-    triangle_count: usize,
-    cell: f64,
-    band: f64,
-    image: *mut c_void,
-    capacity: usize,
-    out_size: *mut usize,
-) -> shx_result {
-    let body = || {
-        // SAFETY: the caller's place for a number, points and indices.
-        let (place, mesh) = unsafe {
-            let place = Place::new("out_size", out_size)?;
-            let mesh = Mesh::for_baking(points("vertices", vertices)?, corners(triangles, triangle_count)?)?;
-            (place, mesh)
-        };
-        let size = distance_grid::size(DistanceGrid::baked_counts(&mesh, cell, band)?);
-        if !(image.is_null() && capacity == 0) {
-            // SAFETY: the caller's capacity bytes.
-            let places = unsafe { Places::new("image", "capacity", image.cast::<u8>(), capacity)? };
-            places.check_room(size)?;
-            let grid = DistanceGrid::bake(&mesh, cell, band).map_err(|error| error.renamed("mesh", "triangles"))?;
-            places.write(&distance_grid::write_to_bytes(&grid)?)?;
-        }
-        place.write(size);
-        Ok(())
-    };
-    call("shx_bake_distance_grid", body)
 }

@@ -14,24 +14,24 @@ use crate::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatu
 use crate::solver::id::{ConstraintId, StrandId};
 
 /// The material point stays at the target's origin.
-pub const SHX_HOLD_POINT: u32 = 1;
+pub const SHX_CONSTRAINT_POINT: u32 = 1;
 /// The point, and the strand's tangent stays along the target's first axis; the strand may turn about it.
-pub const SHX_HOLD_DIRECTION: u32 = 2;
+pub const SHX_CONSTRAINT_DIRECTION: u32 = 2;
 /// The point, and the material frame stays that of the target.
-pub const SHX_HOLD_FRAME: u32 = 3;
+pub const SHX_CONSTRAINT_FRAME: u32 = 3;
 /// The strand passes through a ring at the target's origin, with Coulomb friction; once its tip has gone through it is free.
-pub const SHX_HOLD_RING: u32 = 4;
+pub const SHX_CONSTRAINT_RING: u32 = 4;
 /// The point stays at a material point of another strand, or of the same one (a closed loop).
-pub const SHX_HOLD_TIE: u32 = 5;
+pub const SHX_CONSTRAINT_TIE: u32 = 5;
 
 /// The constraint holds.
-pub const SHX_CONSTRAINT_HOLDS: u32 = 1;
+pub const SHX_CONSTRAINT_STATUS_SATISFIED: u32 = 1;
 /// What it asks is decided by other constraints already, and agrees with them; its force is shared out arbitrarily.
-pub const SHX_CONSTRAINT_DEPENDENT: u32 = 2;
+pub const SHX_CONSTRAINT_STATUS_REDUNDANT: u32 = 2;
 /// It does not hold: other constraints, or the strand's length, contradict it.
-pub const SHX_CONSTRAINT_VIOLATED: u32 = 3;
+pub const SHX_CONSTRAINT_STATUS_VIOLATED: u32 = 3;
 /// A ring that the strand has slipped out of.
-pub const SHX_CONSTRAINT_RELEASED: u32 = 4;
+pub const SHX_CONSTRAINT_STATUS_RELEASED: u32 = 4;
 
 /// What a constraint is made from. Fill with shx_constraint_def_init, then set strand, arclength, hold and what that needs.
 #[repr(C)]
@@ -39,14 +39,14 @@ pub const SHX_CONSTRAINT_RELEASED: u32 = 4;
 pub struct shx_constraint_def {
     /// Set by shx_constraint_def_init.
     pub struct_size: u32,
-    /// SHX_HOLD_. Default SHX_HOLD_POINT.
-    pub hold: u32,
+    /// SHX_CONSTRAINT_. Default SHX_CONSTRAINT_POINT.
+    pub kind: u32,
     /// The strand that is held. Default null: set it.
     pub strand: shx_strand_id,
     /// Where on it, arclength from the root, m; 0 to its length. A ring begins near there. Default 0.
     pub arclength: f64,
     /// Tie: the other strand, or the same. Default null.
-    pub other: shx_strand_id,
+    pub other_strand: shx_strand_id,
     /// Tie: arclength on that, m; 0 to its length. Default 0.
     pub other_arclength: f64,
     /// Where the strand is held, world; not looked at by a tie. Default: at the origin, along the world's axes.
@@ -67,10 +67,10 @@ unsafe impl Versioned for shx_constraint_def {
         let target = Frame::default();
         Self {
             struct_size: size_of::<Self>() as u32,
-            hold: SHX_HOLD_POINT,
+            kind: SHX_CONSTRAINT_POINT,
             strand: shx_strand_id { bits: 0 },
             arclength: 0.0,
-            other: shx_strand_id { bits: 0 },
+            other_strand: shx_strand_id { bits: 0 },
             other_arclength: 0.0,
             target: shx_frame { origin: target.origin.into(), rotation: target.rotation_xyzw() },
             friction_along: 0.0,
@@ -106,15 +106,15 @@ const _: () = {
 impl shx_constraint_def {
     /// The engine's own definition; numbers and strands are looked at where it is added.
     fn definition(&self, argument: &str) -> Result<ConstraintDef> {
-        let hold = match self.hold {
-            SHX_HOLD_POINT => Hold::Point,
-            SHX_HOLD_DIRECTION => Hold::Direction,
-            SHX_HOLD_FRAME => Hold::Frame,
-            SHX_HOLD_RING => Hold::Ring { friction: Friction { along: self.friction_along, against: self.friction_against } },
-            SHX_HOLD_TIE => Hold::Tie { other: StrandId::from_bits(self.other.bits), arclength: self.other_arclength },
-            other => return Err(Error::invalid(format!("{argument}.hold"), other, "one of SHX_HOLD_")),
+        let hold = match self.kind {
+            SHX_CONSTRAINT_POINT => Hold::Point,
+            SHX_CONSTRAINT_DIRECTION => Hold::Direction,
+            SHX_CONSTRAINT_FRAME => Hold::Frame,
+            SHX_CONSTRAINT_RING => Hold::Ring { friction: Friction { along: self.friction_along, against: self.friction_against } },
+            SHX_CONSTRAINT_TIE => Hold::Tie { other: StrandId::from_bits(self.other_strand.bits), arclength: self.other_arclength },
+            other => return Err(Error::invalid(format!("{argument}.kind"), other, "SHX_CONSTRAINT_POINT, _DIRECTION, _FRAME, _RING or _TIE")),
         };
-        let target = if self.hold == SHX_HOLD_TIE {
+        let target = if self.kind == SHX_CONSTRAINT_TIE {
             Frame::default()
         } else {
             Frame::from_arrays(&format!("{argument}.target"), self.target.origin, self.target.rotation)?
@@ -128,10 +128,10 @@ impl From<&ConstraintState> for shx_constraint_state {
     fn from(state: &ConstraintState) -> Self {
         Self {
             status: match state.status {
-                ConstraintStatus::Holds => SHX_CONSTRAINT_HOLDS,
-                ConstraintStatus::Dependent => SHX_CONSTRAINT_DEPENDENT,
-                ConstraintStatus::Violated => SHX_CONSTRAINT_VIOLATED,
-                ConstraintStatus::Released => SHX_CONSTRAINT_RELEASED,
+                ConstraintStatus::Holds => SHX_CONSTRAINT_STATUS_SATISFIED,
+                ConstraintStatus::Dependent => SHX_CONSTRAINT_STATUS_REDUNDANT,
+                ConstraintStatus::Violated => SHX_CONSTRAINT_STATUS_VIOLATED,
+                ConstraintStatus::Released => SHX_CONSTRAINT_STATUS_RELEASED,
             },
             reserved: 0,
             arclength: state.arclength,
@@ -287,13 +287,13 @@ pub unsafe extern "C" fn shx_solver_constraint_states(
     solver: *const shx_solver,
     ids: *const shx_constraint_id,
     count: usize,
-    states: *mut shx_constraint_state,
+    out_states: *mut shx_constraint_state,
     stride: usize,
 ) -> shx_result {
     // SAFETY: the caller's handle, count ids and room for count states.
     unsafe {
         read("shx_solver_constraint_states", solver, |core| {
-            let places = Strided::new("states", "count", states, stride, count)?;
+            let places = Strided::new("out_states", "count", out_states, stride, count)?;
             let found = each(&constraint_ids(ids, count)?, |id| core.constraint_state(id))?;
             places.write(&found.iter().map(shx_constraint_state::from).collect::<Vec<_>>())
         })

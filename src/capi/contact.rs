@@ -17,11 +17,9 @@ use crate::solver::id::StrandId;
 pub const SHX_CONTACT_PENALTY: u32 = 1;
 /// The same with a spring that begins softly, down to regularisation_depth.
 pub const SHX_CONTACT_REGULARISED_PENALTY: u32 = 2;
-/// The former name of the same law as SHX_CONTACT_COULOMB; read back as that.
-pub const SHX_CONTACT_HARD: u32 = 3;
 /// Signorini's and Coulomb's laws: surfaces do not pass through each other, to tolerance at the end of every step, and friction is Coulomb's; both solved to
 /// residual.
-pub const SHX_CONTACT_COULOMB: u32 = 4;
+pub const SHX_CONTACT_COULOMB: u32 = 3;
 
 /// How contact is answered in a solver. Fill with shx_contact_options_init.
 #[repr(C)]
@@ -32,7 +30,7 @@ pub struct shx_contact_options {
     /// SHX_CONTACT_. Default SHX_CONTACT_COULOMB.
     pub model: u32,
     /// 1: strands that have a wisp_radius touch each other. 0 (default): only bodies, and costs nothing.
-    pub hair: u32,
+    pub hair_contact: u32,
     /// Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models up to
     /// ten are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and nothing is reported for it. More, and
     /// with SHX_CONTACT_COULOMB any, are a limit: what has not converged by then is tried again with touches that give way.
@@ -74,8 +72,12 @@ impl shx_contact_options {
     fn from_options(options: &ContactOptions) -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
-            model: options.model as u32,
-            hair: u32::from(options.hair),
+            model: match options.model {
+                ContactModel::Penalty => SHX_CONTACT_PENALTY,
+                ContactModel::RegularisedPenalty => SHX_CONTACT_REGULARISED_PENALTY,
+                ContactModel::Coulomb => SHX_CONTACT_COULOMB,
+            },
+            hair_contact: u32::from(options.hair),
             max_iterations: options.max_iterations,
             max_sweeps: options.max_sweeps,
             reserved0: 0,
@@ -93,11 +95,15 @@ impl shx_contact_options {
         if self.reserved0 != 0 {
             return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
         }
-        let model = ContactModel::from_u32(self.model)
-            .ok_or_else(|| Error::invalid(format!("{argument}.model"), self.model, "one of SHX_CONTACT_"))?;
+        let model = match self.model {
+            SHX_CONTACT_PENALTY => ContactModel::Penalty,
+            SHX_CONTACT_REGULARISED_PENALTY => ContactModel::RegularisedPenalty,
+            SHX_CONTACT_COULOMB => ContactModel::Coulomb,
+            other => return Err(Error::invalid(format!("{argument}.model"), other, "one of SHX_CONTACT_")),
+        };
         Ok(ContactOptions {
             model,
-            hair: check_flag(&format!("{argument}.hair"), self.hair)?,
+            hair: check_flag(&format!("{argument}.hair_contact"), self.hair_contact)?,
             stiffness: self.stiffness,
             damping: self.damping,
             regularisation_depth: self.regularisation_depth,
@@ -249,7 +255,7 @@ pub unsafe extern "C" fn shx_strand_contact_init(contact: *mut shx_strand_contac
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names
 /// "contacts[3].radius"). Alone with the solver.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_solver_set_contact(
+pub unsafe extern "C" fn shx_solver_set_strand_contact(
     solver: *mut shx_solver,
     ids: *const shx_strand_id,
     count: usize,
@@ -284,24 +290,24 @@ pub unsafe extern "C" fn shx_solver_set_contact(
         core.set_contacts(&ids, &read)
     };
     // SAFETY: the caller's handle, null or alive.
-    unsafe { write("shx_solver_set_contact", solver, |core, _| body(core)) }
+    unsafe { write("shx_solver_set_strand_contact", solver, |core, _| body(core)) }
 }
 
-/// What a strand is to contact, into *out_contact; 1 into *out_touches, or 0 where it touches nothing (then *out_contact has the
+/// What a strand is to contact, into *out_contact; 1 into *out_enabled, or 0 where it touches nothing (then *out_contact has the
 /// defaults).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID. May run beside other reading calls.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_solver_get_contact(
+pub unsafe extern "C" fn shx_solver_get_strand_contact(
     solver: *const shx_solver,
     id: shx_strand_id,
     out_contact: *mut shx_strand_contact,
-    out_touches: *mut u32,
+    out_enabled: *mut u32,
 ) -> shx_result {
     // SAFETY: the caller's handle, structure of the size that it states, and place for a number.
     unsafe {
-        read("shx_solver_get_contact", solver, |core| {
+        read("shx_solver_get_strand_contact", solver, |core| {
             let output = VersionedOutput::new("out_contact", out_contact)?;
-            let touches = Place::new("out_touches", out_touches)?;
+            let touches = Place::new("out_enabled", out_enabled)?;
             let contact = core.contact(StrandId::from_bits(id.bits))?;
             output.write(&shx_strand_contact::from_contact(&contact.copied().unwrap_or_default()));
             touches.write(u32::from(contact.is_some()));

@@ -24,11 +24,11 @@ pub struct shx_contact {
     /// What it met: SHX_PARTNER_.
     pub partner: u32,
     /// Which triangle of a mesh; else 0.
-    pub feature: u32,
+    pub triangle: u32,
     /// The body that it met; null for a strand.
     pub body: shx_body_id,
     /// The strand that it met; null for a body.
-    pub other: shx_strand_id,
+    pub other_strand: shx_strand_id,
     /// Arclength on that strand, m; 0 for a body.
     pub other_arclength: f64,
     /// On the strand's centreline, m, world.
@@ -61,9 +61,9 @@ impl From<&Contact> for shx_contact {
             strand: shx_strand_id { bits: contact.strand.bits() },
             arclength: contact.arclength,
             partner,
-            feature,
+            triangle: feature,
             body,
-            other,
+            other_strand: other,
             other_arclength,
             position: contact.position.into(),
             normal: contact.normal.into(),
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn shx_solver_contact_count(solver: *const shx_solver, out
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_contacts(
     solver: *const shx_solver,
-    contacts: *mut shx_contact,
+    out_contacts: *mut shx_contact,
     stride: usize,
     capacity: usize,
     out_count: *mut usize,
@@ -104,7 +104,7 @@ pub unsafe extern "C" fn shx_solver_contacts(
     unsafe {
         read("shx_solver_contacts", solver, |core| {
             let count = Place::new("out_count", out_count)?;
-            let places = Strided::new("contacts", "capacity", contacts, stride, capacity)?;
+            let places = Strided::new("out_contacts", "capacity", out_contacts, stride, capacity)?;
             let found: Vec<shx_contact> = core.contacts().iter().map(shx_contact::from).collect();
             places.write(&found)?;
             count.write(found.len());

@@ -15,9 +15,9 @@ use crate::files::curve_cache::{CurveCache, CurveCacheWriter};
 /// read it at the same time.
 pub struct shx_curve_cache(CurveCache);
 
-/// A cache that is being written. Made by shx_curve_cache_create, owned by the caller, ended and freed by shx_curve_cache_finish, or given
-/// up and freed by shx_curve_cache_abandon.
-pub struct shx_cache_writer(CurveCacheWriter);
+/// A cache that is being written. Made by shx_curve_cache_writer_create, owned by the caller, ended and freed by shx_curve_cache_writer_finish, or given
+/// up and freed by shx_curve_cache_writer_abandon.
+pub struct shx_curve_cache_writer(CurveCacheWriter);
 
 /// Reads the curves of a .usda file at its time samples; curves that stand still are one frame at time 0. *out_cache is yours; free it with
 /// shx_curve_cache_destroy.
@@ -82,16 +82,16 @@ pub unsafe extern "C" fn shx_curve_cache_times(
     })
 }
 
-/// The curves at a time, s, with their velocities where the file has them (shx_curves_numbers): a frame's own at its time, between frames
+/// The curves at a time, s, with their velocities where the file has them (shx_curves_attribute): a frame's own at its time, between frames
 /// straight from one to the next, outside held. *out_curves is yours; free it with shx_curves_destroy.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (time), SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curve_cache_at(
+pub unsafe extern "C" fn shx_curve_cache_sample(
     cache: *const shx_curve_cache,
     time: f64,
     out_curves: *mut *mut shx_curves,
 ) -> shx_result {
-    call("shx_curve_cache_at", || {
+    call("shx_curve_cache_sample", || {
         // SAFETY: the caller's handle and place for one pointer.
         let (cache, place) = unsafe { (cache_from(cache)?, Place::new("out_curves", out_curves)?) };
         place.write(Box::into_raw(Box::new(shx_curves::new(cache.at(time)?))));
@@ -104,20 +104,20 @@ pub unsafe extern "C" fn shx_curve_cache_at(
 /// The file appears when the cache is finished. *out_writer is yours.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curve_cache_create(
+pub unsafe extern "C" fn shx_curve_cache_writer_create(
     path: *const c_char,
     first: *const shx_curve_data,
     frames_per_second: f64,
-    out_writer: *mut *mut shx_cache_writer,
+    out_writer: *mut *mut shx_curve_cache_writer,
 ) -> shx_result {
-    call("shx_curve_cache_create", || {
+    call("shx_curve_cache_writer_create", || {
         // SAFETY: the caller's text, structure and place for one pointer.
         let (path, place) = unsafe { (path_from(path)?, Place::new("out_writer", out_writer)?) };
         // SAFETY: the same.
         let (curves, _) = unsafe { read_data(first) }.map_err(|error| error.renamed("data", "first"))?;
         let writer = CurveCacheWriter::create(path, &curves, frames_per_second);
         let writer = writer.map_err(|error| error.renamed("time_codes_per_second", "frames_per_second"))?;
-        place.write(Box::into_raw(Box::new(shx_cache_writer(writer))));
+        place.write(Box::into_raw(Box::new(shx_curve_cache_writer(writer))));
         Ok(())
     })
 }
@@ -126,13 +126,13 @@ pub unsafe extern "C" fn shx_curve_cache_create(
 /// first had velocities, theirs (the same formats); else velocities is null.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the cache is then of no further use). Alone with the writer.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curve_cache_write(
-    writer: *mut shx_cache_writer,
+pub unsafe extern "C" fn shx_curve_cache_writer_write(
+    writer: *mut shx_curve_cache_writer,
     time: f64,
     points: *const shx_input,
     velocities: *const shx_input,
 ) -> shx_result {
-    call("shx_curve_cache_write", || {
+    call("shx_curve_cache_writer_write", || {
         // SAFETY: the caller's handle, alone with it, and inputs.
         let (writer, points, velocities) = unsafe {
             let Some(writer) = writer.as_mut() else { return Err(Error::NullArgument { argument: "writer".into() }) };
@@ -151,22 +151,22 @@ pub unsafe extern "C" fn shx_curve_cache_write(
 /// Ends a cache, puts the file in its place, and frees the writer, whether that goes well or not.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE. Alone with the writer.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curve_cache_finish(writer: *mut shx_cache_writer) -> shx_result {
-    call("shx_curve_cache_finish", || {
+pub unsafe extern "C" fn shx_curve_cache_writer_finish(writer: *mut shx_curve_cache_writer) -> shx_result {
+    call("shx_curve_cache_writer_finish", || {
         if writer.is_null() {
             return Err(Error::NullArgument { argument: "writer".into() });
         }
-        // SAFETY: made by Box::into_raw in shx_curve_cache_create.
+        // SAFETY: made by Box::into_raw in shx_curve_cache_writer_create.
         unsafe { Box::from_raw(writer) }.0.finish().map_err(|error| error.renamed("frames", "writer"))
     })
 }
 
 /// Gives up a cache: nothing is left of it. Null is nothing to give up. Alone with the writer.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curve_cache_abandon(writer: *mut shx_cache_writer) {
-    call("shx_curve_cache_abandon", || {
+pub unsafe extern "C" fn shx_curve_cache_writer_abandon(writer: *mut shx_curve_cache_writer) {
+    call("shx_curve_cache_writer_abandon", || {
         if !writer.is_null() {
-            // SAFETY: made by Box::into_raw in shx_curve_cache_create.
+            // SAFETY: made by Box::into_raw in shx_curve_cache_writer_create.
             drop(unsafe { Box::from_raw(writer) });
         }
         Ok(())

@@ -15,29 +15,29 @@ use crate::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
 use crate::files::tfx::{self, TfxVersion};
 
 /// Thickness (diameter), a float a point, file units.
-pub const SHX_CURVES_THICKNESS: u32 = 1;
+pub const SHX_CURVE_ATTRIBUTE_THICKNESS: u32 = 1;
 /// Transparency, a float a point, 0 to 1.
-pub const SHX_CURVES_TRANSPARENCY: u32 = 2;
+pub const SHX_CURVE_ATTRIBUTE_TRANSPARENCY: u32 = 2;
 /// Colour, three floats a point, 0 to 1.
-pub const SHX_CURVES_COLOR: u32 = 3;
+pub const SHX_CURVE_ATTRIBUTE_COLOR: u32 = 3;
 /// Velocity, three floats a point, file units a second.
-pub const SHX_CURVES_VELOCITY: u32 = 4;
+pub const SHX_CURVE_ATTRIBUTE_VELOCITY: u32 = 4;
 /// Whether a point is held, a float a point, 0 or 1.
-pub const SHX_CURVES_HELD: u32 = 5;
+pub const SHX_CURVE_ATTRIBUTE_PINNED: u32 = 5;
 /// Thickness factor, a float a strand.
-pub const SHX_CURVES_STRAND_THICKNESS: u32 = 6;
+pub const SHX_CURVE_ATTRIBUTE_STRAND_THICKNESS: u32 = 6;
 /// Texture coordinates of the root, two floats a strand.
-pub const SHX_CURVES_STRAND_UV: u32 = 7;
+pub const SHX_CURVE_ATTRIBUTE_STRAND_UV: u32 = 7;
 /// Arclength of each point from its root, file units, a float a point: only where the file has splines, which are longer than the polylines of
-/// their points. For shx_fit_curves.arclengths convert it to metres and doubles.
-pub const SHX_CURVES_ARCLENGTH: u32 = 8;
+/// their points. For shx_fit_input.arclengths convert it to metres and doubles.
+pub const SHX_CURVE_ATTRIBUTE_ARCLENGTH: u32 = 8;
 
 /// The file does not say which axis points up.
-pub const SHX_UP_UNKNOWN: u32 = 0;
+pub const SHX_UP_AXIS_UNKNOWN: u32 = 0;
 /// y points up.
-pub const SHX_UP_Y: u32 = 1;
+pub const SHX_UP_AXIS_Y: u32 = 1;
 /// z points up.
-pub const SHX_UP_Z: u32 = 2;
+pub const SHX_UP_AXIS_Z: u32 = 2;
 
 /// Curves to write to a file. Prepare with shx_curve_data_init, then set at least points, point_counts and strand_count. Null arrays are what
 /// the file will not say. What is pointed to is read during the call and not kept.
@@ -46,8 +46,8 @@ pub const SHX_UP_Z: u32 = 2;
 pub struct shx_curve_data {
     /// Set by shx_curve_data_init.
     pub struct_size: u32,
-    /// SHX_UP_, for formats that say it (.usda). Default SHX_UP_UNKNOWN.
-    pub up: u32,
+    /// SHX_UP_AXIS_, for formats that say it (.usda). Default SHX_UP_AXIS_UNKNOWN.
+    pub up_axis: u32,
     /// How many strands.
     pub strand_count: usize,
     /// strand_count numbers, each 2 or more, whose sum is points.count.
@@ -64,7 +64,7 @@ pub struct shx_curve_data {
     /// Null, or three numbers a point, 0 to 1.
     pub colors: *const f32,
     /// Null, or a byte a point: other than 0 where it is held.
-    pub held: *const u8,
+    pub pinned: *const u8,
     /// Null, or a factor a strand.
     pub strand_thickness: *const f32,
     /// Null, or two numbers a strand.
@@ -88,7 +88,7 @@ unsafe impl Versioned for shx_curve_data {
     fn defaults() -> Self {
         Self {
             struct_size: size_of::<Self>() as u32,
-            up: SHX_UP_UNKNOWN,
+            up_axis: SHX_UP_AXIS_UNKNOWN,
             strand_count: 0,
             point_counts: std::ptr::null(),
             points: NO_INPUT,
@@ -96,7 +96,7 @@ unsafe impl Versioned for shx_curve_data {
             thickness: std::ptr::null(),
             transparency: std::ptr::null(),
             colors: std::ptr::null(),
-            held: std::ptr::null(),
+            pinned: std::ptr::null(),
             strand_thickness: std::ptr::null(),
             strand_uvs: std::ptr::null(),
             metres_per_unit: 0.0,
@@ -145,11 +145,11 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
         return Err(Error::invalid("data.reserved0", data.reserved0, "0"));
     }
     check_reserved("data", &data.reserved)?;
-    let up = match data.up {
-        SHX_UP_UNKNOWN => None,
-        SHX_UP_Y => Some(UpAxis::Y),
-        SHX_UP_Z => Some(UpAxis::Z),
-        other => return Err(Error::invalid("data.up", other, "one of SHX_UP_")),
+    let up = match data.up_axis {
+        SHX_UP_AXIS_UNKNOWN => None,
+        SHX_UP_AXIS_Y => Some(UpAxis::Y),
+        SHX_UP_AXIS_Z => Some(UpAxis::Z),
+        other => return Err(Error::invalid("data.up_axis", other, "one of SHX_UP_AXIS_")),
     };
     let version = match data.tfx_version {
         0 => None,
@@ -191,7 +191,7 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
             colors: optional("data.colors", data.colors.cast::<[f32; 3]>(), point_count)?,
             velocities,
             arclengths: None,
-            held: optional("data.held", data.held, point_count)?.map(|held| held.iter().map(|held| *held != 0).collect()),
+            held: optional("data.pinned", data.pinned, point_count)?.map(|held| held.iter().map(|held| *held != 0).collect()),
             strand_thickness: optional("data.strand_thickness", data.strand_thickness, strand_count)?,
             strand_uvs: optional("data.strand_uvs", data.strand_uvs.cast::<[f32; 2]>(), strand_count)?,
             hair_header: None,
@@ -203,6 +203,7 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
         Error::InvalidArgument { argument, value, expected } => {
             let field = argument.strip_prefix("extras.").unwrap_or(&argument);
             let field = field.strip_prefix("counts").map_or_else(|| field.to_owned(), |rest| format!("point_counts{rest}"));
+            let field = field.replace("held", "pinned");
             Error::invalid(format!("data.{field}"), value, expected)
         }
         other => other,
@@ -215,8 +216,8 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
 /// format has no place for is left out: docs/files.md has the table.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curves_save(path: *const c_char, data: *const shx_curve_data) -> shx_result {
-    call("shx_curves_save", || {
+pub unsafe extern "C" fn shx_curve_data_write(path: *const c_char, data: *const shx_curve_data) -> shx_result {
+    call("shx_curve_data_write", || {
         // SAFETY: the caller's text, structure and what it points to.
         let (path, (curves, version)) = unsafe { (path_from(path)?, read_data(data)?) };
         match (CurvesFormat::of_name(path), version) {
@@ -226,38 +227,38 @@ pub unsafe extern "C" fn shx_curves_save(path: *const c_char, data: *const shx_c
     })
 }
 
-/// What a file says beside the points: SHX_CURVES_ in what. *out_count is how many floats that is, 0 if the file does not say; they go into
-/// out_numbers, which holds capacity floats (null with capacity 0: only the count is wanted).
+/// What a file says beside the points: SHX_CURVE_ATTRIBUTE_ in what. *out_count is how many floats that is, 0 if the file does not say; they go into
+/// out_values, which holds capacity floats (null with capacity 0: only the count is wanted).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (what), SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curves_numbers(
+pub unsafe extern "C" fn shx_curves_attribute(
     curves: *const shx_curves,
-    what: u32,
-    out_numbers: *mut f32,
+    attribute: u32,
+    out_values: *mut f32,
     capacity: usize,
     out_count: *mut usize,
 ) -> shx_result {
-    call("shx_curves_numbers", || {
+    call("shx_curves_attribute", || {
         // SAFETY: the caller's handle, and places for one number and for capacity floats.
         let (curves, count, numbers) = unsafe {
-            let numbers = if out_numbers.is_null() && capacity == 0 {
+            let numbers = if out_values.is_null() && capacity == 0 {
                 None
             } else {
-                Some(Places::new("out_numbers", "capacity", out_numbers, capacity)?)
+                Some(Places::new("out_values", "capacity", out_values, capacity)?)
             };
             (curves_from(curves)?, Place::new("out_count", out_count)?, numbers)
         };
         let extras = curves.extras();
-        let list: Vec<f32> = match what {
-            SHX_CURVES_THICKNESS => extras.thickness.clone().unwrap_or_default(),
-            SHX_CURVES_TRANSPARENCY => extras.transparency.clone().unwrap_or_default(),
-            SHX_CURVES_COLOR => extras.colors.iter().flatten().flatten().copied().collect(),
-            SHX_CURVES_VELOCITY => extras.velocities.iter().flatten().flatten().copied().collect(),
-            SHX_CURVES_HELD => extras.held.iter().flatten().map(|held| f32::from(u8::from(*held))).collect(),
-            SHX_CURVES_STRAND_THICKNESS => extras.strand_thickness.clone().unwrap_or_default(),
-            SHX_CURVES_ARCLENGTH => extras.arclengths.clone().unwrap_or_default(),
-            SHX_CURVES_STRAND_UV => extras.strand_uvs.iter().flatten().flatten().copied().collect(),
-            other => return Err(Error::invalid("what", other, "one of SHX_CURVES_")),
+        let list: Vec<f32> = match attribute {
+            SHX_CURVE_ATTRIBUTE_THICKNESS => extras.thickness.clone().unwrap_or_default(),
+            SHX_CURVE_ATTRIBUTE_TRANSPARENCY => extras.transparency.clone().unwrap_or_default(),
+            SHX_CURVE_ATTRIBUTE_COLOR => extras.colors.iter().flatten().flatten().copied().collect(),
+            SHX_CURVE_ATTRIBUTE_VELOCITY => extras.velocities.iter().flatten().flatten().copied().collect(),
+            SHX_CURVE_ATTRIBUTE_PINNED => extras.held.iter().flatten().map(|held| f32::from(u8::from(*held))).collect(),
+            SHX_CURVE_ATTRIBUTE_STRAND_THICKNESS => extras.strand_thickness.clone().unwrap_or_default(),
+            SHX_CURVE_ATTRIBUTE_ARCLENGTH => extras.arclengths.clone().unwrap_or_default(),
+            SHX_CURVE_ATTRIBUTE_STRAND_UV => extras.strand_uvs.iter().flatten().flatten().copied().collect(),
+            other => return Err(Error::invalid("attribute", other, "one of SHX_CURVE_ATTRIBUTE_")),
         };
         if let Some(numbers) = numbers {
             numbers.write(&list)?;
@@ -267,19 +268,19 @@ pub unsafe extern "C" fn shx_curves_numbers(
     })
 }
 
-/// Metres a file unit (0 where the file does not say) and the axis that points up (SHX_UP_).
+/// Metres a file unit (0 where the file does not say) and the axis that points up (SHX_UP_AXIS_).
 /// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curves_unit(curves: *const shx_curves, out_metres: *mut f64, out_up: *mut u32) -> shx_result {
-    call("shx_curves_unit", || {
+pub unsafe extern "C" fn shx_curves_units(curves: *const shx_curves, out_metres_per_unit: *mut f64, out_up_axis: *mut u32) -> shx_result {
+    call("shx_curves_units", || {
         // SAFETY: the caller's handle and places for a number each.
         let (curves, metres, up) =
-            unsafe { (curves_from(curves)?, Place::new("out_metres", out_metres)?, Place::new("out_up", out_up)?) };
+            unsafe { (curves_from(curves)?, Place::new("out_metres_per_unit", out_metres_per_unit)?, Place::new("out_up_axis", out_up_axis)?) };
         metres.write(curves.extras().metres_per_unit.unwrap_or(0.0));
         up.write(match curves.extras().up {
-            None => SHX_UP_UNKNOWN,
-            Some(UpAxis::Y) => SHX_UP_Y,
-            Some(UpAxis::Z) => SHX_UP_Z,
+            None => SHX_UP_AXIS_UNKNOWN,
+            Some(UpAxis::Y) => SHX_UP_AXIS_Y,
+            Some(UpAxis::Z) => SHX_UP_AXIS_Z,
         });
         Ok(())
     })

@@ -154,14 +154,14 @@ pub unsafe extern "C" fn shx_curves_points(
 /// number is not looked at); point_counts holds strand_count numbers, each at least 2, whose sum is points.count.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curves_write(
+pub unsafe extern "C" fn shx_curves_write_points(
     path: *const c_char,
     points: *const shx_input,
     point_counts: *const u32,
     strand_count: usize,
 ) -> shx_result {
     // SAFETY: the caller's text, points and counts.
-    call("shx_curves_write", || unsafe {
+    call("shx_curves_write_points", || unsafe {
         let path = path_from(path)?;
         let reader = Reader::new("points", points, POINT_FORMATS)?;
         let counts = array("point_counts", "strand_count", point_counts, strand_count)?;

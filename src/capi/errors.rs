@@ -12,9 +12,6 @@ pub type shx_result = i32;
 
 /// Success.
 pub const SHX_OK: i32 = 0;
-/// A strand's status only, never returned by a function: Newton's iteration stopped at its cap, or could not descend further,
-/// before it reached the tolerance. The state is usable.
-pub const SHX_UNCONVERGED: i32 = 1;
 /// A required pointer is null. The text names it.
 pub const SHX_ERROR_NULL_ARGUMENT: i32 = -1;
 /// A value is out of range: not a number, infinite, negative, an unknown enumerated value, a wrong count. The text names the
@@ -34,14 +31,11 @@ pub const SHX_ERROR_SNAPSHOT: i32 = -7;
 pub const SHX_ERROR_OUT_OF_MEMORY: i32 = -8;
 /// A request that this version does not serve. The text says what to use instead.
 pub const SHX_ERROR_UNSUPPORTED: i32 = -9;
-/// A strand's status only, never returned by a function: in the last step the state turned non-finite, or touches or constraints
-/// drove it astray and found no end, and it was rolled back.
-pub const SHX_ERROR_QUARANTINED: i32 = -10;
 /// A file could not be read, written or understood. The text names the file, the place and what was expected there.
 pub const SHX_ERROR_FILE: i32 = -11;
 /// A bug of the library was caught at its border. The solver of that call is poisoned: destroy it.
-pub const SHX_ERROR_PANIC: i32 = -100;
-/// An earlier SHX_ERROR_PANIC left this solver in an unknown state. Only shx_solver_destroy takes it.
+pub const SHX_ERROR_INTERNAL: i32 = -100;
+/// An earlier SHX_ERROR_INTERNAL left this solver in an unknown state. Only shx_solver_destroy takes it.
 pub const SHX_ERROR_POISONED: i32 = -101;
 
 /// Bytes kept of an error's text, the closing zero included.
@@ -98,8 +92,7 @@ pub(crate) fn code(error: &Error) -> shx_result {
         Error::OutOfMemory { .. } => SHX_ERROR_OUT_OF_MEMORY,
         Error::Unsupported { .. } => SHX_ERROR_UNSUPPORTED,
         Error::File { .. } => SHX_ERROR_FILE,
-        Error::Quarantined => SHX_ERROR_QUARANTINED,
-        Error::Panic { .. } => SHX_ERROR_PANIC,
+        Error::Panic { .. } => SHX_ERROR_INTERNAL,
         Error::Poisoned => SHX_ERROR_POISONED,
     }
 }
@@ -121,7 +114,6 @@ pub(crate) fn remember(function: &str, error: &Error) -> shx_result {
 pub extern "C" fn shx_result_name(result: shx_result) -> *const c_char {
     let name = match result {
         SHX_OK => c"SHX_OK",
-        SHX_UNCONVERGED => c"SHX_UNCONVERGED",
         SHX_ERROR_NULL_ARGUMENT => c"SHX_ERROR_NULL_ARGUMENT",
         SHX_ERROR_INVALID_ARGUMENT => c"SHX_ERROR_INVALID_ARGUMENT",
         SHX_ERROR_INVALID_ID => c"SHX_ERROR_INVALID_ID",
@@ -131,9 +123,8 @@ pub extern "C" fn shx_result_name(result: shx_result) -> *const c_char {
         SHX_ERROR_SNAPSHOT => c"SHX_ERROR_SNAPSHOT",
         SHX_ERROR_OUT_OF_MEMORY => c"SHX_ERROR_OUT_OF_MEMORY",
         SHX_ERROR_UNSUPPORTED => c"SHX_ERROR_UNSUPPORTED",
-        SHX_ERROR_QUARANTINED => c"SHX_ERROR_QUARANTINED",
         SHX_ERROR_FILE => c"SHX_ERROR_FILE",
-        SHX_ERROR_PANIC => c"SHX_ERROR_PANIC",
+        SHX_ERROR_INTERNAL => c"SHX_ERROR_INTERNAL",
         SHX_ERROR_POISONED => c"SHX_ERROR_POISONED",
         _ => c"unknown result",
     };

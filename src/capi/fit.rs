@@ -15,11 +15,11 @@ use crate::error::{Error, Result};
 use crate::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
 use crate::rod::definition::{MAX_ELEMENTS, check_rows};
 
-/// A strand fitted to a polyline, beside its element lengths and curvatures. Prepare with shx_fit_init.
+/// A strand fitted to a polyline, beside its element lengths and curvatures. Prepare with shx_polyline_fit_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct shx_fit {
-    /// Set by shx_fit_init.
+pub struct shx_polyline_fit {
+    /// Set by shx_polyline_fit_init.
     pub struct_size: u32,
     /// 0.
     pub reserved: u32,
@@ -34,7 +34,7 @@ pub struct shx_fit {
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
-unsafe impl Versioned for shx_fit {
+unsafe impl Versioned for shx_polyline_fit {
     const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
@@ -49,14 +49,14 @@ unsafe impl Versioned for shx_fit {
     }
 }
 
-const _: () = assert!(size_of::<shx_fit>() == 88 && offset_of!(shx_fit, length) == 64);
+const _: () = assert!(size_of::<shx_polyline_fit>() == 88 && offset_of!(shx_polyline_fit, length) == 64);
 
-/// Prepares a shx_fit. size is sizeof(shx_fit).
+/// Prepares a shx_polyline_fit. size is sizeof(shx_polyline_fit).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_fit_init(fit: *mut shx_fit, size: usize) -> shx_result {
+pub unsafe extern "C" fn shx_polyline_fit_init(fit: *mut shx_polyline_fit, size: usize) -> shx_result {
     // SAFETY: the caller says that fit holds size bytes.
-    unsafe { initialise("shx_fit_init", "fit", fit, size) }
+    unsafe { initialise("shx_polyline_fit_init", "fit", fit, size) }
 }
 
 /// Fits a strand of element_count helical elements (1 to 100000) to a polyline of at least two distinct points in metres, root
@@ -69,7 +69,7 @@ pub unsafe extern "C" fn shx_fit_init(fit: *mut shx_fit, size: usize) -> shx_res
 pub unsafe extern "C" fn shx_fit_polyline(
     polyline: *const shx_input,
     element_count: u32,
-    out_fit: *mut shx_fit,
+    out_fit: *mut shx_polyline_fit,
     out_element_lengths: *mut f64,
     out_curvatures: *mut f64,
     capacity: usize,
@@ -93,12 +93,12 @@ pub unsafe extern "C" fn shx_fit_polyline(
         let fit = fit_polyline(&points, &FitOptions::elements(element_count))?;
         lengths.write(&fit.element_lengths)?;
         rows.write(&fit.curvatures)?;
-        fit_output.write(&shx_fit {
+        fit_output.write(&shx_polyline_fit {
             root: shx_frame { origin: fit.root.origin.into(), rotation: fit.root.rotation_xyzw() },
             length: fit.element_lengths.iter().sum(),
             rms_error: fit.rms_error,
             max_error: fit.max_error,
-            ..shx_fit::defaults()
+            ..shx_polyline_fit::defaults()
         });
         Ok(())
     };
@@ -112,7 +112,7 @@ pub unsafe extern "C" fn shx_fit_polyline(
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
 /// cbindgen:ptrs-as-arrays=[[gravity; 3]]
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_fit_natural_curvatures(
+pub unsafe extern "C" fn shx_sag_free_curvatures(
     def: *const shx_strand_def,
     curvatures: *const f64,
     count: usize,
@@ -134,5 +134,5 @@ pub unsafe extern "C" fn shx_fit_natural_curvatures(
             places.write(&on_own_thread(|| natural_under_gravity(&definition, rows, gravity))?)
         }
     };
-    call("shx_fit_natural_curvatures", body)
+    call("shx_sag_free_curvatures", body)
 }

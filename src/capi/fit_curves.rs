@@ -23,7 +23,7 @@ use crate::workers::Workers;
 /// All elements of a strand are equally long.
 pub const SHX_FIT_LENGTHS_EQUAL: u32 = 1;
 /// Equally long where that is good, else free. The default.
-pub const SHX_FIT_LENGTHS_WHERE_NEEDED: u32 = 2;
+pub const SHX_FIT_LENGTHS_AUTO: u32 = 2;
 /// Free: half the error. Strands step as fast; shx_solver_sample takes strands of equal elements side by side, others one by one.
 pub const SHX_FIT_LENGTHS_FREE: u32 = 3;
 
@@ -38,22 +38,25 @@ pub struct shx_fit_options {
     /// Above 0: the smallest number of elements for which no point is farther than this from the strand at equal arclength, m. Where
     /// element_count do not keep it, the strand has that many, and its max_error says so. 0 (default): none.
     pub tolerance: f64,
-    /// SHX_FIT_LENGTHS_. Default SHX_FIT_LENGTHS_WHERE_NEEDED.
-    pub lengths: u32,
+    /// SHX_FIT_LENGTHS_. Default SHX_FIT_LENGTHS_AUTO.
+    pub length_mode: u32,
     /// 1 (default): elements may be twisted where that brings the centreline closer. 0: no twist; material frames are carried along
     /// without turning, and elements are arcs of circles.
     pub twist: u32,
     /// The least length of an element in those of equal ones, 0.05 to 1. Default 0.3.
-    pub least_length: f64,
+    pub min_length_ratio: f64,
     /// A start is good, and the last, when the root mean square distance is below this share of the length; 0 to 1. Default 1e-3.
-    pub good: f64,
+    pub target_rms_error: f64,
+    /// A strand whose largest distance is above this share of the length has it lowered below, or as far as it goes, at the cost of the root
+    /// mean square; 0 to 1. Default 0.01. 1: never. With a tolerance that is used in its place.
+    pub target_max_error: f64,
     /// What the points may be off by, m, 0 or above: the length of a curve that zigzags by less is taken along its middle. Default 0.
     pub noise: f64,
     /// Where curves have frames: how many metres of distance, in units of the curve's length, one radian between the frames is worth,
     /// 0 or above. Default 3e-3.
     pub frame_weight: f64,
     /// Starts tried at most, 1 to 8. Default 4.
-    pub starts: u32,
+    pub max_starts: u32,
     /// Threads: 0 or 1 (default): the calling thread; 2 to 256: a pool, there for the call alone. The results' bits do not depend on it.
     pub worker_count: u32,
     /// Or the host's parallel loop.
@@ -62,14 +65,11 @@ pub struct shx_fit_options {
     pub parallel_for_user: *mut c_void,
     /// 0.
     pub reserved: [u64; 4],
-    /// A strand whose largest distance is above this share of the length has it lowered below, or as far as it goes, at the cost of the root
-    /// mean square; 0 to 1. Default 0.01. 1: never. With a tolerance that is used in its place.
-    pub good_largest: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, a pointer and an optional function only.
 unsafe impl Versioned for shx_fit_options {
-    const FIRST_SIZE: usize = offset_of!(shx_fit_options, good_largest);
+    const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
         let options = FitOptions::default();
@@ -77,34 +77,34 @@ unsafe impl Versioned for shx_fit_options {
             struct_size: size_of::<Self>() as u32,
             element_count: options.element_count as u32,
             tolerance: 0.0,
-            lengths: SHX_FIT_LENGTHS_WHERE_NEEDED,
+            length_mode: SHX_FIT_LENGTHS_AUTO,
             twist: u32::from(options.twist),
-            least_length: options.least_length,
-            good: options.good,
+            min_length_ratio: options.least_length,
+            target_rms_error: options.good,
+            target_max_error: options.good_largest,
             noise: options.noise,
             frame_weight: options.frame_weight,
-            starts: options.starts as u32,
+            max_starts: options.starts as u32,
             worker_count: 0,
             parallel_for: None,
             parallel_for_user: std::ptr::null_mut(),
             reserved: [0; 4],
-            good_largest: options.good_largest,
         }
     }
 }
 
 const _: () = {
-    assert!(size_of::<shx_fit_options>() == 120 && offset_of!(shx_fit_options, least_length) == 24);
-    assert!(offset_of!(shx_fit_options, starts) == 56 && offset_of!(shx_fit_options, reserved) == 80);
+    assert!(size_of::<shx_fit_options>() == 120 && offset_of!(shx_fit_options, min_length_ratio) == 24);
+    assert!(offset_of!(shx_fit_options, max_starts) == 64 && offset_of!(shx_fit_options, reserved) == 88);
 };
 
 impl shx_fit_options {
     fn options(&self) -> Result<(FitOptions, Workers)> {
-        let lengths = match self.lengths {
+        let lengths = match self.length_mode {
             SHX_FIT_LENGTHS_EQUAL => ElementLengths::Equal,
-            SHX_FIT_LENGTHS_WHERE_NEEDED => ElementLengths::WhereNeeded,
+            SHX_FIT_LENGTHS_AUTO => ElementLengths::WhereNeeded,
             SHX_FIT_LENGTHS_FREE => ElementLengths::Free,
-            other => return Err(Error::invalid("options.lengths", other, "one of SHX_FIT_LENGTHS_")),
+            other => return Err(Error::invalid("options.length_mode", other, "one of SHX_FIT_LENGTHS_")),
         };
         check_finite(|| "options.tolerance".into(), self.tolerance)?;
         if self.tolerance < 0.0 {
@@ -116,17 +116,27 @@ impl shx_fit_options {
             element_count: self.element_count as usize,
             tolerance: (self.tolerance > 0.0).then_some(self.tolerance),
             lengths,
-            least_length: self.least_length,
+            least_length: self.min_length_ratio,
             twist: check_flag("options.twist", self.twist)?,
-            starts: self.starts as usize,
-            good: self.good,
-            good_largest: self.good_largest,
+            starts: self.max_starts as usize,
+            good: self.target_rms_error,
+            good_largest: self.target_max_error,
             noise: self.noise,
             frame_weight: self.frame_weight,
         };
-        options.check("options.")?;
+        options.check("options.").map_err(in_words_of_c)?;
         Ok((options, workers))
     }
+}
+
+/// The engine's error with the names of the C structure.
+fn in_words_of_c(error: Error) -> Error {
+    error.with_fields(&[
+        ("least_length", "min_length_ratio"),
+        ("good", "target_rms_error"),
+        ("good_largest", "target_max_error"),
+        ("starts", "max_starts"),
+    ])
 }
 
 /// Prepares a shx_fit_options. size is sizeof(shx_fit_options).
@@ -137,12 +147,12 @@ pub unsafe extern "C" fn shx_fit_options_init(options: *mut shx_fit_options, siz
     unsafe { initialise("shx_fit_options_init", "options", options, size) }
 }
 
-/// Curves to fit strands to. Prepare with shx_fit_curves_init, then set at least points, point_counts and curve_count. What is pointed
+/// Curves to fit strands to. Prepare with shx_fit_input_init, then set at least points, point_counts and curve_count. What is pointed
 /// to is read during the call and not kept.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct shx_fit_curves {
-    /// Set by shx_fit_curves_init.
+pub struct shx_fit_input {
+    /// Set by shx_fit_input_init.
     pub struct_size: u32,
     /// 0.
     pub reserved0: u32,
@@ -170,7 +180,7 @@ pub struct shx_fit_curves {
 const NO_INPUT: shx_input = shx_input { data: std::ptr::null(), stride: 0, count: 0, format: 0, reserved: 0 };
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and pointers only.
-unsafe impl Versioned for shx_fit_curves {
+unsafe impl Versioned for shx_fit_input {
     const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
@@ -191,17 +201,17 @@ unsafe impl Versioned for shx_fit_curves {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_fit_curves>() == 168 && offset_of!(shx_fit_curves, points) == 16);
-    assert!(offset_of!(shx_fit_curves, point_counts) == 48 && offset_of!(shx_fit_curves, frames) == 72);
-    assert!(offset_of!(shx_fit_curves, reserved) == 136);
+    assert!(size_of::<shx_fit_input>() == 168 && offset_of!(shx_fit_input, points) == 16);
+    assert!(offset_of!(shx_fit_input, point_counts) == 48 && offset_of!(shx_fit_input, frames) == 72);
+    assert!(offset_of!(shx_fit_input, reserved) == 136);
 };
 
-/// Prepares a shx_fit_curves. size is sizeof(shx_fit_curves).
+/// Prepares a shx_fit_input. size is sizeof(shx_fit_input).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_fit_curves_init(curves: *mut shx_fit_curves, size: usize) -> shx_result {
+pub unsafe extern "C" fn shx_fit_input_init(curves: *mut shx_fit_input, size: usize) -> shx_result {
     // SAFETY: the caller says that curves holds size bytes.
-    unsafe { initialise("shx_fit_curves_init", "curves", curves, size) }
+    unsafe { initialise("shx_fit_input_init", "curves", curves, size) }
 }
 
 /// A strand that was fitted to a curve, beside its element lengths and curvatures.
@@ -210,7 +220,7 @@ pub unsafe extern "C" fn shx_fit_curves_init(curves: *mut shx_fit_curves, size: 
 pub struct shx_fitted_strand {
     /// SHX_OK, or why the curve could not be fitted (SHX_ERROR_INVALID_ARGUMENT: no length, numbers that are not finite, ...); then
     /// the rest is 0.
-    pub status: shx_result,
+    pub result: shx_result,
     /// How many elements the strand has.
     pub element_count: u32,
     /// Root frame: the curve's first point.
@@ -235,7 +245,7 @@ impl shx_fitted_strand {
     fn of(fit: &Result<Fit>) -> Self {
         match fit {
             Ok(fit) => Self {
-                status: SHX_OK,
+                result: SHX_OK,
                 element_count: fit.curvatures.len() as u32,
                 root: shx_frame { origin: fit.root.origin.into(), rotation: fit.root.rotation_xyzw() },
                 length: fit.element_lengths.iter().sum(),
@@ -246,7 +256,7 @@ impl shx_fitted_strand {
                 radius: fit.radius.unwrap_or(0.0),
             },
             Err(error) => Self {
-                status: code(error),
+                result: code(error),
                 element_count: 0,
                 root: shx_frame { origin: [0.0; 3], rotation: [0.0; 4] },
                 length: 0.0,
@@ -273,7 +283,7 @@ struct Owned {
 impl Owned {
     /// # Safety
     /// All that the structure points to is there.
-    unsafe fn read(curves: &shx_fit_curves) -> Result<Self> {
+    unsafe fn read(curves: &shx_fit_input) -> Result<Self> {
         if curves.reserved0 != 0 {
             return Err(Error::invalid("curves.reserved0", curves.reserved0, "0"));
         }
@@ -362,8 +372,8 @@ unsafe fn roots(input: &shx_input, needed: usize) -> Result<Option<Vec<FitRoot>>
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_strands(
     options: *const shx_fit_options,
-    curves: *const shx_fit_curves,
-    strands: *mut shx_fitted_strand,
+    curves: *const shx_fit_input,
+    out_strands: *mut shx_fitted_strand,
     stride: usize,
     out_element_lengths: *mut f64,
     out_curvatures: *mut f64,
@@ -383,7 +393,7 @@ pub unsafe extern "C" fn shx_fit_strands(
         // SAFETY: the caller's memory for count items and capacity elements.
         let (fitted, lengths, rows) = unsafe {
             (
-                Strided::new("strands", "curves.curve_count", strands, stride, count)?,
+                Strided::new("out_strands", "curves.curve_count", out_strands, stride, count)?,
                 Places::new("out_element_lengths", "capacity", out_element_lengths, capacity)?,
                 Places::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
             )
@@ -436,8 +446,8 @@ pub unsafe extern "C" fn shx_strand_def_set_fit(
             let fitted = &array("fitted", "fitted", fitted, 1)?[0];
             (read_versioned("def", def.cast_const())?, VersionedOutput::new("def", def)?, fitted)
         };
-        if fitted.status != SHX_OK {
-            return Err(Error::invalid("fitted.status", fitted.status, "SHX_OK: a curve that could be fitted"));
+        if fitted.result != SHX_OK {
+            return Err(Error::invalid("fitted.result", fitted.result, "SHX_OK: a curve that could be fitted"));
         }
         let count = fitted.element_count as usize;
         if !(1..=MAX_ELEMENTS).contains(&count) {
@@ -449,7 +459,7 @@ pub unsafe extern "C" fn shx_strand_def_set_fit(
             array("curvatures", "fitted.element_count", curvatures.cast::<[f64; 3]>(), count)?;
         }
         (filled.root, filled.length, filled.element_count) = (fitted.root, fitted.length, fitted.element_count);
-        (filled.element_lengths, filled.natural) = (element_lengths, curvatures);
+        (filled.element_lengths, filled.natural_curvatures) = (element_lengths, curvatures);
         if fitted.radius > 0.0 {
             filled.radius = [fitted.radius; 2];
         }

@@ -22,9 +22,9 @@ use crate::study::recording::{Observable, Recording, RootMotion};
 pub const SHX_OBSERVABLE_SPAN: u32 = 1;
 /// How far the tip hangs below the root along gravity, m.
 pub const SHX_OBSERVABLE_DEPTH: u32 = 2;
-/// How far the tip is from the root along shx_friction_def.direction, m.
+/// How far the tip is from the root along shx_friction_fit_def.direction, m.
 pub const SHX_OBSERVABLE_OFFSET: u32 = 3;
-/// The angle of the line from root to tip against gravity, towards shx_friction_def.direction, rad, -pi to pi.
+/// The angle of the line from root to tip against gravity, towards shx_friction_fit_def.direction, rad, -pi to pi.
 pub const SHX_OBSERVABLE_ANGLE: u32 = 4;
 
 /// Internal friction gamma.
@@ -40,23 +40,23 @@ pub const SHX_FRICTION_START_SETTLED: u32 = 1;
 pub const SHX_FRICTION_START_AS_DEFINED: u32 = 2;
 
 /// This coefficient was not fitted; value is the strand's own, the other numbers are 0.
-pub const SHX_VERDICT_NOT_FITTED: u32 = 0;
+pub const SHX_COEFFICIENT_NOT_FITTED: u32 = 0;
 /// The recording says what the coefficient is.
-pub const SHX_VERDICT_DETERMINED: u32 = 1;
+pub const SHX_COEFFICIENT_DETERMINED: u32 = 1;
 /// It does not: the curve hardly changes with the coefficient (standard error above half of it, or no value of the range differs by
 /// three standard deviations), or two coefficients cannot be told apart.
-pub const SHX_VERDICT_UNDETERMINED: u32 = 2;
+pub const SHX_COEFFICIENT_UNDETERMINED: u32 = 2;
 /// The best value is the lower end of the range, and the curve would still improve below.
-pub const SHX_VERDICT_AT_LOWER_END: u32 = 3;
+pub const SHX_COEFFICIENT_AT_LOWER_BOUND: u32 = 3;
 /// The best value is the upper end of the range, and the curve would still improve above.
-pub const SHX_VERDICT_AT_UPPER_END: u32 = 4;
+pub const SHX_COEFFICIENT_AT_UPPER_BOUND: u32 = 4;
 
-/// What to fit and how. Fill with shx_friction_def_init, then set at least coefficients. What is pointed to is read during the call
+/// What to fit and how. Fill with shx_friction_fit_def_init, then set at least coefficients. What is pointed to is read during the call
 /// and not kept.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct shx_friction_def {
-    /// Set by shx_friction_def_init.
+pub struct shx_friction_fit_def {
+    /// Set by shx_friction_fit_def_init.
     pub struct_size: u32,
     /// What the recorded values are: SHX_OBSERVABLE_. Default SHX_OBSERVABLE_SPAN.
     pub observable: u32,
@@ -112,7 +112,7 @@ pub struct shx_friction_def {
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
-unsafe impl Versioned for shx_friction_def {
+unsafe impl Versioned for shx_friction_fit_def {
     const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
@@ -150,17 +150,17 @@ unsafe impl Versioned for shx_friction_def {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_friction_def>() == 256);
-    assert!(offset_of!(shx_friction_def, direction) == 16 && offset_of!(shx_friction_def, grid_points) == 136);
-    assert!(offset_of!(shx_friction_def, oscillation_amplitude) == 152 && offset_of!(shx_friction_def, root_times) == 200);
+    assert!(size_of::<shx_friction_fit_def>() == 256);
+    assert!(offset_of!(shx_friction_fit_def, direction) == 16 && offset_of!(shx_friction_fit_def, grid_points) == 136);
+    assert!(offset_of!(shx_friction_fit_def, oscillation_amplitude) == 152 && offset_of!(shx_friction_fit_def, root_times) == 200);
 };
 
 /// What was found out about one coefficient.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_fitted_coefficient {
-    /// SHX_VERDICT_: whether the recording says what it is.
-    pub verdict: u32,
+    /// SHX_COEFFICIENT_: whether the recording says what it is.
+    pub status: u32,
     /// 0.
     pub reserved: u32,
     /// The best value, in the coefficient's unit.
@@ -169,18 +169,18 @@ pub struct shx_fitted_coefficient {
     pub standard_error: f64,
     /// By what share of itself the value would change (to first order) if the steps were half as long. Not a number where
     /// standard_error is infinite.
-    pub step_shift: f64,
+    pub step_sensitivity: f64,
     /// The nearest value of the grid below the best that the curve excludes by two standard deviations; 0 where there is none.
     pub excluded_below: f64,
     /// The nearest one above; infinite where there is none.
     pub excluded_above: f64,
 }
 
-/// The outcome of a fit. Prepare with shx_friction_report_init.
+/// The outcome of a fit. Prepare with shx_friction_fit_report_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct shx_friction_report {
-    /// Set by shx_friction_report_init.
+pub struct shx_friction_fit_report {
+    /// Set by shx_friction_fit_report_init.
     pub struct_size: u32,
     /// 1: the search ended at a minimum. 0: the values are the best that were found.
     pub converged: u32,
@@ -209,17 +209,17 @@ pub struct shx_friction_report {
 }
 
 const UNFITTED: shx_fitted_coefficient = shx_fitted_coefficient {
-    verdict: SHX_VERDICT_NOT_FITTED,
+    status: SHX_COEFFICIENT_NOT_FITTED,
     reserved: 0,
     value: 0.0,
     standard_error: 0.0,
-    step_shift: 0.0,
+    step_sensitivity: 0.0,
     excluded_below: 0.0,
     excluded_above: 0.0,
 };
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
-unsafe impl Versioned for shx_friction_report {
+unsafe impl Versioned for shx_friction_fit_report {
     const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
@@ -243,10 +243,10 @@ unsafe impl Versioned for shx_friction_report {
 
 const _: () = {
     assert!(size_of::<shx_fitted_coefficient>() == 48 && offset_of!(shx_fitted_coefficient, value) == 8);
-    assert!(size_of::<shx_friction_report>() == 200 && offset_of!(shx_friction_report, rms_residual) == 152);
+    assert!(size_of::<shx_friction_fit_report>() == 200 && offset_of!(shx_friction_fit_report, rms_residual) == 152);
 };
 
-impl shx_friction_def {
+impl shx_friction_fit_def {
     fn options(&self, solver: shx_solver_def) -> Result<FrictionFitOptions> {
         if solver.parallel_for.is_some() {
             return Err(Error::Unsupported {
@@ -366,26 +366,26 @@ fn in_words_of_c(error: Error) -> Error {
     }
 }
 
-fn report(fit: &FrictionFit, strand: &shx_strand_def) -> shx_friction_report {
+fn report(fit: &FrictionFit, strand: &shx_strand_def) -> shx_friction_fit_report {
     let fitted = |coefficient: Coefficient, own: f64| {
         let found = fit.coefficients.iter().find(|fitted| fitted.coefficient == coefficient);
         found.map_or(shx_fitted_coefficient { value: own, ..UNFITTED }, |found| shx_fitted_coefficient {
-            verdict: match found.verdict {
-                Verdict::Determined => SHX_VERDICT_DETERMINED,
-                Verdict::Undetermined => SHX_VERDICT_UNDETERMINED,
-                Verdict::AtLowerEnd => SHX_VERDICT_AT_LOWER_END,
-                Verdict::AtUpperEnd => SHX_VERDICT_AT_UPPER_END,
+            status: match found.verdict {
+                Verdict::Determined => SHX_COEFFICIENT_DETERMINED,
+                Verdict::Undetermined => SHX_COEFFICIENT_UNDETERMINED,
+                Verdict::AtLowerEnd => SHX_COEFFICIENT_AT_LOWER_BOUND,
+                Verdict::AtUpperEnd => SHX_COEFFICIENT_AT_UPPER_BOUND,
             },
             reserved: 0,
             value: found.value,
             standard_error: found.standard_error,
-            step_shift: found.step_shift,
+            step_sensitivity: found.step_shift,
             excluded_below: found.excluded[0],
             excluded_above: found.excluded[1],
         })
     };
-    shx_friction_report {
-        struct_size: size_of::<shx_friction_report>() as u32,
+    shx_friction_fit_report {
+        struct_size: size_of::<shx_friction_fit_report>() as u32,
         converged: u32::from(fit.converged),
         internal_friction: fitted(Coefficient::InternalFriction, strand.internal_friction),
         viscosity: fitted(Coefficient::Viscosity, strand.viscosity),
@@ -401,20 +401,20 @@ fn report(fit: &FrictionFit, strand: &shx_strand_def) -> shx_friction_report {
     }
 }
 
-/// Fills a definition with the defaults. size is sizeof(shx_friction_def).
+/// Fills a definition with the defaults. size is sizeof(shx_friction_fit_def).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_friction_def_init(def: *mut shx_friction_def, size: usize) -> shx_result {
+pub unsafe extern "C" fn shx_friction_fit_def_init(def: *mut shx_friction_fit_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
-    unsafe { initialise("shx_friction_def_init", "def", def, size) }
+    unsafe { initialise("shx_friction_fit_def_init", "def", def, size) }
 }
 
-/// Prepares a report. size is sizeof(shx_friction_report).
+/// Prepares a report. size is sizeof(shx_friction_fit_report).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_friction_report_init(report: *mut shx_friction_report, size: usize) -> shx_result {
+pub unsafe extern "C" fn shx_friction_fit_report_init(report: *mut shx_friction_fit_report, size: usize) -> shx_result {
     // SAFETY: the caller says that report holds size bytes.
-    unsafe { initialise("shx_friction_report_init", "report", report, size) }
+    unsafe { initialise("shx_friction_fit_report_init", "report", report, size) }
 }
 
 /// Fits friction coefficients of a strand to a recorded curve, as Bertails et al. 2006 (section 4.2) choose them: the internal
@@ -432,11 +432,11 @@ pub unsafe extern "C" fn shx_friction_report_init(report: *mut shx_friction_repo
 pub unsafe extern "C" fn shx_fit_friction(
     solver: *const shx_solver_def,
     strand: *const shx_strand_def,
-    friction: *const shx_friction_def,
+    friction: *const shx_friction_fit_def,
     times: *const f64,
     values: *const f64,
     count: usize,
-    out_report: *mut shx_friction_report,
+    out_report: *mut shx_friction_fit_report,
     out_curve: *mut f64,
 ) -> shx_result {
     let body = || -> Result<()> {

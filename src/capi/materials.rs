@@ -89,8 +89,8 @@ pub unsafe extern "C" fn shx_material_init(material: *mut shx_material, size: us
 
 /// Changes sections and materials of count living strands: from then on they are as strands that were made so. Material i begins i *
 /// def_stride bytes after the first (def_stride: sizeof(shx_material)); def_count is count, or 1: one for all. Shapes, natural shapes,
-/// velocities and freedoms stay, and so do the radii of contact (shx_solver_set_contact). A strand that hung at rest does so no more:
-/// shx_solver_take_rest_shapes makes its shape one of rest again.
+/// velocities and freedoms stay, and so do the radii of contact (shx_solver_set_strand_contact). A strand that hung at rest does so no more:
+/// shx_solver_adopt_rest_shapes makes its shape one of rest again.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names
 /// "defs[3].density"). Alone with the solver.
 #[unsafe(no_mangle)]

@@ -21,7 +21,7 @@ pub struct shx_pose_options {
     pub keep_tip_direction: u32,
     /// 1 (default): strands are kept out of the solver's bodies (those that a strand's shx_strand_contact names; of strands without, all),
     /// and taken out of them. 0: bodies are not looked at.
-    pub keep_out: u32,
+    pub avoid_bodies: u32,
     /// 0.
     pub reserved0: u32,
     /// The shape to stay near: 0 (default) the present one, 1 the natural one, between them a mixture.
@@ -46,7 +46,7 @@ unsafe impl Versioned for shx_pose_options {
         Self {
             struct_size: size_of::<Self>() as u32,
             keep_tip_direction: u32::from(options.keep_tip_direction),
-            keep_out: u32::from(options.keep_out),
+            avoid_bodies: u32::from(options.keep_out),
             reserved0: 0,
             natural_pull: options.natural_pull,
             clearance: options.clearance,
@@ -73,7 +73,7 @@ pub struct shx_brush {
     /// Default 1.
     pub falloff: f64,
     /// Where it goes, m. Default 0.
-    pub movement: [f64; 3],
+    pub displacement: [f64; 3],
     /// 0.
     pub reserved: [u64; 2],
 }
@@ -89,7 +89,7 @@ unsafe impl Versioned for shx_brush {
             centre: [0.0; 3],
             radius: 0.0,
             falloff: 1.0,
-            movement: [0.0; 3],
+            displacement: [0.0; 3],
             reserved: [0; 2],
         }
     }
@@ -108,7 +108,7 @@ pub struct shx_element_change {
     /// By how much more it turns about n1 and n2, rad. Default 0.
     pub bend: [f64; 2],
     /// Factor on its length; above zero. Default 1.
-    pub stretch: f64,
+    pub length_scale: f64,
     /// 1 (default): a longer element keeps its curvatures, so that the helix goes on; 0: it keeps the angles that it turns by.
     pub keep_curvature: u32,
     /// 0.
@@ -126,7 +126,7 @@ unsafe impl Versioned for shx_element_change {
             element: 0,
             twist: change.twist,
             bend: change.bend,
-            stretch: change.stretch,
+            length_scale: change.stretch,
             keep_curvature: u32::from(change.keep_curvature),
             reserved: 0,
         }
@@ -168,7 +168,7 @@ pub(super) unsafe fn read_options(options: *const shx_pose_options) -> Result<Po
         movable,
         natural_pull: options.natural_pull,
         keep_tip_direction: check_flag("options.keep_tip_direction", options.keep_tip_direction)?,
-        keep_out: check_flag("options.keep_out", options.keep_out)?,
+        keep_out: check_flag("options.avoid_bodies", options.avoid_bodies)?,
         clearance: options.clearance,
     })
 }
@@ -188,7 +188,7 @@ pub(super) unsafe fn read_brush(brush: *const shx_brush) -> Result<Brush> {
         centre: Vector3::from(brush.centre),
         radius: brush.radius,
         falloff: brush.falloff,
-        movement: Vector3::from(brush.movement),
+        movement: Vector3::from(brush.displacement),
     })
 }
 
@@ -201,10 +201,10 @@ impl shx_element_change {
         let change = ElementChange {
             twist: self.twist,
             bend: self.bend,
-            stretch: self.stretch,
+            stretch: self.length_scale,
             keep_curvature: check_flag(&format!("{argument}.keep_curvature"), self.keep_curvature)?,
         };
-        change.check(argument)?;
+        change.check(argument).map_err(|error| error.with_fields(&[("stretch", "length_scale")]))?;
         Ok((self.element as usize, change))
     }
 }

@@ -16,7 +16,7 @@ use crate::groom::pose::{DragTarget, Growth, Plane};
 /// there one near the present shape is taken (options.natural_pull: near the natural one), bent as the strand's stiffness bends it. A
 /// target out of reach is approached; one within a body counts as the nearest place of its surface. The strands are at rest then,
 /// relative to their roots, and quarantines are cleared. Gravity, constraints and other strands are not looked at:
-/// shx_solver_take_rest_shapes makes the pose one that stays. options: null for the defaults. out_distances: how far each point is
+/// shx_solver_adopt_rest_shapes makes the pose one that stays. options: null for the defaults. out_distances: how far each point is
 /// from its target, m; count numbers, or null. Each strand may be named once. The work is shared among the solver's workers; the
 /// results' bits do not depend on them.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Alone with the solver.

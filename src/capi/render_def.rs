@@ -16,9 +16,9 @@ use crate::error::{Error, Result};
 use crate::groom::render_hair::{GuideSamples, RenderSettings, Space, resampled};
 
 /// Between guides positions are mixed: strands stay between them; curls that are out of step cancel. The default.
-pub const SHX_SPACE_POSITION: u32 = 1;
+pub const SHX_INTERPOLATION_POSITION: u32 = 1;
 /// Lengths and curvatures are mixed: strands keep the guides' length and curls.
-pub const SHX_SPACE_CURVATURE: u32 = 2;
+pub const SHX_INTERPOLATION_CURVATURE: u32 = 2;
 
 /// How render strands are made from guides. Lengths in m. Fill with shx_render_settings_init.
 #[repr(C)]
@@ -28,8 +28,8 @@ pub struct shx_render_settings {
     pub struct_size: u32,
     /// Points of a strand, root and tip included, 2 to 4096; also those that each guide is sampled at. Default 16.
     pub points_per_strand: u32,
-    /// What is mixed between guides: SHX_SPACE_. Default SHX_SPACE_POSITION.
-    pub space: u32,
+    /// What is mixed between guides: SHX_INTERPOLATION_. Default SHX_INTERPOLATION_POSITION.
+    pub interpolation: u32,
     /// Guides that a strand follows at most, 1 to 4. Default 4.
     pub guides_per_strand: u32,
     /// 0 to 1: 0 interpolated all along, 0.5 (default) interpolated at the root and gathered in wisps at the tip, 1 disjoint locks.
@@ -44,66 +44,62 @@ pub struct shx_render_settings {
     pub max_tip_ratio: f64,
     /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places, 0 or above. Default 1, 0.6, 0.08.
     pub wisp_profile: [f64; 3],
+    /// 0 to 1: by which share wisps' sections are flattened along the scalp's normal. 0 (default): as round as the patch of scalp that they
+    /// stand on; 1: ribbons.
+    pub wisp_flatness: f64,
+    /// Root mean square distance by which whole wisps stray from their way at the tip, 0 or above. Default 0.
+    pub wisp_noise: f64,
+    /// Waves of that along a strand, above 0 to 1000. Default 1.5.
+    pub wisp_noise_waves: f64,
     /// Root mean square distance by which strands stray from their way at the tip, 0 or above. Default 0.
     pub frizz: f64,
     /// Waves of that along a strand, above 0 to 1000. Default 3.
     pub frizz_waves: f64,
+    /// Share of the strands that leave their wisps, 0 to 1. Default 0.02.
+    pub flyaway_fraction: f64,
+    /// Root mean square distance by which those stray from their way at the tip, 0 or above. Default 5e-3.
+    pub flyaway_distance: f64,
+    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.25.
+    pub length_variation: f64,
     /// Radius at the root, 0 or above. Default 40e-6.
     pub radius: f64,
     /// Radius at the tip. Default 15e-6.
     pub tip_radius: f64,
     /// From where on, as a share of the length, the radius goes to that of the tip; 0 to less than 1. Default 0.5.
-    pub taper_from: f64,
+    pub taper_start: f64,
+    /// How the radius goes to that of the tip, above -1 to below 1: 0 (default) linearly; above, strands end bluntly; below, they are thin
+    /// early.
+    pub taper_shape: f64,
     /// By which share radii differ between strands at most, 0 to 1. Default 0.1.
     pub radius_variation: f64,
+    /// How near to a body strands come before they are pushed (shx_solver_evaluate_render_pose): what would lie deeper is brought between
+    /// this and the surface, in the order of depth; above 0. Default 2e-3.
+    pub body_clearance: f64,
     /// Seed of all that is random. Default 0.
     pub seed: u64,
+    /// 1 (default): strands are as long as their guides before they are cut short; 0: mixing may shorten them.
+    pub preserve_length: u32,
     /// Threads that evaluate: 0 or 1 (default): the calling thread; 2 to 256: a pool, joined when the hair and its poses are gone. A host
     /// with a task system leaves this and calls shx_render_pose_evaluate from its tasks, for some of the strands each.
     pub worker_count: u32,
-    /// 0.
-    pub reserved0: u32,
     /// Or the host's parallel loop.
     pub parallel_for: shx_parallel_for_fn,
     /// Handed to parallel_for.
     pub parallel_for_user: *mut c_void,
     /// 0.
     pub reserved: [u64; 4],
-    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.25.
-    pub length_variation: f64,
-    /// 0 to 1: by which share wisps' sections are flattened along the scalp's normal. 0 (default): as round as the patch of scalp that they
-    /// stand on; 1: ribbons.
-    pub flatness: f64,
-    /// Root mean square distance by which whole wisps stray from their way at the tip, 0 or above. Default 0.
-    pub clump_noise: f64,
-    /// Waves of that along a strand, above 0 to 1000. Default 1.5.
-    pub clump_noise_waves: f64,
-    /// Share of the strands that leave their wisps, 0 to 1. Default 0.02.
-    pub flyaways: f64,
-    /// Root mean square distance by which those stray from their way at the tip, 0 or above. Default 5e-3.
-    pub flyaway_distance: f64,
-    /// How the radius goes to that of the tip, above -1 to below 1: 0 (default) linearly; above, strands end bluntly; below, they are thin
-    /// early.
-    pub taper_shape: f64,
-    /// How near to a body strands come before they are pushed (shx_solver_evaluate_render_pose): what would lie deeper is brought between
-    /// this and the surface, in the order of depth; above 0. Default 2e-3.
-    pub clearance: f64,
-    /// 1 (default): strands are as long as their guides before they are cut short; 0: mixing may shorten them.
-    pub preserve_length: u32,
-    /// 0.
-    pub reserved1: u32,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, a pointer and an optional function only.
 unsafe impl Versioned for shx_render_settings {
-    const FIRST_SIZE: usize = offset_of!(shx_render_settings, length_variation);
+    const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
         let settings = RenderSettings::default();
         Self {
             struct_size: size_of::<Self>() as u32,
             points_per_strand: settings.points_per_strand as u32,
-            space: SHX_SPACE_POSITION,
+            interpolation: SHX_INTERPOLATION_POSITION,
             guides_per_strand: settings.guides_per_strand as u32,
             curliness: settings.curliness,
             measure_curliness: 0,
@@ -111,44 +107,42 @@ unsafe impl Versioned for shx_render_settings {
             max_tip_distance: 0.0,
             max_tip_ratio: settings.max_tip_ratio,
             wisp_profile: settings.wisp_profile,
+            wisp_flatness: settings.flatness,
+            wisp_noise: settings.clump_noise,
+            wisp_noise_waves: settings.clump_noise_waves,
             frizz: settings.frizz,
             frizz_waves: settings.frizz_waves,
+            flyaway_fraction: settings.flyaways,
+            flyaway_distance: settings.flyaway_distance,
+            length_variation: settings.length_variation,
             radius: settings.radius,
             tip_radius: settings.tip_radius,
-            taper_from: settings.taper_from,
+            taper_start: settings.taper_from,
+            taper_shape: settings.taper_shape,
             radius_variation: settings.radius_variation,
+            body_clearance: settings.clearance,
             seed: settings.seed,
+            preserve_length: u32::from(settings.preserve_length),
             worker_count: 0,
-            reserved0: 0,
             parallel_for: None,
             parallel_for_user: std::ptr::null_mut(),
             reserved: [0; 4],
-            length_variation: settings.length_variation,
-            flatness: settings.flatness,
-            clump_noise: settings.clump_noise,
-            clump_noise_waves: settings.clump_noise_waves,
-            flyaways: settings.flyaways,
-            flyaway_distance: settings.flyaway_distance,
-            taper_shape: settings.taper_shape,
-            clearance: settings.clearance,
-            preserve_length: u32::from(settings.preserve_length),
-            reserved1: 0,
         }
     }
 }
 
 const _: () = {
-    assert!(size_of::<shx_render_settings>() == 256 && offset_of!(shx_render_settings, curliness) == 16);
-    assert!(offset_of!(shx_render_settings, wisp_profile) == 48 && offset_of!(shx_render_settings, seed) == 120);
-    assert!(offset_of!(shx_render_settings, parallel_for) == 136 && offset_of!(shx_render_settings, reserved) == 152);
+    assert!(size_of::<shx_render_settings>() == 248 && offset_of!(shx_render_settings, curliness) == 16);
+    assert!(offset_of!(shx_render_settings, wisp_profile) == 48 && offset_of!(shx_render_settings, seed) == 184);
+    assert!(offset_of!(shx_render_settings, parallel_for) == 200 && offset_of!(shx_render_settings, reserved) == 216);
 };
 
 impl shx_render_settings {
     pub(super) fn settings(&self) -> Result<RenderSettings> {
-        let space = match self.space {
-            SHX_SPACE_POSITION => Space::Position,
-            SHX_SPACE_CURVATURE => Space::Curvature,
-            other => return Err(Error::invalid("settings.space", other, "one of SHX_SPACE_")),
+        let space = match self.interpolation {
+            SHX_INTERPOLATION_POSITION => Space::Position,
+            SHX_INTERPOLATION_CURVATURE => Space::Curvature,
+            other => return Err(Error::invalid("settings.interpolation", other, "one of SHX_INTERPOLATION_")),
         };
         let border = |name: &str, value: f64| {
             if value == 0.0 {
@@ -160,12 +154,6 @@ impl shx_render_settings {
             }
         };
         let workers = workers("settings", self.worker_count, self.parallel_for, self.parallel_for_user)?;
-        if self.reserved0 != 0 {
-            return Err(Error::invalid("settings.reserved0", self.reserved0, "0"));
-        }
-        if self.reserved1 != 0 {
-            return Err(Error::invalid("settings.reserved1", self.reserved1, "0"));
-        }
         check_reserved("settings", &self.reserved)?;
         let settings = RenderSettings {
             points_per_strand: self.points_per_strand as usize,
@@ -181,24 +169,36 @@ impl shx_render_settings {
             frizz_waves: self.frizz_waves,
             radius: self.radius,
             tip_radius: self.tip_radius,
-            taper_from: self.taper_from,
+            taper_from: self.taper_start,
             radius_variation: self.radius_variation,
             length_variation: self.length_variation,
-            flatness: self.flatness,
-            clump_noise: self.clump_noise,
-            clump_noise_waves: self.clump_noise_waves,
-            flyaways: self.flyaways,
+            flatness: self.wisp_flatness,
+            clump_noise: self.wisp_noise,
+            clump_noise_waves: self.wisp_noise_waves,
+            flyaways: self.flyaway_fraction,
             flyaway_distance: self.flyaway_distance,
             taper_shape: self.taper_shape,
-            clearance: self.clearance,
+            clearance: self.body_clearance,
             preserve_length: check_flag("settings.preserve_length", self.preserve_length)?,
             seed: self.seed,
             workers,
             instruction_set: None,
         };
-        settings.check("settings.")?;
+        settings.check("settings.").map_err(in_words_of_c)?;
         Ok(settings)
     }
+}
+
+/// The engine's error with the names of the C structure.
+pub(super) fn in_words_of_c(error: Error) -> Error {
+    error.with_fields(&[
+        ("taper_from", "taper_start"),
+        ("flatness", "wisp_flatness"),
+        ("clump_noise", "wisp_noise"),
+        ("clump_noise_waves", "wisp_noise_waves"),
+        ("flyaways", "flyaway_fraction"),
+        ("clearance", "body_clearance"),
+    ])
 }
 
 /// Prepares a shx_render_settings. size is sizeof(shx_render_settings).
@@ -365,21 +365,21 @@ pub struct shx_render_view {
     /// 0.
     pub reserved0: u32,
     /// The first of the strands. Default 0.
-    pub first: usize,
+    pub first_strand: usize,
     /// How many. Default SIZE_MAX: all from first on.
-    pub count: usize,
+    pub strand_count: usize,
     /// Subtracted from positions before they are narrowed to floats, m. Default 0.
     pub origin: [f64; 3],
     /// For velocities: a pose of the same hair, in which the strands were seconds ago. Null (default): velocities come of those that the
     /// pose's guides were set with.
-    pub before: *const shx_render_pose,
+    pub previous_pose: *const shx_render_pose,
     /// Above 0 with before.
-    pub seconds: f64,
+    pub interval: f64,
     /// count 0 (default: every root goes with the roots of its guides), or where the roots are, m, item i of strand first + i:
     /// formats as shx_render_guides.points, or SHX_FORMAT_FRAME, of which the origin counts (shx_scalp_root_frames).
     pub roots: shx_input,
     /// With before and roots: where the roots were.
-    pub roots_before: shx_input,
+    pub previous_roots: shx_input,
     /// 0.
     pub reserved: [u64; 4],
 }
@@ -392,13 +392,13 @@ unsafe impl Versioned for shx_render_view {
         Self {
             struct_size: size_of::<Self>() as u32,
             reserved0: 0,
-            first: 0,
-            count: usize::MAX,
+            first_strand: 0,
+            strand_count: usize::MAX,
             origin: [0.0; 3],
-            before: std::ptr::null(),
-            seconds: 0.0,
+            previous_pose: std::ptr::null(),
+            interval: 0.0,
             roots: NO_INPUT,
-            roots_before: NO_INPUT,
+            previous_roots: NO_INPUT,
             reserved: [0; 4],
         }
     }
@@ -407,7 +407,7 @@ unsafe impl Versioned for shx_render_view {
 #[cfg(target_pointer_width = "64")]
 const _: () = {
     assert!(size_of::<shx_render_view>() == 160 && offset_of!(shx_render_view, origin) == 24);
-    assert!(offset_of!(shx_render_view, before) == 48 && offset_of!(shx_render_view, roots) == 64);
+    assert!(offset_of!(shx_render_view, previous_pose) == 48 && offset_of!(shx_render_view, roots) == 64);
     assert!(offset_of!(shx_render_view, reserved) == 128);
 };
 

@@ -149,17 +149,17 @@ pub unsafe extern "C" fn shx_solver_create_render_hair(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_hair_save(
     hair: *const shx_render_hair,
-    image: *mut c_void,
+    out_image: *mut c_void,
     capacity: usize,
     out_size: *mut usize,
 ) -> shx_result {
     // SAFETY: the caller's handle, place for capacity bytes and for one number.
     call("shx_render_hair_save", || unsafe {
         let (hair, size) = (hair_from(hair)?, Place::new("out_size", out_size)?);
-        let places = if image.is_null() && capacity == 0 {
+        let places = if out_image.is_null() && capacity == 0 {
             None
         } else {
-            Some(Places::new("image", "capacity", image.cast::<u8>(), capacity)?)
+            Some(Places::new("out_image", "capacity", out_image.cast::<u8>(), capacity)?)
         };
         let bytes = hair.to_bytes();
         if let Some(places) = places {
@@ -200,17 +200,17 @@ pub unsafe extern "C" fn shx_render_hair_load(
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (guides that are not there, given twice, or all of them),
 /// SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_render_hair_without(
+pub unsafe extern "C" fn shx_render_hair_without_guides(
     hair: *const shx_render_hair,
-    gone: *const u32,
+    removed: *const u32,
     count: usize,
     out_hair: *mut *mut shx_render_hair,
 ) -> shx_result {
     // SAFETY: the caller's handle, count numbers and place for one pointer.
-    call("shx_render_hair_without", || unsafe {
-        let (hair, gone) = (hair_from(hair)?, array("gone", "count", gone, count)?);
+    call("shx_render_hair_without_guides", || unsafe {
+        let (hair, removed) = (hair_from(hair)?, array("removed", "count", removed, count)?);
         let place = Place::new("out_hair", out_hair)?;
-        let left = || hair.without_guides(gone);
+        let left = || hair.without_guides(removed).map_err(|error| error.renamed("gone", "removed"));
         let left = if matches!(hair.settings().workers, Workers::Pool(_)) { on_own_thread(left) } else { left() }?;
         place.write(Box::into_raw(Box::new(shx_render_hair(Arc::new(left)))));
         Ok(())
@@ -396,12 +396,12 @@ unsafe fn evaluate<'a>(
         }
         check_reserved("view", &def.reserved)?;
         let total = pose.hair().strand_count();
-        if def.first > total {
-            return Err(Error::invalid("view.first", def.first, format!("0 to {total}, the number of strands")));
+        if def.first_strand > total {
+            return Err(Error::invalid("view.first_strand", def.first_strand, format!("0 to {total}, the number of strands")));
         }
-        let count = if def.count == usize::MAX { total - def.first } else { def.count };
-        if count > total - def.first {
-            return Err(Error::invalid("view.count", count, format!("up to {}, or SIZE_MAX", total - def.first)));
+        let count = if def.strand_count == usize::MAX { total - def.first_strand } else { def.strand_count };
+        if count > total - def.first_strand {
+            return Err(Error::invalid("view.strand_count", count, format!("up to {}, or SIZE_MAX", total - def.first_strand)));
         }
         if points.is_null() && frames.is_null() && velocities.is_null() {
             return Err(Error::NullArgument { argument: "points (and frames, and velocities)".into() });
@@ -410,40 +410,40 @@ unsafe fn evaluate<'a>(
         let needed = count
             .checked_mul(per_strand)
             .filter(|needed| *needed <= super::types::MAX_COUNT)
-            .ok_or_else(|| Error::invalid("view.count", count, "fewer strands a call"))?;
+            .ok_or_else(|| Error::invalid("view.strand_count", count, "fewer strands a call"))?;
         let sink = Outputs {
-            first: def.first,
+            first: def.first_strand,
             per_strand,
             points: Writer::optional("points", points, &[SHX_FORMAT_F32X3, SHX_FORMAT_F32X4], needed)?,
             frames: Writer::optional("frames", frames, &[SHX_FORMAT_F32X4], needed)?,
             velocities: Writer::optional("velocities", velocities, &[SHX_FORMAT_F32X3], needed)?,
         };
-        let roots = shx_render_view::roots_of("view.roots", &def.roots, count)?.map(|reader| Roots { reader, first: def.first });
-        let earlier = shx_render_view::roots_of("view.roots_before", &def.roots_before, count)?
-            .map(|reader| Roots { reader, first: def.first });
+        let roots = shx_render_view::roots_of("view.roots", &def.roots, count)?.map(|reader| Roots { reader, first: def.first_strand });
+        let earlier = shx_render_view::roots_of("view.previous_roots", &def.previous_roots, count)?
+            .map(|reader| Roots { reader, first: def.first_strand });
         let now = |strand: usize| roots.as_ref().map_or_else(Vector3::zeros, |roots| roots.at(strand));
         let then = |strand: usize| earlier.as_ref().map_or_else(Vector3::zeros, |roots| roots.at(strand));
-        let before = if def.before.is_null() {
-            if def.seconds != 0.0 {
-                return Err(Error::invalid("view.seconds", def.seconds, "0 without before"));
+        let before = if def.previous_pose.is_null() {
+            if def.interval != 0.0 {
+                return Err(Error::invalid("view.interval", def.interval, "0 without previous_pose"));
             }
             if earlier.is_some() {
-                return Err(Error::invalid("view.roots_before", "there", "none without before"));
+                return Err(Error::invalid("view.previous_roots", "there", "none without previous_pose"));
             }
             None
         } else {
-            Some(pose_from("view.before", def.before)?.try_read().map_err(in_use)?)
+            Some(pose_from("view.previous_pose", def.previous_pose)?.try_read().map_err(in_use)?)
         };
         let motion = match (&sink.velocities, &before) {
             (None, _) => Motion::None,
             (Some(_), None) => Motion::Guides,
             (Some(_), Some(before)) => {
-                Motion::Since { before, seconds: def.seconds, roots: if earlier.is_some() { Some(&then) } else { None } }
+                Motion::Since { before, seconds: def.interval, roots: if earlier.is_some() { Some(&then) } else { None } }
             }
         };
-        let bodies = bodies(if before.is_some() { def.seconds } else { VELOCITY_STEP });
+        let bodies = bodies(if before.is_some() { def.interval } else { VELOCITY_STEP });
         let view = View {
-            first: def.first,
+            first: def.first_strand,
             count,
             origin: def.origin.into(),
             roots: if roots.is_some() { Some(&now) } else { None },
@@ -457,9 +457,17 @@ unsafe fn evaluate<'a>(
 
 /// The engine's errors in the names of the view's fields.
 fn named(error: Error) -> Error {
-    ["first", "count", "origin", "roots", "before", "seconds"]
-        .iter()
-        .fold(error, |error, name| if starts(&error, name) { error.renamed(name, &format!("view.{name}")) } else { error })
+    const FIELDS: [(&str, &str); 6] = [
+        ("first", "first_strand"),
+        ("count", "strand_count"),
+        ("origin", "origin"),
+        ("roots", "roots"),
+        ("before", "previous_pose"),
+        ("seconds", "interval"),
+    ];
+    FIELDS.iter().fold(error, |error, (ours, theirs)| {
+        if starts(&error, ours) { error.renamed(ours, &format!("view.{theirs}")) } else { error }
+    })
 }
 
 fn starts(error: &Error, name: &str) -> bool {

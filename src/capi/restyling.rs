@@ -25,13 +25,13 @@ fn total(core: &Solver, ids: &[StrandId]) -> Result<usize> {
 /// shapes before is forgotten.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_solver_take_natural_shapes(
+pub unsafe extern "C" fn shx_solver_adopt_natural_shapes(
     solver: *mut shx_solver,
     ids: *const shx_strand_id,
     count: usize,
 ) -> shx_result {
     // SAFETY: the caller's handle and count ids.
-    unsafe { write("shx_solver_take_natural_shapes", solver, |core, _| core.take_natural_shapes(&strand_ids(ids, count)?)) }
+    unsafe { write("shx_solver_adopt_natural_shapes", solver, |core, _| core.take_natural_shapes(&strand_ids(ids, count)?)) }
 }
 
 /// Makes the present shapes of count strands those in which they rest under the solver's gravity with their roots held where they
@@ -42,16 +42,16 @@ pub unsafe extern "C" fn shx_solver_take_natural_shapes(
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a strand so limp that no finite curvatures
 /// hold it). Alone with the solver.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_solver_take_rest_shapes(
+pub unsafe extern "C" fn shx_solver_adopt_rest_shapes(
     solver: *mut shx_solver,
     ids: *const shx_strand_id,
     count: usize,
 ) -> shx_result {
     // SAFETY: the caller's handle and count ids.
-    unsafe { write("shx_solver_take_rest_shapes", solver, |core, _| core.take_rest_shapes(&strand_ids(ids, count)?)) }
+    unsafe { write("shx_solver_adopt_rest_shapes", solver, |core, _| core.take_rest_shapes(&strand_ids(ids, count)?)) }
 }
 
-/// How firmly count strands would rest in their present shapes under the solver's gravity, once shx_solver_take_rest_shapes has
+/// How firmly count strands would rest in their present shapes under the solver's gravity, once shx_solver_adopt_rest_shapes has
 /// made them rest shapes; changes nothing. Each output holds count values or is null:
 /// out_eigenvalues: the smallest eigenvalue of the static Hessian against the elastic stiffness, as shx_solver_settle has it: above
 /// 0 stable, 1 where gravity does nothing.
@@ -100,7 +100,7 @@ pub unsafe extern "C" fn shx_solver_shape_stability(
 }
 
 /// Makes those of count strands that would not rest stably in their present shapes as much stiffer as that takes, and no more, and takes the
-/// shapes of all of them as rest shapes (shx_solver_take_rest_shapes). by: SHX_STIFFEN_. margin, 0 to less than 1, is what the smallest
+/// shapes of all of them as rest shapes (shx_solver_adopt_rest_shapes). by: SHX_STIFFEN_. margin, 0 to less than 1, is what the smallest
 /// eigenvalue of shx_solver_shape_stability is at least afterwards; at 0 a strand stands on the very border. out_scales receives count
 /// factors, 1 where nothing was changed, in the order of ids, or is null. An identifier may be given once only.
 /// Costs the cube of the number of elements. The work is shared among the solver's own threads; a parallel_for is not used.

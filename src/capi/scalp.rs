@@ -28,14 +28,14 @@ pub struct shx_follicle {
     /// 0.
     pub reserved: u32,
     /// Shares of its second and third corner, 0 or above, together at most 1; the first has the rest.
-    pub shares: [f64; 2],
+    pub barycentric: [f64; 2],
 }
 
-const _: () = assert!(size_of::<shx_follicle>() == 24 && offset_of!(shx_follicle, shares) == 8);
+const _: () = assert!(size_of::<shx_follicle>() == 24 && offset_of!(shx_follicle, barycentric) == 8);
 
 impl shx_follicle {
     fn new(follicle: &Follicle) -> Self {
-        Self { triangle: follicle.triangle, reserved: 0, shares: follicle.shares }
+        Self { triangle: follicle.triangle, reserved: 0, barycentric: follicle.shares }
     }
 }
 
@@ -57,7 +57,7 @@ pub struct shx_scalp_def {
     /// Null (default), or texture coordinates: u and v of the three corners of each triangle, six doubles a triangle.
     pub uvs: *const f64,
     /// Without texture coordinates: the axis that n1 follows, as it lies on the scalp at rest; any length above zero. Default x.
-    pub reference: [f64; 3],
+    pub reference_axis: [f64; 3],
     /// 0.
     pub reserved: [u64; 4],
 }
@@ -74,7 +74,7 @@ unsafe impl Versioned for shx_scalp_def {
             triangles: std::ptr::null(),
             triangle_count: 0,
             uvs: std::ptr::null(),
-            reference: [1.0, 0.0, 0.0],
+            reference_axis: [1.0, 0.0, 0.0],
             reserved: [0; 4],
         }
     }
@@ -106,18 +106,18 @@ pub struct shx_scatter_def {
     pub density_height: usize,
     /// Seed. Default 0.
     pub seed: u64,
-    /// 0.
-    pub reserved: [u64; 4],
     /// count 0 (default: anywhere), or the roots of guides, m: only where they cover the scalp, by how far they are apart, so that faces, ears
     /// and necks stay bare. Formats as shx_scalp_def.vertices. Multiplied with the density.
     pub guide_roots: shx_input,
     /// With guide_roots: instead as near as this to one of them, m. 0 (default): what they cover.
-    pub within: f64,
+    pub max_guide_distance: f64,
+    /// 0.
+    pub reserved: [u64; 4],
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
 unsafe impl Versioned for shx_scatter_def {
-    const FIRST_SIZE: usize = offset_of!(shx_scatter_def, guide_roots);
+    const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
         Self {
@@ -129,9 +129,9 @@ unsafe impl Versioned for shx_scatter_def {
             density_width: 0,
             density_height: 0,
             seed: 0,
-            reserved: [0; 4],
             guide_roots: NO_INPUT,
-            within: 0.0,
+            max_guide_distance: 0.0,
+            reserved: [0; 4],
         }
     }
 }
@@ -139,7 +139,7 @@ unsafe impl Versioned for shx_scatter_def {
 #[cfg(target_pointer_width = "64")]
 const _: () = {
     assert!(size_of::<shx_scatter_def>() == 128 && offset_of!(shx_scatter_def, density) == 24);
-    assert!(offset_of!(shx_scatter_def, seed) == 48 && offset_of!(shx_scatter_def, reserved) == 56);
+    assert!(offset_of!(shx_scatter_def, seed) == 48 && offset_of!(shx_scatter_def, reserved) == 96);
 };
 
 /// Prepares a shx_scalp_def. size is sizeof(shx_scalp_def).
@@ -192,7 +192,8 @@ pub unsafe extern "C" fn shx_scalp_create(def: *const shx_scalp_def, out_scalp: 
             Some(array("def.uvs", "def.triangle_count", def.uvs.cast::<[[f64; 2]; 3]>(), def.triangle_count)?.to_vec())
         };
         let place = Place::new("out_scalp", out_scalp)?;
-        let scalp = Scalp::new(vertices, corners.to_vec(), uvs, def.reference.into()).map_err(|error| error.inside("def"))?;
+        let scalp = Scalp::new(vertices, corners.to_vec(), uvs, def.reference_axis.into())
+            .map_err(|error| error.inside("def").renamed("def.reference", "def.reference_axis"))?;
         place.write(Box::into_raw(Box::new(shx_scalp(scalp))));
         Ok(())
     })
@@ -212,7 +213,7 @@ pub unsafe extern "C" fn shx_scalp_destroy(scalp: *mut shx_scalp) {
 
 /// Scatters follicles over a scalp at rest, evenly ("blue noise") or as densely as a map says, into out_follicles, which holds capacity items.
 /// The same def gives the same follicles. *out_count: how many there are. out_follicles may be null, to learn that alone.
-/// *out_least_distance (or null): the least distance of two of them along the scalp, m (where the density is the largest; elsewhere times the
+/// *out_min_distance (or null): the least distance of two of them along the scalp, m (where the density is the largest; elsewhere times the
 /// root of its share of that); infinity where there are none near each other. Takes some 20 microseconds a follicle, 30 of a
 /// hundred and fifty thousand or with a spacing.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
@@ -223,7 +224,7 @@ pub unsafe extern "C" fn shx_scalp_scatter(
     out_follicles: *mut shx_follicle,
     capacity: usize,
     out_count: *mut usize,
-    out_least_distance: *mut f64,
+    out_min_distance: *mut f64,
 ) -> shx_result {
     // SAFETY: the caller's handle, structure, what it points to, and places.
     call("shx_scalp_scatter", || unsafe {
@@ -234,7 +235,7 @@ pub unsafe extern "C" fn shx_scalp_scatter(
         check_reserved("def", &def.reserved)?;
         let count = Place::new("out_count", out_count)?;
         let follicles = Places::optional("out_follicles", "capacity", out_follicles, capacity)?;
-        let distance = Places::optional("out_least_distance", "out_least_distance", out_least_distance, 1)?;
+        let distance = Places::optional("out_min_distance", "out_min_distance", out_min_distance, 1)?;
         let amount = match (def.count, def.spacing) {
             (0, spacing) => Amount::Spacing(spacing),
             (count, 0.0) => Amount::Count(count),
@@ -258,7 +259,7 @@ pub unsafe extern "C" fn shx_scalp_scatter(
             places.check_room(needed)?;
         }
         let options = ScatterOptions { amount, density, seed: def.seed };
-        let made = scalp.scatter(&options).map_err(|error| error.inside("def"))?;
+        let made = scalp.scatter(&options).map_err(|error| error.with_fields(&[("within", "max_guide_distance")]).inside("def"))?;
         if let Some(places) = follicles {
             places.write(&made.follicles.iter().map(shx_follicle::new).collect::<Vec<_>>())?;
         }
@@ -276,17 +277,17 @@ pub unsafe extern "C" fn shx_scalp_scatter(
 /// What the definition points to is there.
 unsafe fn root_region(def: &shx_scatter_def) -> Result<Option<Density>> {
     if def.guide_roots.count == 0 && def.guide_roots.data.is_null() {
-        return if def.within == 0.0 { Ok(None) } else { Err(Error::invalid("def.within", def.within, "0 without guide_roots")) };
+        return if def.max_guide_distance == 0.0 { Ok(None) } else { Err(Error::invalid("def.max_guide_distance", def.max_guide_distance, "0 without guide_roots")) };
     }
     // SAFETY: the same.
     let roots = GuideRoots::new(unsafe { places("def.guide_roots", &raw const def.guide_roots)? });
     let roots = roots.map_err(|error| error.renamed("roots", "def.guide_roots"))?;
-    let region = if def.within == 0.0 {
+    let region = if def.max_guide_distance == 0.0 {
         let spacing = roots.spacing();
-        let one = || Error::invalid("def.within", 0, "a distance, m: guides that are all at one place are no distance apart");
+        let one = || Error::invalid("def.max_guide_distance", 0, "a distance, m: guides that are all at one place are no distance apart");
         RootRegion::Covered(spacing.ok_or_else(one)?)
     } else {
-        RootRegion::Within(def.within)
+        RootRegion::Within(def.max_guide_distance)
     };
     Ok(Some(Density::Roots(roots, region)))
 }
@@ -296,7 +297,7 @@ unsafe fn root_region(def: &shx_scatter_def) -> Result<Option<Density>> {
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (a scalp without texture coordinates, coordinates at which there is no
 /// triangle). Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_scalp_follicles_at(
+pub unsafe extern "C" fn shx_scalp_follicles_at_uvs(
     scalp: *const shx_scalp,
     uvs: *const f64,
     count: usize,
@@ -305,7 +306,7 @@ pub unsafe extern "C" fn shx_scalp_follicles_at(
     out_follicles: *mut shx_follicle,
 ) -> shx_result {
     // SAFETY: the caller's handle, coordinates and place for count items.
-    call("shx_scalp_follicles_at", || unsafe {
+    call("shx_scalp_follicles_at_uvs", || unsafe {
         let scalp = scalp_from(scalp)?;
         let uvs: &[[f64; 2]] = array("uvs", "count", uvs.cast::<[f64; 2]>(), count)?;
         let places = Places::new("out_follicles", "count", out_follicles, count)?;
@@ -339,8 +340,10 @@ pub unsafe extern "C" fn shx_scalp_root_frames(
             }
         }
         let moved = if vertices.is_null() { None } else { Some(places("vertices", vertices)?) };
-        let own: Vec<_> = follicles.iter().map(|f| Follicle { triangle: f.triangle, shares: f.shares }).collect();
-        let made = scalp.frames(moved.as_deref().unwrap_or_else(|| scalp.vertices()), &own)?;
+        let own: Vec<_> = follicles.iter().map(|f| Follicle { triangle: f.triangle, shares: f.barycentric }).collect();
+        let made = scalp
+            .frames(moved.as_deref().unwrap_or_else(|| scalp.vertices()), &own)
+            .map_err(|error| error.with_fields(&[("shares", "barycentric")]))?;
         for (index, frame) in made.iter().enumerate() {
             writer.frame(index, frame);
         }

@@ -18,21 +18,6 @@ pub const SHX_PRESET_BALANCED: u32 = 2;
 /// Where numbers are to be read off.
 pub const SHX_PRESET_ACCURATE: u32 = 3;
 
-/// It hangs from a head that sways by a centimetre to each side at 1/2 Hz.
-pub const SHX_SCENE_CALM_SWAY: u32 = 1;
-/// It leaves a walking head sideways and down.
-pub const SHX_SCENE_WALK: u32 = 2;
-/// The head turns by 46 degrees to each side and sways by 8 cm at 2 Hz.
-pub const SHX_SCENE_HEAD_SHAKE: u32 = 4;
-/// The head bounces by 2 cm up and down at 3 Hz.
-pub const SHX_SCENE_CURLY_BOUNCE: u32 = 8;
-/// 3 cm of it stand out from a head that turns by 20 degrees to each side at 3 Hz.
-pub const SHX_SCENE_STIFF_BRISTLE: u32 = 16;
-/// It hangs in gusts of up to 7 m/s.
-pub const SHX_SCENE_WIND_GUST: u32 = 32;
-/// All of them.
-pub const SHX_SCENE_ALL: u32 = 63;
-
 /// Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
 /// integrator, max_iterations, max_subdivisions and the three tolerances into a shx_solver_def, element_count into a
 /// shx_strand_def, and step each frame in substeps.
@@ -57,7 +42,7 @@ pub struct shx_settings {
     pub error_tolerance: f64,
     /// Root mean square distance of the strand's points from where they should be, in units of its length, over two seconds in the
     /// worst of the measured scenes. Negative: hair of that kind was not measured.
-    pub error: f64,
+    pub rms_error: f64,
     /// Processor time a strand and simulated second in the dearest of them, microseconds, one thread, on the machine of
     /// docs/tradeoff.md. Negative: not measured.
     pub cost: f64,
@@ -80,7 +65,7 @@ unsafe impl Versioned for shx_settings {
             max_subdivisions: step.max_subdivisions,
             tolerance: step.tolerance,
             error_tolerance: step.error_tolerance,
-            error: -1.0,
+            rms_error: -1.0,
             cost: -1.0,
             quadrature_tolerance: step.quadrature_tolerance,
         }
@@ -102,7 +87,7 @@ impl shx_settings {
             max_subdivisions: settings.step.max_subdivisions,
             tolerance: settings.step.tolerance,
             error_tolerance: settings.step.error_tolerance,
-            error: settings.error.unwrap_or(-1.0),
+            rms_error: settings.error.unwrap_or(-1.0),
             cost: settings.cost.unwrap_or(-1.0),
             quadrature_tolerance: settings.step.quadrature_tolerance,
             ..Self::defaults()
@@ -150,7 +135,6 @@ pub unsafe extern "C" fn shx_settings_from_preset(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settings_suggest(
     target_error: f64,
-    scenes: u32,
     curvature: f64,
     length: f64,
     frame_time: f64,
@@ -159,8 +143,7 @@ pub unsafe extern "C" fn shx_settings_suggest(
     call("shx_settings_suggest", || -> Result<()> {
         // SAFETY: the caller's structure, of the size that it states.
         let output = unsafe { VersionedOutput::new("out_settings", out_settings)? };
-        let scenes = Scenes::from_bits("scenes", scenes)?;
-        let settings = suggest_settings(target_error, scenes, &HairShape { curvature, length }, frame_time)?;
+        let settings = suggest_settings(target_error, Scenes::ALL, &HairShape { curvature, length }, frame_time)?;
         output.write(&shx_settings::from_settings(&settings));
         Ok(())
     })

@@ -4,9 +4,10 @@ use std::mem::{offset_of, size_of};
 use std::time::Instant;
 
 use super::buffers::{Places, strand_ids};
-use super::errors::{SHX_OK, SHX_UNCONVERGED, shx_result};
+use super::errors::shx_result;
 use super::guard::{shx_solver, write};
 use super::log::{LogSink, SHX_LOG_DEBUG, SHX_LOG_WARN};
+use super::strands::{SHX_STRAND_CONVERGED, SHX_STRAND_UNCONVERGED, shx_strand_status};
 use super::thread::on_own_thread;
 use super::types::shx_strand_id;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
@@ -166,7 +167,7 @@ fn tell(log: &LogSink, report: &shx_settle_report, count: usize) {
 /// Puts count strands at rest in their static equilibrium under the solver's gravity, each searched for downhill from its present
 /// shape with its root held where it is; wind is not felt, roots on their way stop. Clears a quarantine. def may be null (all
 /// defaults), report may be null. Each output holds count values or is null:
-/// out_status: SHX_OK, or SHX_UNCONVERGED for a strand that found no stable rest; it is left, at rest, in the best shape found.
+/// out_status: SHX_STRAND_CONVERGED, or SHX_STRAND_UNCONVERGED for a strand that found no stable rest; it is left, at rest, in the best shape found.
 /// out_eigenvalues: the smallest eigenvalue of the static Hessian against the elastic stiffness: 1 where gravity does nothing (a
 /// little more for strands that it holds everywhere), 0 at the border of stability, below it unstable; not a number without
 /// check_stability.
@@ -181,7 +182,7 @@ pub unsafe extern "C" fn shx_solver_settle(
     count: usize,
     def: *const shx_settle_def,
     report: *mut shx_settle_report,
-    out_status: *mut shx_result,
+    out_status: *mut shx_strand_status,
     out_eigenvalues: *mut f64,
     out_residuals: *mut f64,
 ) -> shx_result {
@@ -212,7 +213,7 @@ pub unsafe extern "C" fn shx_solver_settle(
         let told = shx_settle_report::of(&found, started.elapsed().as_secs_f64());
         tell(log, &told, count);
         if let Some(status) = status {
-            status.write(&found.iter().map(|f| if f.converged { SHX_OK } else { SHX_UNCONVERGED }).collect::<Vec<_>>())?;
+            status.write(&found.iter().map(|f| if f.converged { SHX_STRAND_CONVERGED } else { SHX_STRAND_UNCONVERGED }).collect::<Vec<_>>())?;
         }
         if let Some(eigenvalues) = eigenvalues {
             eigenvalues.write(&found.iter().map(|f| f.smallest_eigenvalue.unwrap_or(f64::NAN)).collect::<Vec<_>>())?;

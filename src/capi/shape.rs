@@ -39,13 +39,13 @@ pub unsafe extern "C" fn shx_solver_set_natural_curvatures(
 pub unsafe extern "C" fn shx_solver_get_natural_curvatures(
     solver: *const shx_solver,
     id: shx_strand_id,
-    curvatures: *mut f64,
+    out_curvatures: *mut f64,
     count: usize,
 ) -> shx_result {
     // SAFETY: the caller's handle and place for count rows.
     unsafe {
         read("shx_solver_get_natural_curvatures", solver, |core| {
-            let places = Places::new("curvatures", "count", curvatures.cast::<[f64; 3]>(), count)?;
+            let places = Places::new("out_curvatures", "count", out_curvatures.cast::<[f64; 3]>(), count)?;
             places.write(core.natural_curvatures(StrandId::from_bits(id.bits))?)
         })
     }
@@ -58,19 +58,19 @@ pub unsafe extern "C" fn shx_solver_get_natural_curvatures(
 pub unsafe extern "C" fn shx_solver_get_curvatures(
     solver: *const shx_solver,
     id: shx_strand_id,
-    curvatures: *mut f64,
-    rates: *mut f64,
+    out_curvatures: *mut f64,
+    out_rates: *mut f64,
     count: usize,
 ) -> shx_result {
     let body = |core: &crate::solver::Solver| {
-        if curvatures.is_null() && rates.is_null() {
-            return Err(Error::NullArgument { argument: "curvatures (and rates)".into() });
+        if out_curvatures.is_null() && out_rates.is_null() {
+            return Err(Error::NullArgument { argument: "out_curvatures (and out_rates)".into() });
         }
         let id = StrandId::from_bits(id.bits);
         // SAFETY: the caller's memory for count rows.
-        let curvatures = unsafe { Places::optional("curvatures", "count", curvatures.cast::<[f64; 3]>(), count)? };
+        let curvatures = unsafe { Places::optional("out_curvatures", "count", out_curvatures.cast::<[f64; 3]>(), count)? };
         // SAFETY: the same.
-        let rates = unsafe { Places::optional("rates", "count", rates.cast::<[f64; 3]>(), count)? };
+        let rates = unsafe { Places::optional("out_rates", "count", out_rates.cast::<[f64; 3]>(), count)? };
         let (present, moving) = (core.curvatures(id)?, core.rates(id)?);
         if let Some(curvatures) = curvatures {
             curvatures.write(present)?;

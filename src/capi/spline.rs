@@ -1,18 +1,22 @@
 //! Cubic curves made into points.
 
+use std::mem::{offset_of, size_of};
+
 use nalgebra::Vector3;
 
 use super::buffers::{POINT_FORMATS, Place, Places, Reader, VECTOR_FORMATS, Writer};
 use super::errors::shx_result;
 use super::guard::call;
+use super::render_def::NO_INPUT;
 use super::types::{shx_input, shx_output};
+use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::groom::spline::{Spline, SplineEnds, SplineKind};
 
 /// Uniform Catmull-Rom: the curve goes through the control points; the first and the last only give directions.
 pub const SHX_SPLINE_CATMULL_ROM: u32 = 1;
 /// Uniform cubic B-spline.
-pub const SHX_SPLINE_B: u32 = 2;
+pub const SHX_SPLINE_BSPLINE: u32 = 2;
 /// Cubic Bezier spans that share their end points: 3 k + 1 control points.
 pub const SHX_SPLINE_BEZIER: u32 = 3;
 
@@ -20,6 +24,53 @@ pub const SHX_SPLINE_BEZIER: u32 = 3;
 pub const SHX_SPLINE_ENDS_OPEN: u32 = 1;
 /// The curve begins at the first control point and ends at the last: one is added beyond both, straight on.
 pub const SHX_SPLINE_ENDS_PINNED: u32 = 2;
+
+/// A cubic curve and how finely to sample it. Fill with shx_spline_def_init, then set at least controls.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_spline_def {
+    /// Set by shx_spline_def_init.
+    pub struct_size: u32,
+    /// SHX_SPLINE_CATMULL_ROM (default), SHX_SPLINE_BSPLINE or SHX_SPLINE_BEZIER.
+    pub kind: u32,
+    /// SHX_SPLINE_ENDS_. Default SHX_SPLINE_ENDS_PINNED. A Bezier curve ignores it.
+    pub ends: u32,
+    /// Points per span, 1 to 1024. Default 8.
+    pub points_per_span: u32,
+    /// Control points: at least 4, or 2 with pinned ends (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is ignored).
+    pub controls: shx_input,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and a pointer only.
+unsafe impl Versioned for shx_spline_def {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            kind: SHX_SPLINE_CATMULL_ROM,
+            ends: SHX_SPLINE_ENDS_PINNED,
+            points_per_span: 8,
+            controls: NO_INPUT,
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(size_of::<shx_spline_def>() == 48 && offset_of!(shx_spline_def, controls) == 16);
+
+/// Fills a definition with the defaults. size is sizeof(shx_spline_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_spline_def_init(def: *mut shx_spline_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_spline_def_init", "def", def, size) }
+}
+
+/// The engine's error with the names of the C structure.
+fn in_words_of_c(error: Error) -> Error {
+    error.with_fields(&[("per_span", "points_per_span")]).inside("def")
+}
 
 /// Makes points of a cubic curve: per_span (1 to 1024) a span and one more, evenly spaced in its parameter, and the arclength of each,
 /// which is the curve's own. kind is SHX_SPLINE_, ends is SHX_SPLINE_ENDS_ (Bezier: either). controls holds at least 4 control points,
@@ -29,32 +80,31 @@ pub const SHX_SPLINE_ENDS_PINNED: u32 = 2;
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_spline_points(
-    kind: u32,
-    ends: u32,
-    controls: *const shx_input,
-    per_span: u32,
+    def: *const shx_spline_def,
     points: *const shx_output,
     out_arclengths: *mut f64,
     out_count: *mut usize,
 ) -> shx_result {
     let body = || -> Result<()> {
-        let kind = match kind {
+        // SAFETY: the caller's structure, of the size that it states.
+        let def = unsafe { read_versioned("def", def)? };
+        let kind = match def.kind {
             SHX_SPLINE_CATMULL_ROM => SplineKind::CatmullRom,
-            SHX_SPLINE_B => SplineKind::BSpline,
+            SHX_SPLINE_BSPLINE => SplineKind::BSpline,
             SHX_SPLINE_BEZIER => SplineKind::Bezier,
-            other => return Err(Error::invalid("kind", other, "one of SHX_SPLINE_")),
+            other => return Err(Error::invalid("def.kind", other, "SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_BSPLINE or SHX_SPLINE_BEZIER")),
         };
-        let ends = match ends {
+        let ends = match def.ends {
             SHX_SPLINE_ENDS_OPEN => SplineEnds::Open,
             SHX_SPLINE_ENDS_PINNED => SplineEnds::Pinned,
-            other => return Err(Error::invalid("ends", other, "one of SHX_SPLINE_ENDS_")),
+            other => return Err(Error::invalid("def.ends", other, "one of SHX_SPLINE_ENDS_")),
         };
         // SAFETY: the caller's points and place for a number.
         let (reader, out_count) =
-            unsafe { (Reader::new("controls", controls, POINT_FORMATS)?, Place::new("out_count", out_count)?) };
-        let spline = Spline::new(kind, ends, reader.count())?;
+            unsafe { (Reader::new("def.controls", &raw const def.controls, POINT_FORMATS)?, Place::new("out_count", out_count)?) };
+        let spline = Spline::new(kind, ends, reader.count()).map_err(|error| error.inside("def"))?;
         let controls: Vec<Vector3<f64>> = (0..reader.count()).map(|index| reader.point(index).into()).collect();
-        let (made, arclengths) = spline.points(&controls, per_span as usize)?;
+        let (made, arclengths) = spline.points(&controls, def.points_per_span as usize).map_err(in_words_of_c)?;
         if points.is_null() && out_arclengths.is_null() {
             out_count.write(made.len());
             return Ok(());

@@ -13,7 +13,7 @@ use super::guard::{read, shx_solver, write};
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_snapshot(
     solver: *const shx_solver,
-    image: *mut c_void,
+    out_image: *mut c_void,
     capacity: usize,
     out_size: *mut usize,
 ) -> shx_result {
@@ -21,10 +21,10 @@ pub unsafe extern "C" fn shx_solver_snapshot(
     unsafe {
         read("shx_solver_snapshot", solver, |core| {
             let size = Place::new("out_size", out_size)?;
-            let bytes = if image.is_null() && capacity == 0 {
+            let bytes = if out_image.is_null() && capacity == 0 {
                 core.snapshot()
             } else {
-                let places = Places::new("image", "capacity", image.cast::<u8>(), capacity)?;
+                let places = Places::new("out_image", "capacity", out_image.cast::<u8>(), capacity)?;
                 let bytes = core.snapshot();
                 places.write(&bytes)?;
                 bytes

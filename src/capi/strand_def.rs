@@ -16,11 +16,11 @@ use crate::rod::material::Material;
 use crate::solver::definition::{MAX_ELEMENTS, StrandDef};
 
 /// The strand may twist.
-pub const SHX_FREE_TWIST: u32 = 1;
+pub const SHX_DOF_TWIST: u32 = 1;
 /// The strand may bend about n1.
-pub const SHX_FREE_BEND1: u32 = 2;
+pub const SHX_DOF_BEND1: u32 = 2;
 /// The strand may bend about n2.
-pub const SHX_FREE_BEND2: u32 = 4;
+pub const SHX_DOF_BEND2: u32 = 4;
 
 /// How far given element lengths may differ from the given length, relative.
 const LENGTH_TOLERANCE: f64 = 1e-9;
@@ -53,19 +53,19 @@ pub struct shx_strand_def {
     pub viscosity: f64,
     /// Air drag nu, kg/(m s); zero or above. Default 0; hair 5e-6 (disciplined) to 5e-5 (fuzzy).
     pub air_drag: f64,
-    /// Which curvatures may change: SHX_FREE_ bits. One that is left out is held at its natural value and costs nothing.
+    /// Which curvatures may change: SHX_DOF_ bits. One that is left out is held at its natural value and costs nothing.
     /// Default all three.
-    pub freedoms: u32,
+    pub dofs: u32,
     /// 0.
     pub reserved0: u32,
     /// Pose of the follicle in the world; n0 is where the strand leaves. Default: at the origin, leaving along x.
     pub root: shx_frame,
     /// Natural curvatures, element_count rows; null (default): straight.
-    pub natural: *const f64,
+    pub natural_curvatures: *const f64,
     /// A number of the host's, kept and never looked at. Default 0.
     pub user_data: u64,
     /// Curvatures at the start, element_count rows; null (default): the natural ones. Frozen ones must hold their natural value.
-    pub initial: *const f64,
+    pub initial_curvatures: *const f64,
     /// Rates of the curvatures at the start, rad/(m s), element_count rows; null (default): 0. Frozen ones must be 0.
     pub initial_rates: *const f64,
     /// Velocity of the root at the start, m/s; the strand starts by moving rigidly with its root. Default 0.
@@ -78,7 +78,7 @@ pub struct shx_strand_def {
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
 unsafe impl Versioned for shx_strand_def {
-    const FIRST_SIZE: usize = offset_of!(shx_strand_def, initial);
+    const FIRST_SIZE: usize = offset_of!(shx_strand_def, initial_curvatures);
 
     fn defaults() -> Self {
         let material = Material::default();
@@ -95,12 +95,12 @@ unsafe impl Versioned for shx_strand_def {
             internal_friction: material.internal_friction,
             viscosity: material.viscosity,
             air_drag: material.air_drag,
-            freedoms: Freedoms::ALL.bits(),
+            dofs: Freedoms::ALL.bits(),
             reserved0: 0,
             root: shx_frame { origin: root.origin.into(), rotation: root.rotation_xyzw() },
-            natural: std::ptr::null(),
+            natural_curvatures: std::ptr::null(),
             user_data: 0,
-            initial: std::ptr::null(),
+            initial_curvatures: std::ptr::null(),
             initial_rates: std::ptr::null(),
             root_velocity: [0.0; 3],
             root_angular_velocity: [0.0; 3],
@@ -112,14 +112,19 @@ unsafe impl Versioned for shx_strand_def {
 #[cfg(target_pointer_width = "64")]
 const _: () = {
     assert!(size_of::<shx_strand_def>() == 264);
-    assert!(offset_of!(shx_strand_def, radius) == 24 && offset_of!(shx_strand_def, freedoms) == 88);
-    assert!(offset_of!(shx_strand_def, root) == 96 && offset_of!(shx_strand_def, natural) == 152);
-    assert!(offset_of!(shx_strand_def, initial) == 168 && offset_of!(shx_strand_def, root_velocity) == 184);
+    assert!(offset_of!(shx_strand_def, radius) == 24 && offset_of!(shx_strand_def, dofs) == 88);
+    assert!(offset_of!(shx_strand_def, root) == 96 && offset_of!(shx_strand_def, natural_curvatures) == 152);
+    assert!(offset_of!(shx_strand_def, initial_curvatures) == 168 && offset_of!(shx_strand_def, root_velocity) == 184);
 };
 
 /// Takes a field; its whole name is made only for an error: for many definitions the names cost more than all the rest.
 fn named<T>(argument: &str, field: &str, take: impl Fn(&str) -> Result<T>) -> Result<T> {
     take(field).or_else(|_| take(&format!("{argument}.{field}")))
+}
+
+/// The engine's error with the names of the C structure.
+fn in_words_of_c(error: Error) -> Error {
+    error.with_fields(&[("natural", "natural_curvatures"), ("initial", "initial_curvatures"), ("freedoms", "dofs")])
 }
 
 /// Rows of curvatures in the caller's memory; nothing for null.
@@ -152,7 +157,7 @@ impl shx_strand_def {
             // SAFETY: the caller's rows.
             named(argument, field, |name| unsafe { optional_rows(name, rows, count) })
         };
-        let natural = rows("natural", self.natural)?.unwrap_or_else(|| vec![[0.0; 3]; count]);
+        let natural = rows("natural_curvatures", self.natural_curvatures)?.unwrap_or_else(|| vec![[0.0; 3]; count]);
         let definition = StrandDef {
             // SAFETY: the caller's lengths.
             element_lengths: unsafe { self.element_lengths(argument, count)? },
@@ -165,16 +170,16 @@ impl shx_strand_def {
                 viscosity: self.viscosity,
                 air_drag: self.air_drag,
             },
-            freedoms: named(argument, "freedoms", |name| Freedoms::from_bits(name, self.freedoms))?,
+            freedoms: named(argument, "dofs", |name| Freedoms::from_bits(name, self.dofs))?,
             root: named(argument, "root", |name| Frame::from_arrays(name, self.root.origin, self.root.rotation))?,
             natural,
-            initial: rows("initial", self.initial)?,
+            initial: rows("initial_curvatures", self.initial_curvatures)?,
             initial_rates: rows("initial_rates", self.initial_rates)?,
             root_velocity: Vector3::from(self.root_velocity),
             root_angular_velocity: Vector3::from(self.root_angular_velocity),
             user_data: self.user_data,
         };
-        definition.check(argument)?;
+        definition.check(argument).map_err(in_words_of_c)?;
         Ok(definition)
     }
 

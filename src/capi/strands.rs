@@ -1,7 +1,7 @@
 //! Adding, removing and listing strands, and what can be asked of each.
 
 use super::buffers::{Place, Places, each, strand_ids};
-use super::errors::{SHX_ERROR_QUARANTINED, SHX_OK, SHX_UNCONVERGED, shx_result};
+use super::errors::{SHX_OK, shx_result};
 use super::guard::{read, shx_solver, write};
 use super::log::{LogSink, SHX_LOG_WARN};
 use super::strand_def::shx_strand_def;
@@ -34,7 +34,7 @@ fn warn_of_coarse(log: &LogSink, definitions: &[StrandDef]) {
 /// Adds count strands, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_strand_def)).
 /// out_ids receives count ids, in the order of the definitions. Strands with elements that turn by more than pi/2 in the shape that they
 /// start with are added all the same, and one message of level SHX_LOG_WARN says how many: a helix cannot bend its own axis, and
-/// tight coils need about four elements a turn (shx_solver_strand_turns, shx_suggest_elements).
+/// tight coils need about four elements a turn (shx_solver_strand_turning_angles, shx_suggest_elements).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].length"),
 /// SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
 #[unsafe(no_mangle)]
@@ -119,14 +119,14 @@ pub unsafe extern "C" fn shx_solver_strand_ids(
 /// How many elements a strand has.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. May run beside other reading calls.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_solver_element_count(
+pub unsafe extern "C" fn shx_solver_get_element_count(
     solver: *const shx_solver,
     id: shx_strand_id,
     out_count: *mut usize,
 ) -> shx_result {
     // SAFETY: the caller's handle and place for one number.
     unsafe {
-        read("shx_solver_element_count", solver, |core| {
+        read("shx_solver_get_element_count", solver, |core| {
             let place = Place::new("out_count", out_count)?;
             place.write(core.element_lengths(StrandId::from_bits(id.bits))?.len());
             Ok(())
@@ -170,7 +170,18 @@ pub unsafe extern "C" fn shx_solver_get_user_data(
     }
 }
 
-/// How each of count strands fared in the last step: SHX_OK, SHX_UNCONVERGED or SHX_ERROR_QUARANTINED (rolled back to the step's
+/// How a strand came out of its last step: SHX_STRAND_CONVERGED, SHX_STRAND_UNCONVERGED or SHX_STRAND_QUARANTINED.
+pub type shx_strand_status = i32;
+
+/// The step converged.
+pub const SHX_STRAND_CONVERGED: i32 = 0;
+/// Newton's method stopped before it reached the tolerance: at its iteration limit, or where it could not descend further. The state is
+/// usable.
+pub const SHX_STRAND_UNCONVERGED: i32 = 1;
+/// The state became non-finite, or contacts or constraints made it diverge. The strand was rolled back to the start of the step.
+pub const SHX_STRAND_QUARANTINED: i32 = 2;
+
+/// How each of count strands fared in the last step: SHX_STRAND_CONVERGED, SHX_STRAND_UNCONVERGED or SHX_STRAND_QUARANTINED (rolled back to the step's
 /// start; shx_solver_reset_strands mends it), into out_status.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
 #[unsafe(no_mangle)]
@@ -178,7 +189,7 @@ pub unsafe extern "C" fn shx_solver_strand_status(
     solver: *const shx_solver,
     ids: *const shx_strand_id,
     count: usize,
-    out_status: *mut shx_result,
+    out_status: *mut shx_strand_status,
 ) -> shx_result {
     // SAFETY: the caller's handle, count ids and place for count results.
     unsafe {
@@ -186,9 +197,9 @@ pub unsafe extern "C" fn shx_solver_strand_status(
             let places = Places::new("out_status", "count", out_status, count)?;
             places.write(&each(&strand_ids(ids, count)?, |id| {
                 Ok(match core.status(id)? {
-                    StrandStatus::Ok => SHX_OK,
-                    StrandStatus::Unconverged => SHX_UNCONVERGED,
-                    StrandStatus::Quarantined => SHX_ERROR_QUARANTINED,
+                    StrandStatus::Ok => SHX_STRAND_CONVERGED,
+                    StrandStatus::Unconverged => SHX_STRAND_UNCONVERGED,
+                    StrandStatus::Quarantined => SHX_STRAND_QUARANTINED,
                 })
             })?)
         })
@@ -242,7 +253,7 @@ pub unsafe extern "C" fn shx_solver_strand_quadrature(
 /// Above pi/2 a strand moves too stiffly: give it more elements.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_solver_strand_turns(
+pub unsafe extern "C" fn shx_solver_strand_turning_angles(
     solver: *const shx_solver,
     ids: *const shx_strand_id,
     count: usize,
@@ -250,7 +261,7 @@ pub unsafe extern "C" fn shx_solver_strand_turns(
 ) -> shx_result {
     // SAFETY: the caller's handle, count ids and place for count numbers.
     unsafe {
-        read("shx_solver_strand_turns", solver, |core| {
+        read("shx_solver_strand_turning_angles", solver, |core| {
             let places = Places::new("out_turns", "count", out_turns, count)?;
             places.write(&each(&strand_ids(ids, count)?, |id| core.largest_turn(id))?)
         })

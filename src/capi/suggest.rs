@@ -64,7 +64,7 @@ pub struct shx_suggestion {
     /// The least number of elements that meets the tolerance, or the most allowed.
     pub element_count: u32,
     /// 1 if it meets the tolerance and no element turns by more than pi/2, 0 otherwise.
-    pub met: u32,
+    pub meets_tolerance: u32,
     /// 0.
     pub reserved: u32,
     /// Estimated error at rest of the point that is farthest off, m.
@@ -72,7 +72,7 @@ pub struct shx_suggestion {
     /// Estimated root mean square error over the motion, m; not a number without one, or where the error at rest was too large.
     pub motion_error: f64,
     /// The largest angle by which an element turns in the natural shape or at rest, rad.
-    pub turn: f64,
+    pub max_turning_angle: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -83,11 +83,11 @@ unsafe impl Versioned for shx_suggestion {
         Self {
             struct_size: size_of::<Self>() as u32,
             element_count: 0,
-            met: 0,
+            meets_tolerance: 0,
             reserved: 0,
             rest_error: 0.0,
             motion_error: f64::NAN,
-            turn: 0.0,
+            max_turning_angle: 0.0,
         }
     }
 }
@@ -156,10 +156,10 @@ pub unsafe extern "C" fn shx_suggest_elements(
         let Suggestion { elements, met, rest_error, motion_error, turn } = on_own_thread(|| suggest_elements(&strand, &demand))?;
         output.write(&shx_suggestion {
             element_count: elements as u32,
-            met: u32::from(met),
+            meets_tolerance: u32::from(met),
             rest_error,
             motion_error: motion_error.unwrap_or(f64::NAN),
-            turn,
+            max_turning_angle: turn,
             ..shx_suggestion::defaults()
         });
         Ok(())

@@ -11,7 +11,7 @@ pub const SHX_VERSION_PATCH: u32 = 0;
 /// The version of this header as one number that grows: major << 24 | minor << 16 | patch << 8.
 pub const SHX_VERSION: u32 = (SHX_VERSION_MAJOR << 24) | (SHX_VERSION_MINOR << 16) | (SHX_VERSION_PATCH << 8);
 /// The binary interface that this header describes. It changes only when a program built against an older one could break.
-pub const SHX_ABI_VERSION: u32 = 1;
+pub const SHX_ABI_VERSION: u32 = 2;
 
 const PLATFORM: &str = if cfg!(target_os = "linux") {
     "linux"

@@ -13,7 +13,7 @@ static shx_frame at(double x, double y, double z) {
 static shx_body_def body(uint32_t shape) {
   shx_body_def def;
   EXPECT(shx_body_def_init(&def, sizeof def) == SHX_OK);
-  EXPECT(def.friction == 1.0 && def.mask == 0xffffffff && def.sides == SHX_SIDES_SOLID && def.normal[2] == 1.0);
+  EXPECT(def.friction_scale == 1.0 && def.mask == 0xffffffff && def.sides == SHX_SIDES_SOLID && def.normal[2] == 1.0);
   def.shape = shape;
   return def;
 }
@@ -73,7 +73,7 @@ static void rest(shx_solver *solver, shx_strand_id strand, shx_body_id id) {
     EXPECT(fabs(sum[axis] + force[axis]) < 1e-15);
   /* What comes to rest by friction and drag has not quite: a thousandth of the weight. */
   EXPECT(sum[2] > 0.1 * weight && fabs(sum[2] - root[2] - weight) < 1e-3 * weight);
-  EXPECT(report.max_penetration < 1e-5 && report.contact_unconverged == 0);
+  EXPECT(report.max_penetration < 1e-5 && report.unconverged_islands == 0);
 }
 
 static void bodies(void) {
@@ -82,7 +82,12 @@ static void bodies(void) {
   const shx_strand_id strand = add_strand(solver, 0);
   shx_contact_options options;
   EXPECT(shx_contact_options_init(&options, sizeof options) == SHX_OK && options.model == SHX_CONTACT_COULOMB);
-  options.model = SHX_CONTACT_HARD; /* the former name */
+  options.model = 4; /* one more than there are */
+  EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_ERROR_INVALID_ARGUMENT);
+  options.model = SHX_CONTACT_REGULARISED_PENALTY;
+  EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
+  EXPECT(shx_solver_get_contact_options(solver, &options) == SHX_OK && options.model == SHX_CONTACT_REGULARISED_PENALTY);
+  options.model = SHX_CONTACT_COULOMB;
   EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
   memset(&options, 0, sizeof options);
   options.struct_size = sizeof options;
@@ -91,10 +96,10 @@ static void bodies(void) {
   shx_strand_contact contact, read;
   uint32_t touches = 9;
   EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK && shx_strand_contact_init(&read, sizeof read) == SHX_OK);
-  EXPECT(shx_solver_get_contact(solver, strand, &read, &touches) == SHX_OK && touches == 0);
+  EXPECT(shx_solver_get_strand_contact(solver, strand, &read, &touches) == SHX_OK && touches == 0);
   contact.friction_against = 0.4;
-  EXPECT(shx_solver_set_contact(solver, &strand, 1, &contact, 0) == SHX_OK);
-  EXPECT(shx_solver_get_contact(solver, strand, &read, &touches) == SHX_OK && touches == 1 && read.friction_against == 0.4);
+  EXPECT(shx_solver_set_strand_contact(solver, &strand, 1, &contact, 0) == SHX_OK);
+  EXPECT(shx_solver_get_strand_contact(solver, strand, &read, &touches) == SHX_OK && touches == 1 && read.friction_against == 0.4);
 
   shx_body_def ball = body(SHX_SHAPE_SPHERE);
   shx_body_id id;
@@ -146,7 +151,7 @@ static void bodies(void) {
   EXPECT(shx_solver_set_body_filter(solver, id, 2, 2) == SHX_OK);
   steps(solver, 120, &report);
   EXPECT(report.contacts == 0 && tip(solver, strand, 2) < -0.05);
-  EXPECT(shx_solver_set_body_filter(solver, id, 1, 1) == SHX_OK && shx_solver_set_contact(solver, &strand, 1, NULL, 0) == SHX_OK);
+  EXPECT(shx_solver_set_body_filter(solver, id, 1, 1) == SHX_OK && shx_solver_set_strand_contact(solver, &strand, 1, NULL, 0) == SHX_OK);
   steps(solver, 1, &report);
   EXPECT(report.contacts == 0);
   shx_solver_destroy(solver);
@@ -191,7 +196,7 @@ static void shared_shapes(void) {
   const shx_strand_id strand = add_strand(solver, 0);
   shx_strand_contact contact;
   EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
-  EXPECT(shx_solver_set_contact(solver, &strand, 1, &contact, sizeof contact) == SHX_OK);
+  EXPECT(shx_solver_set_strand_contact(solver, &strand, 1, &contact, sizeof contact) == SHX_OK);
   for (uint32_t k = 0; k < VERTICES; k++)
     vertices[k][2] = -0.1;
   EXPECT(shx_solver_set_body_vertices(solver, ids[2], &sheet.vertices, 0.0) == SHX_OK);
@@ -209,17 +214,27 @@ static void grids(void) {
   double half[8][3];
   for (int i = 0; i < 24; i++)
     half[i / 3][i % 3] = 0.02 * corners[i / 3][i % 3];
-  const shx_input vertices = {half, 0, 8, SHX_FORMAT_F64X3, 0};
   size_t size = 0, written = 0;
-  EXPECT(shx_bake_distance_grid(&vertices, &triangles[0][0], 12, 0.002, 0.006, NULL, 0, &size) == SHX_OK && size > 1000);
+  shx_distance_grid_def baked;
+  EXPECT(shx_distance_grid_def_init(&baked, sizeof baked) == SHX_OK && baked.triangle_count == 0 && baked.cell == 0 && baked.band == 0);
+  baked.vertices = (shx_input){half, 0, 8, SHX_FORMAT_F64X3, 0};
+  baked.triangles = &triangles[0][0];
+  baked.triangle_count = 12;
+  baked.cell = 0.002;
+  baked.band = 0.006;
+  EXPECT(shx_distance_grid_bake(&baked, NULL, 0, &size) == SHX_OK && size > 1000);
   void *image = malloc(size);
   EXPECT(image != NULL);
-  EXPECT(shx_bake_distance_grid(&vertices, &triangles[0][0], 12, 0.002, 0.006, image, size, &written) == SHX_OK && written == size);
+  EXPECT(shx_distance_grid_bake(&baked, image, size, &written) == SHX_OK && written == size);
   /* The same numbers of nodes, and one triangle of the lowest face less. Of half of the faces alone no inside is to be told. */
   void *open = malloc(size);
   EXPECT(open != NULL);
-  EXPECT(shx_bake_distance_grid(&vertices, &triangles[1][0], 11, 0.002, 0.006, open, size, &written) == SHX_OK && written == size);
-  EXPECT(shx_bake_distance_grid(&vertices, &triangles[6][0], 6, 0.002, 0.006, open, size, &written) == SHX_ERROR_INVALID_ARGUMENT);
+  baked.triangles = &triangles[1][0];
+  baked.triangle_count = 11;
+  EXPECT(shx_distance_grid_bake(&baked, open, size, &written) == SHX_OK && written == size);
+  baked.triangles = &triangles[6][0];
+  baked.triangle_count = 6;
+  EXPECT(shx_distance_grid_bake(&baked, open, size, &written) == SHX_ERROR_INVALID_ARGUMENT);
   char text[512];
   EXPECT(shx_last_error(text, sizeof text) > 0 && strstr(text, "triangles is too open to have an inside") != NULL);
   double resting[3];
@@ -229,9 +244,9 @@ static void grids(void) {
     const shx_strand_id strand = add_strand(solver, 0);
     shx_strand_contact contact;
     EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
-    EXPECT(shx_solver_set_contact(solver, &strand, 1, &contact, sizeof contact) == SHX_OK);
+    EXPECT(shx_solver_set_strand_contact(solver, &strand, 1, &contact, sizeof contact) == SHX_OK);
     shx_body_def def = body(which == 0 ? SHX_SHAPE_BOX : SHX_SHAPE_GRID);
-    def.half_edges[0] = def.half_edges[1] = def.half_edges[2] = 0.02;
+    def.half_extents[0] = def.half_extents[1] = def.half_extents[2] = 0.02;
     def.grid = which == 1 ? image : open;
     def.grid_size = size;
     def.pose = at(0.08, 0, -0.03);
@@ -259,11 +274,11 @@ static void constraints(void) {
   }
   defs[0].arclength = 0.1;
   defs[0].target = at(0.08, 0, -0.01);
-  defs[1].hold = SHX_HOLD_TIE;
+  defs[1].kind = SHX_CONSTRAINT_TIE;
   defs[1].arclength = 0.1;
-  defs[1].other = strands[0];
+  defs[1].other_strand = strands[0];
   defs[1].other_arclength = 0.05;
-  defs[2].hold = SHX_HOLD_RING;
+  defs[2].kind = SHX_CONSTRAINT_RING;
   defs[2].arclength = 0.06;
   defs[2].target = at(0.06, 0, 0.2);
   defs[2].friction_along = defs[2].friction_against = 0.05;
@@ -271,11 +286,11 @@ static void constraints(void) {
   EXPECT(shx_solver_add_constraints(solver, defs, sizeof defs[0], 3, ids) == SHX_OK);
   shx_step_report report;
   steps(solver, 240, &report);
-  EXPECT(report.max_constraint_error < 1e-9 && report.contact_unconverged == 0);
+  EXPECT(report.max_constraint_error < 1e-9 && report.unconverged_islands == 0);
   shx_constraint_state states[3];
   EXPECT(shx_solver_constraint_states(solver, ids, 3, states, 0) == SHX_OK);
-  EXPECT(states[0].status == SHX_CONSTRAINT_HOLDS && states[0].error < 1e-9 && states[0].arclength == 0.1);
-  EXPECT(states[1].status == SHX_CONSTRAINT_HOLDS);
+  EXPECT(states[0].status == SHX_CONSTRAINT_STATUS_SATISFIED && states[0].error < 1e-9 && states[0].arclength == 0.1);
+  EXPECT(states[1].status == SHX_CONSTRAINT_STATUS_SATISFIED);
   /* Pin and roots carry the weights of the first two strands, which the tie joins. */
   double roots[3][3];
   const shx_output root_out = {roots, 0, 3, SHX_FORMAT_F64X3, 0};
@@ -285,14 +300,14 @@ static void constraints(void) {
   /* The ring moves off along the strand, which slips out of it. */
   const shx_frame away = at(0.12, 0, 0.17);
   const shx_input frames = {&away, 0, 1, SHX_FORMAT_FRAME, 0};
-  EXPECT(states[2].status == SHX_CONSTRAINT_HOLDS);
+  EXPECT(states[2].status == SHX_CONSTRAINT_STATUS_SATISFIED);
   const double from = states[2].arclength;
   EXPECT(shx_solver_set_constraint_targets(solver, &ids[2], 1, &frames, 0.5) == SHX_OK);
   steps(solver, 6, &report);
   EXPECT(shx_solver_constraint_states(solver, &ids[2], 1, states, sizeof states[0]) == SHX_OK);
-  EXPECT(states[0].status != SHX_CONSTRAINT_RELEASED && states[0].arclength > from && states[0].error < 1e-7);
+  EXPECT(states[0].status != SHX_CONSTRAINT_STATUS_RELEASED && states[0].arclength > from && states[0].error < 1e-7);
   steps(solver, 60, &report);
-  EXPECT(shx_solver_constraint_states(solver, &ids[2], 1, states, 0) == SHX_OK && states[0].status == SHX_CONSTRAINT_RELEASED);
+  EXPECT(shx_solver_constraint_states(solver, &ids[2], 1, states, 0) == SHX_OK && states[0].status == SHX_CONSTRAINT_STATUS_RELEASED);
   shx_frame target;
   const shx_output target_out = {&target, 0, 1, SHX_FORMAT_FRAME, 0};
   EXPECT(shx_solver_get_constraint_targets(solver, &ids[2], 1, &target_out) == SHX_OK && memcmp(&target, &away, sizeof away) == 0);
@@ -319,7 +334,7 @@ static void images(void) {
     EXPECT(shx_solver_create(&solver_def, &solver) == SHX_OK);
     shx_contact_options options;
     EXPECT(shx_contact_options_init(&options, sizeof options) == SHX_OK);
-    options.hair = 1;
+    options.hair_contact = 1;
     options.model = SHX_CONTACT_PENALTY;
     EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
     shx_strand_id strands[6];
@@ -330,7 +345,7 @@ static void images(void) {
       contacts[i].wisp_radius = 0.002 + 0.0001 * i;
       contacts[i].exempt_length = 0.01;
     }
-    EXPECT(shx_solver_set_contact(solver, strands, 6, contacts, sizeof contacts[0]) == SHX_OK);
+    EXPECT(shx_solver_set_strand_contact(solver, strands, 6, contacts, sizeof contacts[0]) == SHX_OK);
     shx_body_def def = body(SHX_SHAPE_CAPSULE);
     def.radius = 0.005;
     def.a[1] = -0.05;
@@ -347,7 +362,7 @@ static void images(void) {
     static shx_contact list[256];
     EXPECT(shx_solver_contacts(solver, list, 0, 256, &count) == SHX_OK);
     for (size_t i = 0; i < count; i++)
-      hair += list[i].partner == SHX_PARTNER_STRAND && list[i].other.bits != 0 && list[i].body.bits == 0;
+      hair += list[i].partner == SHX_PARTNER_STRAND && list[i].other_strand.bits != 0 && list[i].body.bits == 0;
     EXPECT(hair > 0 && hair < count);
     EXPECT(shx_solver_snapshot(solver, NULL, 0, &size) == SHX_OK);
     void *image = malloc(size);
@@ -380,24 +395,24 @@ static void overlaps(void) {
   def.pose = at(0.05, 0, -0.02 - 50e-6 + 1e-3);
   EXPECT(shx_solver_add_bodies(solver, &def, sizeof def, 1, &ball) == SHX_OK);
   EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
-  EXPECT(shx_solver_set_contact(solver, &strand, 1, &contact, 0) == SHX_OK);
-  EXPECT(shx_solver_take_rest_shapes(solver, &strand, 1) == SHX_OK);
+  EXPECT(shx_solver_set_strand_contact(solver, &strand, 1, &contact, 0) == SHX_OK);
+  EXPECT(shx_solver_adopt_rest_shapes(solver, &strand, 1) == SHX_OK);
   EXPECT(shx_solver_overlaps(solver, &strand, 1, &hair, &with, &depth, &in) == SHX_OK);
   EXPECT(hair == 0 && with.bits == 0 && fabs(depth - 1e-3) < 1e-9 && in.bits == ball.bits);
-  EXPECT(shx_solver_allow_overlaps(solver, &strand, 1) == SHX_OK);
+  EXPECT(shx_solver_permit_overlaps(solver, &strand, 1) == SHX_OK);
   EXPECT(shx_solver_overlaps(solver, &strand, 1, NULL, NULL, &depth, NULL) == SHX_OK && depth < 1e-15);
   steps(solver, 60, &report);
   EXPECT(fabs(tip(solver, strand, 2)) < 1e-9 && report.contacts == 0);
   /* Kept by the host, taken away, given back. */
-  EXPECT(shx_solver_get_allowance(solver, strand, along, shares, sunk, 5, &stations) == SHX_ERROR_BUFFER_TOO_SMALL);
-  EXPECT(shx_solver_get_allowance(solver, strand, along, shares, sunk, 8, &stations) == SHX_OK && stations == 6);
+  EXPECT(shx_solver_get_permitted_overlap(solver, strand, along, shares, sunk, 5, &stations) == SHX_ERROR_BUFFER_TOO_SMALL);
+  EXPECT(shx_solver_get_permitted_overlap(solver, strand, along, shares, sunk, 8, &stations) == SHX_OK && stations == 6);
   EXPECT(along[0] == 0 && fabs(along[5] - 0.1) < 1e-15 && shares[2] == 1 && fabs(sunk[2] - 1e-3) < 1e-9 && sunk[0] == 0);
-  EXPECT(shx_solver_set_allowance(solver, strand, NULL, NULL, NULL, 0) == SHX_OK);
-  EXPECT(shx_solver_get_allowance(solver, strand, NULL, NULL, NULL, 0, &stations) == SHX_OK && stations == 0);
+  EXPECT(shx_solver_set_permitted_overlap(solver, strand, NULL, NULL, NULL, 0) == SHX_OK);
+  EXPECT(shx_solver_get_permitted_overlap(solver, strand, NULL, NULL, NULL, 0, &stations) == SHX_OK && stations == 0);
   EXPECT(shx_solver_overlaps(solver, &strand, 1, NULL, NULL, &depth, NULL) == SHX_OK && fabs(depth - 1e-3) < 1e-9);
-  EXPECT(shx_solver_set_allowance(solver, strand, along, shares, sunk, 6) == SHX_OK);
+  EXPECT(shx_solver_set_permitted_overlap(solver, strand, along, shares, sunk, 6) == SHX_OK);
   EXPECT(shx_solver_overlaps(solver, &strand, 1, NULL, NULL, &depth, NULL) == SHX_OK && depth < 1e-15);
-  EXPECT(shx_solver_set_allowance(solver, strand, NULL, NULL, NULL, 0) == SHX_OK);
+  EXPECT(shx_solver_set_permitted_overlap(solver, strand, NULL, NULL, NULL, 0) == SHX_OK);
   steps(solver, 60, &report);
   EXPECT(fabs(tip(solver, strand, 2)) > 1e-4);
   shx_solver_destroy(solver);

@@ -35,7 +35,7 @@ static inline void add_scene(shx_solver *solver, shx_strand_id ids[SCENE_STRANDS
       natural[i][element][1] = 20.0 + element;
       natural[i][element][2] = 0.1 * i;
     }
-    defs[i].natural = &natural[i][0][0];
+    defs[i].natural_curvatures = &natural[i][0][0];
   }
   EXPECT(shx_solver_add_strands(solver, defs, sizeof defs[0], SCENE_STRANDS, ids) == SHX_OK);
 }
@@ -63,12 +63,12 @@ static inline void add_obstacles(shx_solver *solver, const shx_strand_id ids[SCE
   EXPECT(shx_solver_add_bodies(solver, &ball, sizeof ball, 1, &ball_id) == SHX_OK);
   EXPECT(shx_contact_options_init(&options, sizeof options) == SHX_OK);
   options.model = SHX_CONTACT_PENALTY;
-  options.hair = 1;
+  options.hair_contact = 1;
   EXPECT(shx_solver_set_contact_options(solver, &options) == SHX_OK);
   EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
   contact.wisp_radius = 0.003;
   contact.exempt_length = 0.01;
-  EXPECT(shx_solver_set_contact(solver, ids, SCENE_STRANDS, &contact, 0) == SHX_OK);
+  EXPECT(shx_solver_set_strand_contact(solver, ids, SCENE_STRANDS, &contact, 0) == SHX_OK);
   EXPECT(shx_constraint_def_init(&pin, sizeof pin) == SHX_OK);
   pin.strand = ids[3];
   pin.arclength = 0.08;

@@ -37,23 +37,23 @@ int main(int argc, char **argv) {
   strand.element_count = 2;
   strand.youngs_modulus = 1e9;
   strand.internal_friction = 2e-12;
-  shx_friction_def friction;
-  EXPECT(shx_friction_def_init(&friction, sizeof friction) == SHX_OK);
+  shx_friction_fit_def friction;
+  EXPECT(shx_friction_fit_def_init(&friction, sizeof friction) == SHX_OK);
   friction.coefficients = SHX_FRICTION_AIR_DRAG;
   friction.observable = SHX_OBSERVABLE_OFFSET;
   friction.root_times = times;
   friction.root_frames = frames;
   friction.root_count = count;
-  shx_friction_report report;
-  EXPECT(shx_friction_report_init(&report, sizeof report) == SHX_OK);
+  shx_friction_fit_report report;
+  EXPECT(shx_friction_fit_report_init(&report, sizeof report) == SHX_OK);
   EXPECT(shx_fit_friction(NULL, &strand, &friction, times, values, count, &report, curve) == SHX_OK);
 
   const shx_fitted_coefficient drag = report.air_drag;
   EXPECT(report.struct_size == sizeof report && report.converged == 1 && report.unconverged == 0);
-  EXPECT(drag.verdict == SHX_VERDICT_DETERMINED && drag.standard_error < 0.01 * drag.value);
-  EXPECT(fabs(drag.value - truth) < 3.0 * drag.standard_error && fabs(drag.step_shift) < 1e-3);
+  EXPECT(drag.status == SHX_COEFFICIENT_DETERMINED && drag.standard_error < 0.01 * drag.value);
+  EXPECT(fabs(drag.value - truth) < 3.0 * drag.standard_error && fabs(drag.step_sensitivity) < 1e-3);
   EXPECT(drag.excluded_below < truth && truth < drag.excluded_above);
-  EXPECT(report.internal_friction.verdict == SHX_VERDICT_NOT_FITTED && report.internal_friction.value == 2e-12);
+  EXPECT(report.internal_friction.status == SHX_COEFFICIENT_NOT_FITTED && report.internal_friction.value == 2e-12);
   EXPECT(report.first_compared == 0 && report.compared == count && report.offset == 0.0);
   double square = 0.0;
   for (size_t i = 0; i < count; i++)
@@ -78,7 +78,7 @@ int main(int argc, char **argv) {
   friction.internal_friction_guess = 1e-10;
   friction.root_count = 0;
   EXPECT(shx_fit_friction(&solver, &strand, &friction, times, values, count, &report, NULL) == SHX_OK);
-  EXPECT(report.internal_friction.verdict == SHX_VERDICT_UNDETERMINED);
+  EXPECT(report.internal_friction.status == SHX_COEFFICIENT_UNDETERMINED);
   printf("air drag %.3e +- %.1e kg/(m s), %u simulations\n", drag.value, drag.standard_error, (unsigned)report.simulations);
   return 0;
 }

@@ -52,7 +52,7 @@ int main(void) {
   host_strand strands[3];
   memset(strands, 0xee, sizeof strands);
   for (int i = 0; i < 3; i++) {
-    EXPECT(shx_strand_def_init(&strands[i].def, offsetof(shx_strand_def, initial)) == SHX_OK);
+    EXPECT(shx_strand_def_init(&strands[i].def, offsetof(shx_strand_def, initial_curvatures)) == SHX_OK);
     strands[i].def.length = 0.1 + 0.1 * i;
     strands[i].def.element_count = 3;
     strands[i].def.user_data = 40 + (uint64_t)i;
@@ -82,18 +82,6 @@ int main(void) {
   EXPECT(shx_step_report_init(&full, sizeof full) == SHX_OK);
   EXPECT(shx_solver_step(solver, 0.01, 2, &full) == SHX_OK && full.substeps == 2 && full.struct_size == sizeof full);
 
-  /* Older render settings: what they do not have is as if it were not there. */
-  shx_render_settings settings;
-  memset(&settings, 0xee, sizeof settings);
-  EXPECT(shx_render_settings_init(&settings, offsetof(shx_render_settings, length_variation)) == SHX_OK);
-  float place[3] = {0.0f, 0.0f, 0.0f};
-  const shx_input root = {place, 0, 1, SHX_FORMAT_F32X3, 0};
-  shx_render_hair *hair;
-  EXPECT(shx_solver_create_render_hair(solver, ids, 3, &settings, &root, &hair) == SHX_OK);
-  shx_render_hair_destroy(hair);
-  settings.struct_size = sizeof settings;
-  EXPECT(shx_solver_create_render_hair(solver, ids, 3, &settings, &root, &hair) == SHX_ERROR_INVALID_ARGUMENT);
-
   /* Bodies, constraints and what strands are to contact: newer hosts, in structures of their own. */
   struct { char name[16]; shx_body_def def; uint64_t future; } bodies[2];
   struct { shx_constraint_def def; uint64_t future; int note; } pins[2];
@@ -113,17 +101,17 @@ int main(void) {
   }
   EXPECT(shx_solver_add_bodies(solver, &bodies[0].def, sizeof bodies[0], 2, body_ids) == SHX_OK);
   EXPECT(shx_solver_add_constraints(solver, &pins[0].def, sizeof pins[0], 2, pin_ids) == SHX_OK);
-  EXPECT(shx_solver_set_contact(solver, ids, 3, &touching[0].contact, sizeof touching[0]) == SHX_OK);
+  EXPECT(shx_solver_set_strand_contact(solver, ids, 3, &touching[0].contact, sizeof touching[0]) == SHX_OK);
   for (int i = 0; i < 3; i++) {
     shx_strand_contact read;
     uint32_t touches;
     EXPECT(shx_strand_contact_init(&read, sizeof read) == SHX_OK);
-    EXPECT(shx_solver_get_contact(solver, ids[i], &read, &touches) == SHX_OK && touches == 1 && read.radius == 1e-4 * (i + 1));
+    EXPECT(shx_solver_get_strand_contact(solver, ids[i], &read, &touches) == SHX_OK && touches == 1 && read.radius == 1e-4 * (i + 1));
   }
   bodies[1].future = pins[1].future = touching[2].future = 1;
   EXPECT(shx_solver_add_bodies(solver, &bodies[0].def, sizeof bodies[0], 2, body_ids) == SHX_ERROR_STRUCT_SIZE);
   EXPECT(shx_solver_add_constraints(solver, &pins[0].def, sizeof pins[0], 2, pin_ids) == SHX_ERROR_STRUCT_SIZE);
-  EXPECT(shx_solver_set_contact(solver, ids, 3, &touching[0].contact, sizeof touching[0]) == SHX_ERROR_STRUCT_SIZE);
+  EXPECT(shx_solver_set_strand_contact(solver, ids, 3, &touching[0].contact, sizeof touching[0]) == SHX_ERROR_STRUCT_SIZE);
   shx_solver_destroy(solver);
   printf("older and newer structures work\n");
   return 0;

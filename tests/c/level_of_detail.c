@@ -30,7 +30,7 @@ static uint64_t play(uint32_t threads) {
   EXPECT(shx_solver_set_element_count(solver, ids, SCENE_STRANDS, 2 * SCENE_ELEMENTS, distances) == SHX_OK);
   tips_of(solver, ids, after);
   for (int i = 0; i < SCENE_STRANDS; i++) {
-    EXPECT(shx_solver_element_count(solver, ids[i], &count) == SHX_OK && count == 2 * SCENE_ELEMENTS);
+    EXPECT(shx_solver_get_element_count(solver, ids[i], &count) == SHX_OK && count == 2 * SCENE_ELEMENTS);
     EXPECT(distances[i] < 1e-12 && apart(before[i], after[i]) < 1e-12);
   }
   run_scene(solver, ids);
@@ -74,7 +74,7 @@ static void suggestions(void) {
   strand.element_count = 1;
   strand.youngs_modulus = 4 * 1300 * 9.81 * 0.001 / (50e-6 * 50e-6 * 10);
   EXPECT(shx_suggest_elements(&strand, NULL, &found) == SHX_OK); /* 1 mm, 1 % of the length */
-  EXPECT(found.met == 1 && found.element_count == 5 && found.rest_error < 1e-3 && isnan(found.motion_error) && found.turn < 0.6);
+  EXPECT(found.meets_tolerance == 1 && found.element_count == 5 && found.rest_error < 1e-3 && isnan(found.motion_error) && found.max_turning_angle < 0.6);
   shx_frame frames[30];
   for (int k = 0; k < 30; k++) {
     const shx_frame frame = {{0, 0.001 * k * k / 10, 0}, {0, 0, 0, 1}};
@@ -83,13 +83,13 @@ static void suggestions(void) {
   demand.motion = frames;
   demand.motion_count = 30;
   EXPECT(shx_suggest_elements(&strand, &demand, &found) == SHX_OK);
-  EXPECT(found.met == 1 && found.element_count >= 5 && found.motion_error > 0 && found.motion_error <= 1e-3);
+  EXPECT(found.meets_tolerance == 1 && found.element_count >= 5 && found.motion_error > 0 && found.motion_error <= 1e-3);
   const double coil[3] = {0, 200, 0}; /* 20 rad */
-  strand.natural = coil;
+  strand.natural_curvatures = coil;
   demand.motion_count = 0;
   demand.max_elements = 12;
   EXPECT(shx_suggest_elements(&strand, &demand, &found) == SHX_OK);
-  EXPECT(found.met == 0 && found.element_count == 12 && found.turn > 1.6);
+  EXPECT(found.meets_tolerance == 0 && found.element_count == 12 && found.max_turning_angle > 1.6);
 
   shx_solver_def def;
   EXPECT(shx_solver_def_init(&def, sizeof def) == SHX_OK);
@@ -101,11 +101,11 @@ static void suggestions(void) {
   double curls[5][3] = {{0, 10, 0}, {0, 20, 0}, {0, 15, 10}, {10, 0, 30}, {0, 5, 0}}, turns[5];
   for (int i = 0; i < 5; i++) {
     strands[i] = strand;
-    strands[i].natural = curls[i];
+    strands[i].natural_curvatures = curls[i];
   }
   EXPECT(shx_solver_add_strands(solver, strands, sizeof strands[0], 5, ids) == SHX_OK);
   EXPECT(warnings == 1); /* one line, whatever the number of strands */
-  EXPECT(shx_solver_strand_turns(solver, ids, 5, turns) == SHX_OK);
+  EXPECT(shx_solver_strand_turning_angles(solver, ids, 5, turns) == SHX_OK);
   uint32_t points[5];
   double errors[5];
   EXPECT(shx_solver_strand_quadrature(solver, ids, 5, points, errors) == SHX_OK);

@@ -47,7 +47,7 @@ static uint64_t play(uint32_t threads) {
   EXPECT(shx_brush_init(&brush, sizeof brush) == SHX_OK);
   memcpy(brush.centre, targets[12], sizeof brush.centre);
   brush.radius = 0.015;
-  brush.movement[2] = 0.01;
+  brush.displacement[2] = 0.01;
   EXPECT(shx_solver_brush_strands(solver, ids, SCENE_STRANDS, &brush, NULL, touched, distances) == SHX_OK);
   EXPECT(touched[12] == 1 && touched[36] == 0 && distances[36] == 0);
   tip_of(solver, ids[12], arclengths[12], tip);
@@ -68,17 +68,17 @@ static uint64_t play(uint32_t threads) {
   }
   EXPECT(shx_solver_cut_strands(solver, images, SCENE_STRANDS, arclengths) == SHX_OK);
   size_t count = 0;
-  EXPECT(shx_solver_element_count(solver, images[0], &count) == SHX_OK && count == SCENE_ELEMENTS / 2);
+  EXPECT(shx_solver_get_element_count(solver, images[0], &count) == SHX_OK && count == SCENE_ELEMENTS / 2);
   tip_of(solver, images[36], arclengths[36], middle);
   EXPECT(apart(middle, image) < 1e-12);
   EXPECT(shx_solver_grow_strands(solver, images, SCENE_STRANDS, 0.03, 2, NULL) == SHX_OK);
-  EXPECT(shx_solver_element_count(solver, images[0], &count) == SHX_OK && count == SCENE_ELEMENTS / 2 + 2);
+  EXPECT(shx_solver_get_element_count(solver, images[0], &count) == SHX_OK && count == SCENE_ELEMENTS / 2 + 2);
 
   shx_element_change change;
   EXPECT(shx_element_change_init(&change, sizeof change) == SHX_OK);
   change.element = 4;
   change.twist = 0.5;
-  change.stretch = 2;
+  change.length_scale = 2;
   EXPECT(shx_solver_change_elements(solver, images, 1, &change, sizeof change) == SHX_OK);
   double lengths[SCENE_ELEMENTS];
   EXPECT(shx_solver_get_element_lengths(solver, images[0], lengths, SCENE_ELEMENTS) == SHX_OK && lengths[4] == 0.03);
@@ -117,7 +117,7 @@ static uint64_t play(uint32_t threads) {
   EXPECT(shx_solver_remove_strands(solver, standing, 2) == SHX_OK);
 
   /* The pose is the rest: a step moves nothing. */
-  EXPECT(shx_solver_take_rest_shapes(solver, ids, SCENE_STRANDS) == SHX_OK);
+  EXPECT(shx_solver_adopt_rest_shapes(solver, ids, SCENE_STRANDS) == SHX_OK);
   tip_of(solver, ids[20], arclengths[20], tip);
   EXPECT(shx_solver_step(solver, 1.0 / 60, 1, NULL) == SHX_OK);
   tip_of(solver, ids[20], arclengths[20], middle);

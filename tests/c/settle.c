@@ -51,7 +51,7 @@ static void shapes_taken(void) {
   double taken[24][3], later[24][3], natural[4][3], rates[4][3];
   EXPECT(shx_solver_get_shapes(solver, ids, 2, &taken[0][0], 24) == SHX_OK);
   EXPECT(fabs(taken[0][1]) + fabs(taken[0][2]) > 0.1);
-  EXPECT(shx_solver_take_rest_shapes(solver, ids, 1) == SHX_OK);
+  EXPECT(shx_solver_adopt_rest_shapes(solver, ids, 1) == SHX_OK);
   EXPECT(shx_solver_get_curvatures(solver, ids[0], NULL, &rates[0][0], 4) == SHX_OK);
   EXPECT(fabs(rates[0][1]) + fabs(rates[0][2]) > 0.1); /* it goes on to move */
   EXPECT(shx_solver_set_shapes(solver, ids, 2, &taken[0][0], 24) == SHX_OK);
@@ -62,10 +62,10 @@ static void shapes_taken(void) {
     for (int axis = 0; axis < 3; axis++)
       EXPECT(fabs(later[element][axis] - taken[element][axis]) < 1e-6);
 
-  EXPECT(shx_solver_take_natural_shapes(solver, ids, 2) == SHX_OK);
+  EXPECT(shx_solver_adopt_natural_shapes(solver, ids, 2) == SHX_OK);
   EXPECT(shx_solver_get_natural_curvatures(solver, ids[0], &natural[0][0], 4) == SHX_OK);
   EXPECT(memcmp(natural, later, sizeof natural) == 0);
-  EXPECT(shx_solver_take_natural_shapes(solver, NULL, 0) == SHX_OK && shx_solver_get_shapes(solver, NULL, 0, NULL, 0) == SHX_OK);
+  EXPECT(shx_solver_adopt_natural_shapes(solver, NULL, 0) == SHX_OK && shx_solver_get_shapes(solver, NULL, 0, NULL, 0) == SHX_OK);
   shx_solver_destroy(solver);
 }
 
@@ -137,8 +137,8 @@ int main(void) {
   settle.max_steps = 1;
   EXPECT(shx_solver_reset_strands(solver, ids, 3) == SHX_OK);
   EXPECT(shx_solver_settle(solver, &ids[1], 1, &settle, &report, status, eigenvalues, residuals) == SHX_OK);
-  EXPECT(report.unconverged == 1 && status[0] == SHX_UNCONVERGED && residuals[0] > settle.tolerance);
-  EXPECT(shx_solver_strand_status(solver, &ids[1], 1, status) == SHX_OK && status[0] == SHX_UNCONVERGED);
+  EXPECT(report.unconverged == 1 && status[0] == SHX_STRAND_UNCONVERGED && residuals[0] > settle.tolerance);
+  EXPECT(shx_solver_strand_status(solver, &ids[1], 1, status) == SHX_OK && status[0] == SHX_STRAND_UNCONVERGED);
   EXPECT(shx_solver_settle(solver, NULL, 0, NULL, &report, NULL, NULL, NULL) == SHX_OK && report.iterations == 0);
   shx_solver_destroy(solver);
   shapes_taken();

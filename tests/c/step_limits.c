@@ -33,7 +33,7 @@ static void grow(head *h, uint32_t workers) {
     const double size = sqrt(up[2] * up[2] + up[1] * up[1] + w * w), q[4] = {0, -up[2] / size, up[1] / size, w / size};
     defs[i].length = 0.18;
     defs[i].element_count = ELEMENTS;
-    defs[i].natural = &natural[0][0];
+    defs[i].natural_curvatures = &natural[0][0];
     defs[i].air_drag = 1e-5;
     for (int k = 0; k < 4; k++)
       defs[i].root.rotation[k] = q[k];
@@ -46,10 +46,10 @@ static void grow(head *h, uint32_t workers) {
   EXPECT(shx_strand_contact_init(&contact, sizeof contact) == SHX_OK);
   contact.exempt_length = 0.015;
   contact.wisp_radius = 0.001;
-  EXPECT(shx_solver_set_contact(h->solver, h->ids, HAIRS, &contact, 0) == SHX_OK);
+  EXPECT(shx_solver_set_strand_contact(h->solver, h->ids, HAIRS, &contact, 0) == SHX_OK);
   shx_contact_options options;
   EXPECT(shx_contact_options_init(&options, sizeof options) == SHX_OK);
-  options.hair = 1;
+  options.hair_contact = 1;
   EXPECT(shx_solver_set_contact_options(h->solver, &options) == SHX_OK);
   shx_body_def ball;
   EXPECT(shx_body_def_init(&ball, sizeof ball) == SHX_OK);
@@ -100,19 +100,19 @@ static double now(void) {
 static uint64_t with_little_work(uint32_t workers) {
   head h;
   grow(&h, workers);
-  shx_step_options options;
-  EXPECT(shx_step_options_init(&options, sizeof options) == SHX_OK && options.work == 0 && options.seconds == 0 && !options.cancel);
-  options.work = 4000;
+  shx_step_limits limits;
+  EXPECT(shx_step_limits_init(&limits, sizeof limits) == SHX_OK && limits.max_work == 0 && limits.max_seconds == 0 && !limits.cancel);
+  limits.max_work = 4000;
   shx_step_report report;
   EXPECT(shx_step_report_init(&report, sizeof report) == SHX_OK);
   int stopped = 0;
   for (int step = 1; step <= 30; step++) {
     const double x = 0.01 * sin(0.5 * step);
     send(&h, x);
-    EXPECT(shx_solver_step_within(h.solver, H, 1, &options, &report) == SHX_OK);
-    EXPECT(report.stopped == SHX_STOPPED_NO || report.stopped == SHX_STOPPED_WORK);
-    EXPECT((report.stopped == SHX_STOPPED_WORK) == (report.left > 0) && report.left <= report.unconverged);
-    stopped += report.stopped == SHX_STOPPED_WORK;
+    EXPECT(shx_solver_step_with_limits(h.solver, H, 1, &limits, &report) == SHX_OK);
+    EXPECT(report.stop_reason == SHX_STOP_NONE || report.stop_reason == SHX_STOP_WORK);
+    EXPECT((report.stop_reason == SHX_STOP_WORK) == (report.unfinished > 0) && report.unfinished <= report.unconverged);
+    stopped += report.stop_reason == SHX_STOP_WORK;
     look(&h, x);
   }
   EXPECT(stopped > 5);
@@ -124,20 +124,20 @@ static uint64_t with_little_work(uint32_t workers) {
 static void with_little_time(void) {
   head h;
   grow(&h, 1);
-  shx_step_options options;
-  EXPECT(shx_step_options_init(&options, sizeof options) == SHX_OK);
+  shx_step_limits limits;
+  EXPECT(shx_step_limits_init(&limits, sizeof limits) == SHX_OK);
   shx_step_report report;
   EXPECT(shx_step_report_init(&report, sizeof report) == SHX_OK);
-  options.seconds = -1;
-  EXPECT(shx_solver_step_within(h.solver, H, 1, &options, &report) == SHX_ERROR_INVALID_ARGUMENT);
-  EXPECT(shx_solver_step_within(h.solver, H, 1, NULL, &report) == SHX_ERROR_NULL_ARGUMENT);
-  options.seconds = 1e-6; /* none: everything goes along with its root */
+  limits.max_seconds = -1;
+  EXPECT(shx_solver_step_with_limits(h.solver, H, 1, &limits, &report) == SHX_ERROR_INVALID_ARGUMENT);
+  EXPECT(shx_solver_step_with_limits(h.solver, H, 1, NULL, &report) == SHX_ERROR_NULL_ARGUMENT);
+  limits.max_seconds = 1e-6; /* none: everything goes along with its root */
   send(&h, 0.01);
-  EXPECT(shx_solver_step_within(h.solver, H, 1, &options, &report) == SHX_OK);
-  EXPECT(report.stopped == SHX_STOPPED_TIME && report.left == HAIRS && report.quarantined == 0);
+  EXPECT(shx_solver_step_with_limits(h.solver, H, 1, &limits, &report) == SHX_OK);
+  EXPECT(report.stop_reason == SHX_STOP_TIME && report.unfinished == HAIRS && report.quarantined == 0);
   look(&h, 0.01);
-  options.seconds = 10;
-  EXPECT(shx_solver_step_within(h.solver, H, 1, &options, &report) == SHX_OK && report.stopped == SHX_STOPPED_NO);
+  limits.max_seconds = 10;
+  EXPECT(shx_solver_step_with_limits(h.solver, H, 1, &limits, &report) == SHX_OK && report.stop_reason == SHX_STOP_NONE);
   shx_solver_destroy(h.solver);
 }
 
@@ -151,26 +151,26 @@ static void *cancel_soon(void *flag) {
 static void cancelled(void) {
   head h;
   grow(&h, 2);
-  shx_step_options options;
-  EXPECT(shx_step_options_init(&options, sizeof options) == SHX_OK);
+  shx_step_limits limits;
+  EXPECT(shx_step_limits_init(&limits, sizeof limits) == SHX_OK);
   shx_step_report report;
   EXPECT(shx_step_report_init(&report, sizeof report) == SHX_OK);
   static uint32_t flag;
-  options.cancel = &flag;
+  limits.cancel = &flag;
   for (int step = 0; step < 40; step++)
-    EXPECT(shx_solver_step_within(h.solver, H, 1, &options, &report) == SHX_OK && report.stopped == SHX_STOPPED_NO);
+    EXPECT(shx_solver_step_with_limits(h.solver, H, 1, &limits, &report) == SHX_OK && report.stop_reason == SHX_STOP_NONE);
   /* A step of very many substeps, which nobody would wait for. */
   send(&h, 0.02);
   pthread_t thread;
   EXPECT(pthread_create(&thread, NULL, cancel_soon, &flag) == 0);
   const double from = now();
-  EXPECT(shx_solver_step_within(h.solver, H, 100000, &options, &report) == SHX_OK);
+  EXPECT(shx_solver_step_with_limits(h.solver, H, 100000, &limits, &report) == SHX_OK);
   EXPECT(pthread_join(thread, NULL) == 0);
-  EXPECT(report.stopped == SHX_STOPPED_CANCELLED && report.left > 0);
+  EXPECT(report.stop_reason == SHX_STOP_CANCELLED && report.unfinished > 0);
   EXPECT(now() - from < 5); /* (no promise of time on a machine that is busy) */
   look(&h, 0.02);
   flag = 0;
-  EXPECT(shx_solver_step_within(h.solver, H, 1, &options, &report) == SHX_OK && report.stopped == SHX_STOPPED_NO);
+  EXPECT(shx_solver_step_with_limits(h.solver, H, 1, &limits, &report) == SHX_OK && report.stop_reason == SHX_STOP_NONE);
   shx_solver_destroy(h.solver);
 }
 
@@ -180,11 +180,11 @@ static void jumped(void) {
   shx_step_report report;
   EXPECT(shx_step_report_init(&report, sizeof report) == SHX_OK);
   for (int step = 0; step < 20; step++)
-    EXPECT(shx_solver_step(h.solver, H, 1, &report) == SHX_OK && report.carried == 0 && report.parts == 1);
+    EXPECT(shx_solver_step(h.solver, H, 1, &report) == SHX_OK && report.jumped_roots == 0 && report.fast_body_pieces == 1);
   const uint64_t calm = report.work;
   send(&h, 1);
   EXPECT(shx_solver_step(h.solver, H, 1, &report) == SHX_OK);
-  EXPECT(report.carried == HAIRS && report.quarantined == 0 && report.max_penetration < 1e-4 && report.work < 4 * calm + 1000);
+  EXPECT(report.jumped_roots == HAIRS && report.quarantined == 0 && report.max_penetration < 1e-4 && report.work < 4 * calm + 1000);
   look(&h, 1);
   shx_solver_destroy(h.solver);
 }

@@ -71,7 +71,7 @@ static void render(uint32_t workers) {
   shx_render_settings settings;
   MUST(p_shx_render_settings_init(&settings, sizeof settings));
   settings.points_per_strand = 2;
-  settings.space = SHX_SPACE_CURVATURE;
+  settings.interpolation = SHX_INTERPOLATION_CURVATURE;
   settings.worker_count = workers;
   shx_render_guides guides;
   MUST(p_shx_render_guides_init(&guides, sizeof guides));
@@ -104,7 +104,7 @@ static void use(uint32_t workers, uint32_t linear_solver) {
   LOAD(shx_body_def_init);
   LOAD(shx_solver_add_bodies);
   LOAD(shx_strand_contact_init);
-  LOAD(shx_solver_set_contact);
+  LOAD(shx_solver_set_strand_contact);
   LOAD(shx_contact_options_init);
   LOAD(shx_solver_set_contact_options);
   LOAD(shx_constraint_def_init);
@@ -141,13 +141,13 @@ static void use(uint32_t workers, uint32_t linear_solver) {
   MUST(p_shx_solver_add_bodies(solver, bodies, sizeof bodies[0], 2, body_ids));
   shx_contact_options options;
   MUST(p_shx_contact_options_init(&options, sizeof options));
-  options.hair = 1;
+  options.hair_contact = 1;
   options.model = SHX_CONTACT_PENALTY;
   MUST(p_shx_solver_set_contact_options(solver, &options));
   shx_strand_contact contact;
   MUST(p_shx_strand_contact_init(&contact, sizeof contact));
   contact.wisp_radius = 0.001;
-  MUST(p_shx_solver_set_contact(solver, ids, 3, &contact, 0));
+  MUST(p_shx_solver_set_strand_contact(solver, ids, 3, &contact, 0));
   shx_constraint_def pin;
   shx_constraint_id pin_id;
   MUST(p_shx_constraint_def_init(&pin, sizeof pin));
@@ -164,36 +164,37 @@ static void use(uint32_t workers, uint32_t linear_solver) {
 }
 
 static void fit(void) {
-  LOAD(shx_fit_init);
+  LOAD(shx_polyline_fit_init);
   LOAD(shx_fit_polyline);
-  LOAD(shx_fit_natural_curvatures);
+  LOAD(shx_sag_free_curvatures);
   LOAD(shx_strand_def_init);
   const double points[4][3] = {{0, 0, 0}, {0.01, 0, 0.001}, {0.02, 0.004, 0}, {0.03, 0, 0}};
   const double gravity[3] = {0, 0, -9.81};
   const shx_input polyline = {points, 0, 4, SHX_FORMAT_F64X3, 0};
   double lengths[3], rows[3][3], natural[3][3];
-  shx_fit fitted;
+  shx_polyline_fit fitted;
   shx_strand_def def;
-  MUST(p_shx_fit_init(&fitted, sizeof fitted));
+  MUST(p_shx_polyline_fit_init(&fitted, sizeof fitted));
   MUST(p_shx_fit_polyline(&polyline, 3, &fitted, lengths, &rows[0][0], 3));
   MUST(p_shx_strand_def_init(&def, sizeof def));
   def.element_count = 3;
   def.length = 0.03;
-  MUST(p_shx_fit_natural_curvatures(&def, &rows[0][0], 3, gravity, &natural[0][0]));
+  MUST(p_shx_sag_free_curvatures(&def, &rows[0][0], 3, gravity, &natural[0][0]));
 }
 
 static void fit_many(void) {
   LOAD(shx_fit_options_init);
-  LOAD(shx_fit_curves_init);
+  LOAD(shx_fit_input_init);
   LOAD(shx_fit_strands);
+  LOAD(shx_spline_def_init);
   LOAD(shx_spline_points);
   const double points[8][3] = {{0, 0, 0}, {0.01, 0, 0.001}, {0.02, 0.004, 0}, {0.03, 0, 0}, {0, 0, 0}, {0, 0.02, 0}, {0, 0.03, 0.01}, {0, 0.03, 0.02}};
   const uint32_t counts[2] = {4, 4};
   double lengths[6], rows[6][3];
   shx_fit_options options;
-  shx_fit_curves curves;
+  shx_fit_input curves;
   shx_fitted_strand strands[2];
-  MUST(p_shx_fit_curves_init(&curves, sizeof curves));
+  MUST(p_shx_fit_input_init(&curves, sizeof curves));
   curves.curve_count = 2;
   curves.points = (shx_input){points, 0, 8, SHX_FORMAT_F64X3, 0};
   curves.point_counts = counts;
@@ -203,35 +204,38 @@ static void fit_many(void) {
     options.worker_count = workers;
     MUST(p_shx_fit_strands(&options, &curves, strands, 0, lengths, &rows[0][0], 6));
   }
-  const shx_input controls = {points, 0, 4, SHX_FORMAT_F64X3, 0};
+  shx_spline_def spline;
+  MUST(p_shx_spline_def_init(&spline, sizeof spline));
+  spline.ends = SHX_SPLINE_ENDS_OPEN;
+  spline.controls = (shx_input){points, 0, 4, SHX_FORMAT_F64X3, 0};
   size_t count;
-  MUST(p_shx_spline_points(SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_OPEN, &controls, 4, NULL, NULL, &count));
+  MUST(p_shx_spline_points(&spline, NULL, NULL, &count));
 }
 
 static void fit_friction(void) {
   LOAD(shx_strand_def_init);
-  LOAD(shx_friction_def_init);
-  LOAD(shx_friction_report_init);
+  LOAD(shx_friction_fit_def_init);
+  LOAD(shx_friction_fit_report_init);
   LOAD(shx_solver_def_init);
   LOAD(shx_fit_friction);
   const double times[5] = {0.0, 0.02, 0.04, 0.06, 0.08}, spans[5] = {0.1, 0.09, 0.08, 0.09, 0.1};
   const double natural[2][3] = {{1, 20, 0}, {1, 20, 0}};
   shx_strand_def strand;
-  shx_friction_def friction;
-  shx_friction_report report;
+  shx_friction_fit_def friction;
+  shx_friction_fit_report report;
   shx_solver_def solver;
   MUST(p_shx_strand_def_init(&strand, sizeof strand));
   strand.element_count = 2;
   strand.length = 0.1;
-  strand.natural = &natural[0][0];
-  MUST(p_shx_friction_def_init(&friction, sizeof friction));
+  strand.natural_curvatures = &natural[0][0];
+  MUST(p_shx_friction_fit_def_init(&friction, sizeof friction));
   friction.coefficients = SHX_FRICTION_INTERNAL;
   friction.grid_points = 2;
   friction.max_iterations = 2;
   friction.time_step = 0.02;
   friction.oscillation_amplitude = 0.01;
   friction.oscillation_frequency = 5.0;
-  MUST(p_shx_friction_report_init(&report, sizeof report));
+  MUST(p_shx_friction_fit_report_init(&report, sizeof report));
   for (uint32_t workers = 1; workers <= 2; workers++) {
     MUST(p_shx_solver_def_init(&solver, sizeof solver));
     solver.worker_count = workers;

@@ -9,11 +9,13 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::capi::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
 use superhelix::capi::fit_curves::{
-    SHX_FIT_LENGTHS_EQUAL, shx_fit_curves, shx_fit_curves_init, shx_fit_options, shx_fit_options_init, shx_fit_strands,
+    SHX_FIT_LENGTHS_EQUAL, shx_fit_input, shx_fit_input_init, shx_fit_options, shx_fit_options_init, shx_fit_strands,
     shx_fitted_strand, shx_strand_def_set_fit,
 };
 use superhelix::capi::parallel::shx_range_fn;
-use superhelix::capi::spline::{SHX_SPLINE_B, SHX_SPLINE_ENDS_PINNED, shx_spline_points};
+use superhelix::capi::spline::{
+    SHX_SPLINE_BSPLINE, SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_PINNED, shx_spline_def, shx_spline_def_init, shx_spline_points,
+};
 use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
 use superhelix::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, shx_input, shx_output};
 use superhelix::groom::fit::{ElementLengths, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
@@ -30,11 +32,11 @@ fn options() -> shx_fit_options {
     }
 }
 
-fn curves() -> shx_fit_curves {
+fn curves() -> shx_fit_input {
     let mut curves = MaybeUninit::uninit();
     // SAFETY: room for one structure, which the call fills.
     unsafe {
-        assert_eq!(shx_fit_curves_init(curves.as_mut_ptr(), size_of::<shx_fit_curves>()), SHX_OK);
+        assert_eq!(shx_fit_input_init(curves.as_mut_ptr(), size_of::<shx_fit_input>()), SHX_OK);
         curves.assume_init()
     }
 }
@@ -49,7 +51,7 @@ struct Fitted {
     rows: Vec<[f64; 3]>,
 }
 
-fn fit(options: &shx_fit_options, curves: &shx_fit_curves) -> Fitted {
+fn fit(options: &shx_fit_options, curves: &shx_fit_input) -> Fitted {
     let count = curves.curve_count;
     let mut strands: Vec<MaybeUninit<shx_fitted_strand>> = vec![MaybeUninit::uninit(); count];
     let (mut lengths, mut rows) = (vec![-1.0; count * ELEMENTS + 1], vec![[-1.0; 3]; count * ELEMENTS + 1]);
@@ -101,7 +103,7 @@ unsafe extern "C" fn backwards(user: *mut c_void, count: u32, _: u32, function: 
 #[test]
 fn strands_are_those_of_the_rust_functions_whoever_fits_them() {
     let (points, counts) = groom();
-    let curves = shx_fit_curves {
+    let curves = shx_fit_input {
         curve_count: counts.len(),
         points: input(&points, points.len(), SHX_FORMAT_F64X3),
         point_counts: counts.as_ptr(),
@@ -116,7 +118,7 @@ fn strands_are_those_of_the_rust_functions_whoever_fits_them() {
         let range = index * ELEMENTS..(index + 1) * ELEMENTS;
         match fit_curve(&FitCurve::polyline(&own), &FitOptions::elements(ELEMENTS), &mut scratch) {
             Ok(fit) => {
-                assert_eq!((strand.status, strand.element_count as usize), (SHX_OK, ELEMENTS));
+                assert_eq!((strand.result, strand.element_count as usize), (SHX_OK, ELEMENTS));
                 assert_eq!(serial.lengths[range.clone()], fit.element_lengths);
                 assert_eq!(serial.rows[range], fit.curvatures);
                 assert_eq!(
@@ -127,7 +129,7 @@ fn strands_are_those_of_the_rust_functions_whoever_fits_them() {
                 assert_eq!(Vector3::from(strand.root.origin), own[0]);
             }
             Err(_) => {
-                assert_eq!((index, strand.status, strand.element_count), (10, SHX_ERROR_INVALID_ARGUMENT, 0));
+                assert_eq!((index, strand.result, strand.element_count), (10, SHX_ERROR_INVALID_ARGUMENT, 0));
                 assert!(serial.lengths[range.clone()].iter().all(|length| *length == 0.0) && strand.length == 0.0);
             }
         }
@@ -142,14 +144,14 @@ fn strands_are_those_of_the_rust_functions_whoever_fits_them() {
     for others in [fit(&shx_fit_options { worker_count: 3, ..options() }, &curves), fit(&host, &curves)] {
         assert_eq!((&others.lengths, &others.rows), (&serial.lengths, &serial.rows));
         for (a, b) in others.strands.iter().zip(&serial.strands) {
-            assert_eq!((a.status, a.rms_error.to_bits(), a.root.rotation), (b.status, b.rms_error.to_bits(), b.root.rotation));
+            assert_eq!((a.result, a.rms_error.to_bits(), a.root.rotation), (b.result, b.rms_error.to_bits(), b.root.rotation));
         }
     }
     assert!(calls.load(Ordering::Relaxed) > 0);
     // No curves, no options: nothing to do.
     // SAFETY: nothing is written.
     unsafe {
-        let none = shx_fit_curves { curve_count: 0, points: shx_input { count: 0, ..curves.points }, ..curves };
+        let none = shx_fit_input { curve_count: 0, points: shx_input { count: 0, ..curves.points }, ..curves };
         assert_eq!(shx_fit_strands(null(), &raw const none, null_mut(), 0, null_mut(), null_mut(), 0), SHX_OK);
     }
 }
@@ -165,7 +167,7 @@ fn what_curves_may_have_beside_their_points_arrives() {
     let quaternion: [f64; 4] = turned.coords.into();
     let frames = [quaternion; 7];
     let directions = [[0.0, 0.0, -3.0], [0.0, 1e-3, -1e-3]];
-    let all = shx_fit_curves {
+    let all = shx_fit_input {
         curve_count: 2,
         points: input(&narrow, 7, SHX_FORMAT_F32X3),
         point_counts: counts.as_ptr(),
@@ -206,15 +208,15 @@ fn what_curves_may_have_beside_their_points_arrives() {
     };
     assert_eq!((def.element_count as usize, def.length, def.density), (ELEMENTS, fitted.strands[1].length, 1000.0));
     assert_eq!((def.root.origin, def.root.rotation), (fitted.strands[1].root.origin, fitted.strands[1].root.rotation));
-    assert_eq!((def.radius, def.initial), ([fitted.strands[1].radius; 2], null()));
+    assert_eq!((def.radius, def.initial_curvatures), ([fitted.strands[1].radius; 2], null()));
     // SAFETY: what the definition points to is there.
     let (lengths, rows) = unsafe {
-        let rows = std::slice::from_raw_parts(def.natural.cast::<[f64; 3]>(), ELEMENTS);
+        let rows = std::slice::from_raw_parts(def.natural_curvatures.cast::<[f64; 3]>(), ELEMENTS);
         (std::slice::from_raw_parts(def.element_lengths, ELEMENTS), rows)
     };
     assert_eq!((lengths, rows), (&fitted.lengths[ELEMENTS..], &fitted.rows[ELEMENTS..]));
     // Quaternions in place of directions are frames.
-    let framed = fit(&equal, &shx_fit_curves { roots: input(&frames, 2, SHX_FORMAT_F64X4), ..all });
+    let framed = fit(&equal, &shx_fit_input { roots: input(&frames, 2, SHX_FORMAT_F64X4), ..all });
     for strand in framed.strands {
         assert!(strand.root.rotation.iter().zip(quaternion).all(|(a, b)| (a - b).abs() < 1e-15));
     }
@@ -223,25 +225,20 @@ fn what_curves_may_have_beside_their_points_arrives() {
 #[test]
 fn spline_points_are_asked_for_and_written() {
     let controls = [[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.1, 0.1, 0.0], [0.0, 0.1, 0.1], [0.0, 0.0, 0.2]];
-    let reader = input(&controls, 5, SHX_FORMAT_F64X3);
     let mut count = 0;
     let mut points = [[0.0; 3]; 17];
     let mut arclengths = [-1.0; 17];
     let output = shx_output { data: points.as_mut_ptr().cast(), stride: 0, count: 17, format: SHX_FORMAT_F64X3, reserved: 0 };
-    // SAFETY: memory for 17 points.
+    // SAFETY: a definition, and memory for 17 points.
     unsafe {
-        let ask =
-            shx_spline_points(SHX_SPLINE_B, SHX_SPLINE_ENDS_PINNED, &raw const reader, 4, null(), null_mut(), &raw mut count);
+        let mut def = std::mem::MaybeUninit::<shx_spline_def>::uninit();
+        assert_eq!(shx_spline_def_init(def.as_mut_ptr(), size_of::<shx_spline_def>()), SHX_OK);
+        let mut def = def.assume_init();
+        assert_eq!((def.kind, def.ends, def.points_per_span), (SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_PINNED, 8));
+        (def.kind, def.points_per_span, def.controls) = (SHX_SPLINE_BSPLINE, 4, input(&controls, 5, SHX_FORMAT_F64X3));
+        let ask = shx_spline_points(&raw const def, null(), null_mut(), &raw mut count);
         assert_eq!((ask, count), (SHX_OK, 17));
-        let made = shx_spline_points(
-            SHX_SPLINE_B,
-            SHX_SPLINE_ENDS_PINNED,
-            &raw const reader,
-            4,
-            &raw const output,
-            arclengths.as_mut_ptr(),
-            &raw mut count,
-        );
+        let made = shx_spline_points(&raw const def, &raw const output, arclengths.as_mut_ptr(), &raw mut count);
         assert_eq!((made, count), (SHX_OK, 17));
     }
     let controls: Vec<Vector3<f64>> = controls.into_iter().map(Vector3::from).collect();

@@ -9,7 +9,7 @@ use superhelix::capi::curve_cache::*;
 use superhelix::capi::curve_data::*;
 use superhelix::capi::curves::*;
 use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::hair::*;
+use superhelix::capi::hair_type::*;
 use superhelix::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_input, shx_output};
 use superhelix::files::curves::{Curves, Extras, UpAxis};
 use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
@@ -35,7 +35,7 @@ const HELD: [u8; 5] = [1, 0, 9, 0, 0];
 
 fn data() -> shx_curve_data {
     shx_curve_data {
-        up: SHX_UP_Z,
+        up: SHX_UP_AXIS_Z,
         strand_count: 2,
         point_counts: COUNTS.as_ptr(),
         points: input(&POINTS, SHX_FORMAT_F32X3),
@@ -59,9 +59,9 @@ fn numbers(curves: *const shx_curves, what: u32) -> Vec<f32> {
     let mut count = 0;
     // SAFETY: a living handle, and room for as many numbers as it says.
     unsafe {
-        assert_eq!(shx_curves_numbers(curves, what, null_mut(), 0, &raw mut count), SHX_OK);
+        assert_eq!(shx_curves_attribute(curves, what, null_mut(), 0, &raw mut count), SHX_OK);
         let mut numbers = vec![0.0; count];
-        assert_eq!(shx_curves_numbers(curves, what, numbers.as_mut_ptr(), count, &raw mut count), SHX_OK);
+        assert_eq!(shx_curves_attribute(curves, what, numbers.as_mut_ptr(), count, &raw mut count), SHX_OK);
         numbers
     }
 }
@@ -72,26 +72,26 @@ fn what_is_saved_is_read_with_all_that_goes_along() {
     let (rust, text) = path("groom.usda");
     // SAFETY: all that is pointed to is there; handles are freed once.
     unsafe {
-        assert_eq!(shx_curves_save(text.as_ptr(), &raw const data), SHX_OK);
+        assert_eq!(shx_curve_data_write(text.as_ptr(), &raw const data), SHX_OK);
         let curves = made(|curves| shx_curves_read(text.as_ptr(), curves));
         let mut points = [[0.0_f32; 3]; 5];
         let output = shx_output { data: points.as_mut_ptr().cast(), stride: 0, count: 5, format: SHX_FORMAT_F32X3, reserved: 0 };
         assert_eq!(shx_curves_points(curves, 0, 2, 1.0, &raw const output), SHX_OK);
         assert_eq!(points, POINTS);
-        assert_eq!(numbers(curves, SHX_CURVES_THICKNESS), THICKNESS);
+        assert_eq!(numbers(curves, SHX_CURVE_ATTRIBUTE_THICKNESS), THICKNESS);
         assert_eq!(
-            numbers(curves, SHX_CURVES_VELOCITY),
+            numbers(curves, SHX_CURVE_ATTRIBUTE_VELOCITY),
             VELOCITIES.as_flattened().iter().map(|value| *value as f32).collect::<Vec<_>>()
         );
-        assert_eq!(numbers(curves, SHX_CURVES_HELD), [1.0, 0.0, 1.0, 0.0, 0.0]);
+        assert_eq!(numbers(curves, SHX_CURVE_ATTRIBUTE_PINNED), [1.0, 0.0, 1.0, 0.0, 0.0]);
         for what in
-            [SHX_CURVES_TRANSPARENCY, SHX_CURVES_COLOR, SHX_CURVES_STRAND_THICKNESS, SHX_CURVES_STRAND_UV, SHX_CURVES_ARCLENGTH]
+            [SHX_CURVE_ATTRIBUTE_TRANSPARENCY, SHX_CURVE_ATTRIBUTE_COLOR, SHX_CURVE_ATTRIBUTE_STRAND_THICKNESS, SHX_CURVE_ATTRIBUTE_STRAND_UV, SHX_CURVE_ATTRIBUTE_ARCLENGTH]
         {
             assert!(numbers(curves, what).is_empty());
         }
         let (mut metres, mut up) = (0.0, 0);
-        assert_eq!(shx_curves_unit(curves, &raw mut metres, &raw mut up), SHX_OK);
-        assert_eq!((metres, up), (0.01, SHX_UP_Z));
+        assert_eq!(shx_curves_units(curves, &raw mut metres, &raw mut up), SHX_OK);
+        assert_eq!((metres, up), (0.01, SHX_UP_AXIS_Z));
         shx_curves_destroy(curves);
     }
     let read = Curves::read(rust).unwrap();
@@ -111,7 +111,7 @@ fn what_is_saved_is_read_with_all_that_goes_along() {
         let (rust, text) = path(name);
         let data = shx_curve_data { tfx_version: version, ..data };
         // SAFETY: the same.
-        assert_eq!(unsafe { shx_curves_save(text.as_ptr(), &raw const data) }, SHX_OK);
+        assert_eq!(unsafe { shx_curve_data_write(text.as_ptr(), &raw const data) }, SHX_OK);
         let read = Curves::read(rust).unwrap();
         assert_eq!((read.format().name(), read.points()), (format, &POINTS[..]));
     }
@@ -124,26 +124,26 @@ fn a_cache_is_written_and_read_frame_by_frame() {
     let at = |time: f32| POINTS.map(|point| point.map(|value| value + time));
     // SAFETY: all that is pointed to is there; handles are ended or freed once.
     unsafe {
-        let writer = made(|writer| shx_curve_cache_create(text.as_ptr(), &raw const data, 24.0, writer));
+        let writer = made(|writer| shx_curve_cache_writer_create(text.as_ptr(), &raw const data, 24.0, writer));
         for time in [0.0_f32, 0.5, 1.0] {
             let (points, velocities) = (at(time), input(&VELOCITIES, SHX_FORMAT_F64X3));
             let points = input(&points, SHX_FORMAT_F32X3);
-            assert_eq!(shx_curve_cache_write(writer, f64::from(time), &raw const points, &raw const velocities), SHX_OK);
+            assert_eq!(shx_curve_cache_writer_write(writer, f64::from(time), &raw const points, &raw const velocities), SHX_OK);
         }
         assert!(!rust.exists());
-        assert_eq!(shx_curve_cache_finish(writer), SHX_OK);
+        assert_eq!(shx_curve_cache_writer_finish(writer), SHX_OK);
         let cache = made(|cache| shx_curve_cache_read(text.as_ptr(), cache));
         let (mut times, mut count) = ([0.0; 3], 0);
         assert_eq!(shx_curve_cache_times(cache, null_mut(), 0, &raw mut count), SHX_OK);
         assert_eq!(count, 3);
         assert_eq!(shx_curve_cache_times(cache, times.as_mut_ptr(), 3, &raw mut count), SHX_OK);
         assert_eq!(times, [0.0, 0.5, 1.0]);
-        let curves = made(|curves| shx_curve_cache_at(cache, 0.5, curves));
-        assert_eq!(numbers(curves, SHX_CURVES_VELOCITY).len(), 15);
+        let curves = made(|curves| shx_curve_cache_sample(cache, 0.5, curves));
+        assert_eq!(numbers(curves, SHX_CURVE_ATTRIBUTE_VELOCITY).len(), 15);
         shx_curves_destroy(curves);
         shx_curve_cache_destroy(cache);
-        let given_up = made(|writer| shx_curve_cache_create(path("none.usda").1.as_ptr(), &raw const data, 24.0, writer));
-        shx_curve_cache_abandon(given_up);
+        let given_up = made(|writer| shx_curve_cache_writer_create(path("none.usda").1.as_ptr(), &raw const data, 24.0, writer));
+        shx_curve_cache_writer_abandon(given_up);
     }
     let cache = superhelix::files::curve_cache::CurveCache::read(&rust).unwrap();
     assert_eq!(cache.frame(1).unwrap().points(), at(0.5));
@@ -155,11 +155,11 @@ fn a_cache_is_written_and_read_frame_by_frame() {
 fn strands_of_a_kind_are_those_of_the_library() {
     // SAFETY: all that is pointed to is there.
     unsafe {
-        let mut hair: shx_hair = made(|hair| shx_hair_init(hair, size_of::<shx_hair>()));
-        assert_eq!(shx_hair_of_type(c"african".as_ptr(), &raw mut hair), SHX_OK);
-        assert_eq!((hair.helix_step, hair.youngs_modulus), (0.01, 0.5e9));
+        let mut hair: shx_hair_type = made(|hair| shx_hair_type_init(hair, size_of::<shx_hair_type>()));
+        assert_eq!(shx_hair_type_from_name(c"african".as_ptr(), &raw mut hair), SHX_OK);
+        assert_eq!((hair.helix_pitch, hair.youngs_modulus), (0.01, 0.5e9));
         (hair.variation_between, hair.variation_along, hair.frizz, hair.root_turn, hair.seed) = (0.1, 0.05, 4.0, 0.5, 11);
-        let mut sliders: shx_sliders = made(|sliders| shx_sliders_init(sliders, size_of::<shx_sliders>()));
+        let mut sliders: shx_hair_sliders = made(|sliders| shx_hair_sliders_init(sliders, size_of::<shx_hair_sliders>()));
         (sliders.stiffness, sliders.discipline) = (0.5, -0.25);
         let (counts, lengths) = ([3_u32, 2], [0.01, 0.02, 0.03, 0.05, 0.04]);
         let mut strands: [shx_hair_strand; 2] = [made(|strand| {
@@ -167,9 +167,12 @@ fn strands_of_a_kind_are_those_of_the_library() {
             SHX_OK
         }); 2];
         let mut natural = [[0.0_f64; 3]; 5];
-        let make = |sliders: *const shx_sliders, strands: &mut [shx_hair_strand; 2], natural: &mut [[f64; 3]; 5]| {
+        let make = |sliders: *const shx_hair_sliders, strands: &mut [shx_hair_strand; 2], natural: &mut [[f64; 3]; 5]| {
             let out = (strands.as_mut_ptr(), natural.as_mut_ptr().cast());
-            shx_hair_strands(&raw const hair, sliders, 7, 2, counts.as_ptr(), lengths.as_ptr(), out.0, 0, out.1, 5)
+            let mut def: shx_hair_strands_def = made(|def| shx_hair_strands_def_init(def, size_of::<shx_hair_strands_def>()));
+            (def.hair_type, def.sliders, def.first_strand, def.strand_count) = (&raw const hair, sliders, 7, 2);
+            (def.element_counts, def.element_lengths) = (counts.as_ptr(), lengths.as_ptr());
+            shx_hair_strands(&raw const def, out.0, 0, out.1, 5)
         };
         let variation = Variation { between: 0.1, along: 0.05, frizz: 4.0, root_turn: 0.5, seed: 11, ..Variation::none() };
         let own = HairParameters { variation, ..HairType::African.measured().parameters(CurlFormula::Exact).unwrap() };
@@ -203,7 +206,7 @@ fn arclengths_of_splines_are_told() {
     // SAFETY: all that is pointed to is there; handles are freed once.
     unsafe {
         let curves = made(|curves| shx_curves_read(text.as_ptr(), curves));
-        let along = numbers(curves, SHX_CURVES_ARCLENGTH);
+        let along = numbers(curves, SHX_CURVE_ATTRIBUTE_ARCLENGTH);
         assert!(along.len() == 5 && (0..5).all(|k| (along[k] - 0.75 * k as f32).abs() < 1e-6), "{along:?}");
         shx_curves_destroy(curves);
     }

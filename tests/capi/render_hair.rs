@@ -16,7 +16,8 @@ use superhelix::capi::render_def::*;
 use superhelix::capi::render_hair::*;
 use superhelix::capi::roots::shx_solver_set_root_frames;
 use superhelix::capi::scalp::*;
-use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy, shx_solver_step};
+use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::capi::step::shx_solver_step;
 use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
 use superhelix::capi::strands::shx_solver_add_strands;
 use superhelix::capi::types::*;
@@ -128,7 +129,7 @@ fn whoever_works_writes_the_same_bits_into_any_stride() {
     }
     let (points, roots) = (curves(), places(1000));
     let guides = guides(&points);
-    for space in [SHX_SPACE_POSITION, SHX_SPACE_CURVATURE] {
+    for space in [SHX_INTERPOLATION_POSITION, SHX_INTERPOLATION_CURVATURE] {
         let one = Made::new(&settings(space), &guides, &roots);
         let expected = one.points(null(), 1000);
         assert!(expected.iter().flatten().all(|value| value.is_finite()));
@@ -185,7 +186,7 @@ fn curves_of_any_number_of_points_are_sampled() {
     let roots = places(200);
     let straight: Vec<_> =
         (0..30 * POINTS).map(|item| line(item / POINTS, (item % POINTS) as f64 / (POINTS - 1) as f64)).collect();
-    let even = Made::new(&settings(SHX_SPACE_POSITION), &guides(&straight), &roots);
+    let even = Made::new(&settings(SHX_INTERPOLATION_POSITION), &guides(&straight), &roots);
     let (mut uneven, mut counts) = (Vec::new(), Vec::new());
     for guide in 0..30 {
         let count = 4 + guide % 7;
@@ -194,7 +195,7 @@ fn curves_of_any_number_of_points_are_sampled() {
         uneven.push(line(guide, 1.0));
     }
     let given = shx_render_guides { point_counts: counts.as_ptr(), ..guides(&uneven) };
-    let sampled = Made::new(&settings(SHX_SPACE_POSITION), &given, &roots);
+    let sampled = Made::new(&settings(SHX_INTERPOLATION_POSITION), &given, &roots);
     for (a, b) in even.points(null(), 200).iter().zip(sampled.points(null(), 200)) {
         assert!((0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-6), "{a:?} {b:?}");
     }
@@ -319,7 +320,7 @@ fn roots_follow_a_scalp_that_deforms() {
         );
         let roots: Vec<[f32; 3]> = rest.iter().map(|frame| frame.origin.map(|value| value as f32)).collect();
         let points = curves();
-        let made = Made::new(&settings(SHX_SPACE_POSITION), &guides(&points), &roots);
+        let made = Made::new(&settings(SHX_INTERPOLATION_POSITION), &guides(&points), &roots);
         let view = shx_render_view { roots: input(&bent, 300, SHX_FORMAT_FRAME), ..filled(shx_render_view_init) };
         let strands = made.points(&view, 300);
         let mut highest = 0.0_f64;
@@ -386,7 +387,7 @@ fn strands_are_kept_out_of_a_solvers_bodies() {
 #[test]
 fn hair_is_saved_and_outlives_a_guide() {
     let (points, roots) = (curves(), places(200));
-    let whole = Made::new(&settings(SHX_SPACE_CURVATURE), &guides(&points), &roots);
+    let whole = Made::new(&settings(SHX_INTERPOLATION_CURVATURE), &guides(&points), &roots);
     let expected = whole.points(null(), 200);
     // SAFETY: living handles, structures and memory of the sizes that are stated.
     unsafe {
@@ -404,7 +405,7 @@ fn hair_is_saved_and_outlives_a_guide() {
         }
         // Without guide 7 there are 29; strands that are elsewhere stay as they are.
         let mut fewer = Made { hair: null_mut(), pose: null_mut() };
-        assert_eq!(shx_render_hair_without(whole.hair, [7_u32].as_ptr(), 1, &raw mut fewer.hair), SHX_OK);
+        assert_eq!(shx_render_hair_without_guides(whole.hair, [7_u32].as_ptr(), 1, &raw mut fewer.hair), SHX_OK);
         assert_eq!(shx_render_pose_create(fewer.hair, &raw mut fewer.pose), SHX_OK);
         let left: Vec<_> = points.iter().enumerate().filter(|(item, _)| item / POINTS != 7).map(|(_, point)| *point).collect();
         let left = shx_render_guides { guide_count: 29, ..guides(&left) };

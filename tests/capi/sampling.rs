@@ -36,7 +36,7 @@ impl Scene {
             for (index, def) in defs.iter_mut().enumerate() {
                 def.length = 0.1 + 0.05 * index as f64;
                 def.element_count = 4;
-                def.natural = natural.as_ptr().cast();
+                def.natural_curvatures = natural.as_ptr().cast();
                 def.radius = [4e-5, 9e-5];
                 def.root.origin = [100.0, index as f64, 0.0];
             }

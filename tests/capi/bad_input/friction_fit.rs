@@ -6,31 +6,31 @@ use super::*;
 struct Call {
     solver: shx_solver_def,
     strand: shx_strand_def,
-    friction: shx_friction_def,
+    friction: shx_friction_fit_def,
     times: [f64; 8],
     values: [f64; 8],
     count: usize,
-    report: shx_friction_report,
+    report: shx_friction_fit_report,
     /// Which argument is null.
     null: &'static str,
     /// Which array is not aligned.
     misaligned: &'static str,
 }
 
-fn friction_def() -> shx_friction_def {
+fn friction_def() -> shx_friction_fit_def {
     let mut def = std::mem::MaybeUninit::uninit();
     // SAFETY: room for one definition, which the call fills.
     unsafe {
-        assert_eq!(shx_friction_def_init(def.as_mut_ptr(), size_of::<shx_friction_def>()), SHX_OK);
+        assert_eq!(shx_friction_fit_def_init(def.as_mut_ptr(), size_of::<shx_friction_fit_def>()), SHX_OK);
         def.assume_init()
     }
 }
 
-fn friction_report() -> shx_friction_report {
+fn friction_report() -> shx_friction_fit_report {
     let mut report = std::mem::MaybeUninit::uninit();
     // SAFETY: room for one report, which the call fills.
     unsafe {
-        assert_eq!(shx_friction_report_init(report.as_mut_ptr(), size_of::<shx_friction_report>()), SHX_OK);
+        assert_eq!(shx_friction_fit_report_init(report.as_mut_ptr(), size_of::<shx_friction_fit_report>()), SHX_OK);
         report.assume_init()
     }
 }
@@ -46,7 +46,7 @@ fn fit(out_curve: *mut f64, spoil: fn(&mut Call)) -> shx_result {
     let mut call = Call {
         solver: solver_def(),
         strand: strand(),
-        friction: shx_friction_def { coefficients: SHX_FRICTION_AIR_DRAG, grid_points: 2, time_step: 0.02, ..friction_def() },
+        friction: shx_friction_fit_def { coefficients: SHX_FRICTION_AIR_DRAG, grid_points: 2, time_step: 0.02, ..friction_def() },
         times: [0.0, 0.02, 0.04, 0.06, 0.08, 0.1, 0.12, 0.14],
         values: [0.1; 8],
         count: 8,
@@ -56,7 +56,7 @@ fn fit(out_curve: *mut f64, spoil: fn(&mut Call)) -> shx_result {
     };
     // Wavy, so that it has a rest to start from that is not a straight line's.
     let natural = [[1.0, 20.0, 3.0]; 3];
-    call.strand.natural = natural.as_ptr().cast();
+    call.strand.natural_curvatures = natural.as_ptr().cast();
     call.friction.oscillation_amplitude = 0.01;
     call.friction.oscillation_frequency = 4.0;
     spoil(&mut call);
@@ -64,7 +64,7 @@ fn fit(out_curve: *mut f64, spoil: fn(&mut Call)) -> shx_result {
     fn or_null<T>(gone: &str, name: &str, pointer: *const T) -> *const T {
         if gone == name { null() } else { pointer }
     }
-    let bytes = |report: &shx_friction_report| {
+    let bytes = |report: &shx_friction_fit_report| {
         // SAFETY: plain data without padding.
         unsafe { std::slice::from_raw_parts(std::ptr::from_ref(report).cast::<u8>(), size_of_val(report)) }.to_vec()
     };
@@ -104,22 +104,22 @@ fn the_call_that_is_spoilt_works_otherwise() {
 
 #[rustfmt::skip] // a table: one line a case
 pub fn cases(cases: &mut Vec<Case>) {
-    case!(cases, "shx_friction_def_init", "def", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_friction_def_init(null_mut(), size_of::<shx_friction_def>()));
-    case!(cases, "shx_friction_def_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_def_init(s.out(), 0));
-    case!(cases, "shx_friction_def_init", "size", "4", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_def_init(s.out(), 4));
-    case!(cases, "shx_friction_def_init", "size", "size_of::<shx_friction_def>() - 8", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_def_init(s.out(), size_of::<shx_friction_def>() - 8));
-    case!(cases, "shx_friction_def_init", "size", "size_of::<shx_friction_def>() + 1", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_def_init(s.out(), size_of::<shx_friction_def>() + 1));
-    case!(cases, "shx_friction_def_init", "size", "size_of::<shx_friction_def>() + 4", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_def_init(s.out(), size_of::<shx_friction_def>() + 4));
-    case!(cases, "shx_friction_def_init", "size", "1 << 20", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_def_init(s.out(), 1 << 20));
-    case!(cases, "shx_friction_def_init", "size", "usize::MAX", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_def_init(s.out(), usize::MAX));
-    case!(cases, "shx_friction_report_init", "report", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_friction_report_init(null_mut(), size_of::<shx_friction_report>()));
-    case!(cases, "shx_friction_report_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_report_init(s.out(), 0));
-    case!(cases, "shx_friction_report_init", "size", "4", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_report_init(s.out(), 4));
-    case!(cases, "shx_friction_report_init", "size", "size_of::<shx_friction_report>() - 8", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_report_init(s.out(), size_of::<shx_friction_report>() - 8));
-    case!(cases, "shx_friction_report_init", "size", "size_of::<shx_friction_report>() + 1", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_report_init(s.out(), size_of::<shx_friction_report>() + 1));
-    case!(cases, "shx_friction_report_init", "size", "size_of::<shx_friction_report>() + 4", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_report_init(s.out(), size_of::<shx_friction_report>() + 4));
-    case!(cases, "shx_friction_report_init", "size", "1 << 20", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_report_init(s.out(), 1 << 20));
-    case!(cases, "shx_friction_report_init", "size", "usize::MAX", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_report_init(s.out(), usize::MAX));
+    case!(cases, "shx_friction_fit_def_init", "def", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_friction_fit_def_init(null_mut(), size_of::<shx_friction_fit_def>()));
+    case!(cases, "shx_friction_fit_def_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_def_init(s.out(), 0));
+    case!(cases, "shx_friction_fit_def_init", "size", "4", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_def_init(s.out(), 4));
+    case!(cases, "shx_friction_fit_def_init", "size", "size_of::<shx_friction_fit_def>() - 8", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_def_init(s.out(), size_of::<shx_friction_fit_def>() - 8));
+    case!(cases, "shx_friction_fit_def_init", "size", "size_of::<shx_friction_fit_def>() + 1", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_def_init(s.out(), size_of::<shx_friction_fit_def>() + 1));
+    case!(cases, "shx_friction_fit_def_init", "size", "size_of::<shx_friction_fit_def>() + 4", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_def_init(s.out(), size_of::<shx_friction_fit_def>() + 4));
+    case!(cases, "shx_friction_fit_def_init", "size", "1 << 20", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_def_init(s.out(), 1 << 20));
+    case!(cases, "shx_friction_fit_def_init", "size", "usize::MAX", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_def_init(s.out(), usize::MAX));
+    case!(cases, "shx_friction_fit_report_init", "report", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_friction_fit_report_init(null_mut(), size_of::<shx_friction_fit_report>()));
+    case!(cases, "shx_friction_fit_report_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_report_init(s.out(), 0));
+    case!(cases, "shx_friction_fit_report_init", "size", "4", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_report_init(s.out(), 4));
+    case!(cases, "shx_friction_fit_report_init", "size", "size_of::<shx_friction_fit_report>() - 8", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_report_init(s.out(), size_of::<shx_friction_fit_report>() - 8));
+    case!(cases, "shx_friction_fit_report_init", "size", "size_of::<shx_friction_fit_report>() + 1", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_report_init(s.out(), size_of::<shx_friction_fit_report>() + 1));
+    case!(cases, "shx_friction_fit_report_init", "size", "size_of::<shx_friction_fit_report>() + 4", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_report_init(s.out(), size_of::<shx_friction_fit_report>() + 4));
+    case!(cases, "shx_friction_fit_report_init", "size", "1 << 20", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_report_init(s.out(), 1 << 20));
+    case!(cases, "shx_friction_fit_report_init", "size", "usize::MAX", SHX_ERROR_STRUCT_SIZE, |s| shx_friction_fit_report_init(s.out(), usize::MAX));
     case!(cases, "shx_fit_friction", "strand", "null", SHX_ERROR_NULL_ARGUMENT, |s| fit(s.out(), |c| c.null = "strand"));
     case!(cases, "shx_fit_friction", "friction", "null", SHX_ERROR_NULL_ARGUMENT, |s| fit(s.out(), |c| c.null = "friction"));
     case!(cases, "shx_fit_friction", "times", "null", SHX_ERROR_NULL_ARGUMENT, |s| fit(s.out(), |c| c.null = "times"));

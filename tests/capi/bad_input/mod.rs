@@ -42,16 +42,19 @@ use superhelix::capi::contacts::*;
 use superhelix::capi::curve_cache::*;
 use superhelix::capi::curve_data::*;
 use superhelix::capi::curves::*;
+use superhelix::capi::distance_grid::*;
 use superhelix::capi::errors::*;
 use superhelix::capi::fit::*;
 use superhelix::capi::fit_curves::*;
 use superhelix::capi::friction_fit::*;
-use superhelix::capi::hair::*;
+use superhelix::capi::guard::shx_solver;
+use superhelix::capi::hair_type::*;
 use superhelix::capi::level_of_detail::*;
 use superhelix::capi::materials::*;
 use superhelix::capi::overlaps::*;
 use superhelix::capi::pose_def::*;
 use superhelix::capi::posing::*;
+use superhelix::capi::push_out::*;
 use superhelix::capi::restyling::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
@@ -62,7 +65,8 @@ use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
 use superhelix::capi::spline::*;
 use superhelix::capi::state::*;
-use superhelix::capi::step_options::*;
+use superhelix::capi::step::*;
+use superhelix::capi::step_limits::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
 use superhelix::capi::suggest::*;
@@ -113,11 +117,11 @@ fn sample_def() -> shx_sample_def {
     shx_sample_def { struct_size: size_of::<shx_sample_def>() as u32, points_per_strand: 3, origin: [0.0; 3] }
 }
 
-fn new_fit() -> shx_fit {
+fn new_fit() -> shx_polyline_fit {
     let mut fit = std::mem::MaybeUninit::uninit();
     // SAFETY: room for one structure, which the call fills.
     unsafe {
-        assert_eq!(shx_fit_init(fit.as_mut_ptr(), size_of::<shx_fit>()), SHX_OK);
+        assert_eq!(shx_polyline_fit_init(fit.as_mut_ptr(), size_of::<shx_polyline_fit>()), SHX_OK);
         fit.assume_init()
     }
 }

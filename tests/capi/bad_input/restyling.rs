@@ -9,20 +9,20 @@ fn six(s: &Scene) -> [[f64; 3]; 6] {
 
 #[rustfmt::skip] // a table: one line a case
 pub fn cases(cases: &mut Vec<Case>) {
-    case!(cases, "shx_solver_take_natural_shapes", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_take_natural_shapes(null_mut(), s.ids.as_ptr(), 2));
-    case!(cases, "shx_solver_take_natural_shapes", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_take_natural_shapes(s.solver, null(), 2));
-    case!(cases, "shx_solver_take_natural_shapes", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_take_natural_shapes(s.solver, ids.as_ptr(), 2) });
-    case!(cases, "shx_solver_take_natural_shapes", "ids", "stale", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.stale[0]]; shx_solver_take_natural_shapes(s.solver, ids.as_ptr(), 2) });
-    case!(cases, "shx_solver_take_natural_shapes", "ids", "foreign", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.foreign[0]]; shx_solver_take_natural_shapes(s.solver, ids.as_ptr(), 2) });
-    case!(cases, "shx_solver_take_natural_shapes", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: u64::MAX }]; shx_solver_take_natural_shapes(s.solver, ids.as_ptr(), 2) });
-    case!(cases, "shx_solver_take_natural_shapes", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_take_natural_shapes(s.solver, s.ids.as_ptr(), usize::MAX));
-    case!(cases, "shx_solver_take_rest_shapes", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_take_rest_shapes(null_mut(), s.ids.as_ptr(), 2));
-    case!(cases, "shx_solver_take_rest_shapes", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_take_rest_shapes(s.solver, null(), 2));
-    case!(cases, "shx_solver_take_rest_shapes", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_take_rest_shapes(s.solver, ids.as_ptr(), 2) });
-    case!(cases, "shx_solver_take_rest_shapes", "ids", "stale", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.stale[0]]; shx_solver_take_rest_shapes(s.solver, ids.as_ptr(), 2) });
-    case!(cases, "shx_solver_take_rest_shapes", "ids", "foreign", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.foreign[0]]; shx_solver_take_rest_shapes(s.solver, ids.as_ptr(), 2) });
-    case!(cases, "shx_solver_take_rest_shapes", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: u64::MAX }]; shx_solver_take_rest_shapes(s.solver, ids.as_ptr(), 2) });
-    case!(cases, "shx_solver_take_rest_shapes", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_take_rest_shapes(s.solver, s.ids.as_ptr(), usize::MAX));
+    case!(cases, "shx_solver_adopt_natural_shapes", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_adopt_natural_shapes(null_mut(), s.ids.as_ptr(), 2));
+    case!(cases, "shx_solver_adopt_natural_shapes", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_adopt_natural_shapes(s.solver, null(), 2));
+    case!(cases, "shx_solver_adopt_natural_shapes", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_adopt_natural_shapes(s.solver, ids.as_ptr(), 2) });
+    case!(cases, "shx_solver_adopt_natural_shapes", "ids", "stale", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.stale[0]]; shx_solver_adopt_natural_shapes(s.solver, ids.as_ptr(), 2) });
+    case!(cases, "shx_solver_adopt_natural_shapes", "ids", "foreign", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.foreign[0]]; shx_solver_adopt_natural_shapes(s.solver, ids.as_ptr(), 2) });
+    case!(cases, "shx_solver_adopt_natural_shapes", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: u64::MAX }]; shx_solver_adopt_natural_shapes(s.solver, ids.as_ptr(), 2) });
+    case!(cases, "shx_solver_adopt_natural_shapes", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_adopt_natural_shapes(s.solver, s.ids.as_ptr(), usize::MAX));
+    case!(cases, "shx_solver_adopt_rest_shapes", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_adopt_rest_shapes(null_mut(), s.ids.as_ptr(), 2));
+    case!(cases, "shx_solver_adopt_rest_shapes", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_adopt_rest_shapes(s.solver, null(), 2));
+    case!(cases, "shx_solver_adopt_rest_shapes", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_adopt_rest_shapes(s.solver, ids.as_ptr(), 2) });
+    case!(cases, "shx_solver_adopt_rest_shapes", "ids", "stale", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.stale[0]]; shx_solver_adopt_rest_shapes(s.solver, ids.as_ptr(), 2) });
+    case!(cases, "shx_solver_adopt_rest_shapes", "ids", "foreign", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.foreign[0]]; shx_solver_adopt_rest_shapes(s.solver, ids.as_ptr(), 2) });
+    case!(cases, "shx_solver_adopt_rest_shapes", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: u64::MAX }]; shx_solver_adopt_rest_shapes(s.solver, ids.as_ptr(), 2) });
+    case!(cases, "shx_solver_adopt_rest_shapes", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_adopt_rest_shapes(s.solver, s.ids.as_ptr(), usize::MAX));
     case!(cases, "shx_solver_shape_stability", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_shape_stability(null(), s.ids.as_ptr(), 2, 0.1, s.out(), s.out2(), null_mut()));
     case!(cases, "shx_solver_shape_stability", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_shape_stability(s.solver, null(), 2, 0.1, s.out(), s.out2(), null_mut()));
     case!(cases, "shx_solver_shape_stability", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_shape_stability(s.solver, ids.as_ptr(), 2, 0.1, s.out(), s.out2(), null_mut()) });

@@ -8,13 +8,14 @@ use superhelix::capi::body_def::{SHX_SHAPE_MESH, SHX_SHAPE_SPHERE, shx_body_def,
 use superhelix::capi::constraints::{
     shx_constraint_def, shx_constraint_def_init, shx_solver_add_constraints, shx_solver_remove_constraints,
 };
-use superhelix::capi::contact::{shx_solver_set_contact, shx_strand_contact, shx_strand_contact_init};
+use superhelix::capi::contact::{shx_solver_set_strand_contact, shx_strand_contact, shx_strand_contact_init};
 use superhelix::capi::contacts::shx_solver_contact_count;
 use superhelix::capi::curves::{shx_curves, shx_curves_read};
 use superhelix::capi::errors::SHX_OK;
 use superhelix::capi::guard::shx_solver;
-use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy, shx_solver_step};
+use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
 use superhelix::capi::state::shx_solver_state_hash;
+use superhelix::capi::step::shx_solver_step;
 use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
 use superhelix::capi::strands::{shx_solver_add_strands, shx_solver_remove_strands};
 use superhelix::capi::types::{
@@ -128,7 +129,7 @@ impl Scene {
             assert_eq!(shx_solver_remove_strands(solver, gone.as_ptr(), 1), SHX_OK);
             assert_eq!(shx_solver_add_strands(other, def.as_ptr(), size, 1, foreign.as_mut_ptr()), SHX_OK);
             let (contact, sphere, size) = (strand_contact(), [body(), mesh(), body()], size_of::<shx_body_def>());
-            assert_eq!(shx_solver_set_contact(solver, ids.as_ptr(), 1, &raw const contact, 0), SHX_OK);
+            assert_eq!(shx_solver_set_strand_contact(solver, ids.as_ptr(), 1, &raw const contact, 0), SHX_OK);
             assert_eq!(shx_solver_add_bodies(solver, sphere.as_ptr(), size, 3, bodies.as_mut_ptr()), SHX_OK);
             assert_eq!(shx_solver_remove_bodies(solver, &raw const bodies[2], 1), SHX_OK);
             assert_eq!(shx_solver_add_bodies(other, sphere.as_ptr(), size, 1, &raw mut foreign_body), SHX_OK);

@@ -1,4 +1,4 @@
-//! Bad input to the functions of suggest, and to shx_solver_strand_turns: function, argument, what is wrong with it, the code that it must
+//! Bad input to the functions of suggest, and to shx_solver_strand_turning_angles: function, argument, what is wrong with it, the code that it must
 //! give, the call.
 
 use super::*;
@@ -55,12 +55,12 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_suggest_elements", "demand", "motion_count huge", SHX_ERROR_INVALID_ARGUMENT, |s| { let (strand, demand) = (strand(), demand()); let _ = (&strand, &demand); let demand = shx_suggest_def { motion: s.frames.as_ptr(), motion_count: u64::MAX, ..demand }; s.out::<u32>().write(size_of::<shx_suggestion>() as u32); let result = shx_suggest_elements(&raw const strand, &raw const demand, s.out()); s.out::<u32>().write(u32::from_ne_bytes([UNTOUCHED; 4])); result });
     case!(cases, "shx_suggest_elements", "demand", "motion_interval 0.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let (strand, demand) = (strand(), demand()); let _ = (&strand, &demand); let demand = shx_suggest_def { motion: s.frames.as_ptr(), motion_count: 2, motion_interval: 0.0, ..demand }; s.out::<u32>().write(size_of::<shx_suggestion>() as u32); let result = shx_suggest_elements(&raw const strand, &raw const demand, s.out()); s.out::<u32>().write(u32::from_ne_bytes([UNTOUCHED; 4])); result });
     case!(cases, "shx_suggest_elements", "demand", "motion not a rotation", SHX_ERROR_INVALID_ARGUMENT, |s| { let (strand, demand) = (strand(), demand()); let _ = (&strand, &demand); let mut frames = s.frames; frames[1].rotation[0] = 3.0; let demand = shx_suggest_def { motion: frames.as_ptr(), motion_count: 2, ..demand }; s.out::<u32>().write(size_of::<shx_suggestion>() as u32); let result = shx_suggest_elements(&raw const strand, &raw const demand, s.out()); s.out::<u32>().write(u32::from_ne_bytes([UNTOUCHED; 4])); result });
-    case!(cases, "shx_solver_strand_turns", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_turns(null(), s.ids.as_ptr(), 2, s.out()));
-    case!(cases, "shx_solver_strand_turns", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_turns(s.solver, null(), 2, s.out()));
-    case!(cases, "shx_solver_strand_turns", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_strand_turns(s.solver, ids.as_ptr(), 2, s.out()) });
-    case!(cases, "shx_solver_strand_turns", "ids", "stale", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.stale[0]]; shx_solver_strand_turns(s.solver, ids.as_ptr(), 2, s.out()) });
-    case!(cases, "shx_solver_strand_turns", "ids", "foreign", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.foreign[0]]; shx_solver_strand_turns(s.solver, ids.as_ptr(), 2, s.out()) });
-    case!(cases, "shx_solver_strand_turns", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: u64::MAX }]; shx_solver_strand_turns(s.solver, ids.as_ptr(), 2, s.out()) });
-    case!(cases, "shx_solver_strand_turns", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_strand_turns(s.solver, s.ids.as_ptr(), usize::MAX, s.out()));
-    case!(cases, "shx_solver_strand_turns", "out_turns", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_turns(s.solver, s.ids.as_ptr(), 2, null_mut()));
+    case!(cases, "shx_solver_strand_turning_angles", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_turning_angles(null(), s.ids.as_ptr(), 2, s.out()));
+    case!(cases, "shx_solver_strand_turning_angles", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_turning_angles(s.solver, null(), 2, s.out()));
+    case!(cases, "shx_solver_strand_turning_angles", "ids", "zero", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: 0 }]; shx_solver_strand_turning_angles(s.solver, ids.as_ptr(), 2, s.out()) });
+    case!(cases, "shx_solver_strand_turning_angles", "ids", "stale", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.stale[0]]; shx_solver_strand_turning_angles(s.solver, ids.as_ptr(), 2, s.out()) });
+    case!(cases, "shx_solver_strand_turning_angles", "ids", "foreign", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.foreign[0]]; shx_solver_strand_turning_angles(s.solver, ids.as_ptr(), 2, s.out()) });
+    case!(cases, "shx_solver_strand_turning_angles", "ids", "nonsense", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], shx_strand_id { bits: u64::MAX }]; shx_solver_strand_turning_angles(s.solver, ids.as_ptr(), 2, s.out()) });
+    case!(cases, "shx_solver_strand_turning_angles", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_strand_turning_angles(s.solver, s.ids.as_ptr(), usize::MAX, s.out()));
+    case!(cases, "shx_solver_strand_turning_angles", "out_turns", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_turning_angles(s.solver, s.ids.as_ptr(), 2, null_mut()));
 }

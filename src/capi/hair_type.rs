@@ -17,13 +17,13 @@ use crate::groom::variation::Variation;
 /// Natural curvatures are those of the measured helix itself.
 pub const SHX_CURL_EXACT: u32 = 0;
 /// Natural curvatures as Bertails et al. 2006 have them, for steps much shorter than the helix radius.
-pub const SHX_CURL_PAPER: u32 = 1;
+pub const SHX_CURL_BERTAILS: u32 = 1;
 
-/// What was measured of a kind of hair, and how its strands vary. Prepare with shx_hair_init or shx_hair_of_type.
+/// What was measured of a kind of hair, and how its strands vary. Prepare with shx_hair_type_init or shx_hair_type_from_name.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct shx_hair {
-    /// Set by shx_hair_init.
+pub struct shx_hair_type {
+    /// Set by shx_hair_type_init.
     pub struct_size: u32,
     /// SHX_CURL_.
     pub curl: u32,
@@ -34,7 +34,7 @@ pub struct shx_hair {
     /// Radius of the helix that a lock's tip makes, m; 0: straight, then helix_step is 0 too.
     pub helix_radius: f64,
     /// How far that helix goes on in a turn, m; 0 or above.
-    pub helix_step: f64,
+    pub helix_pitch: f64,
     /// Pa, above 0.
     pub youngs_modulus: f64,
     /// Above -1, at most 0.5.
@@ -66,7 +66,7 @@ pub struct shx_hair {
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
-unsafe impl Versioned for shx_hair {
+unsafe impl Versioned for shx_hair_type {
     const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
@@ -76,11 +76,11 @@ unsafe impl Versioned for shx_hair {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_hair>() == 176 && offset_of!(shx_hair, mean_radius) == 8);
-    assert!(offset_of!(shx_hair, variation_between) == 88 && offset_of!(shx_hair, seed) == 136);
+    assert!(size_of::<shx_hair_type>() == 176 && offset_of!(shx_hair_type, mean_radius) == 8);
+    assert!(offset_of!(shx_hair_type, variation_between) == 88 && offset_of!(shx_hair_type, seed) == 136);
 };
 
-impl shx_hair {
+impl shx_hair_type {
     fn of(hair: &MeasuredHair) -> Self {
         let none = Variation::none();
         Self {
@@ -89,7 +89,7 @@ impl shx_hair {
             mean_radius: hair.mean_radius,
             ellipticity: hair.ellipticity,
             helix_radius: hair.helix_radius,
-            helix_step: hair.helix_step,
+            helix_pitch: hair.helix_step,
             youngs_modulus: hair.youngs_modulus,
             poisson_ratio: hair.poisson_ratio,
             density: hair.density,
@@ -107,18 +107,18 @@ impl shx_hair {
         }
     }
 
-    fn parameters(&self) -> Result<HairParameters> {
-        check_reserved("hair", &self.reserved)?;
+    fn parameters(&self, argument: &str) -> Result<HairParameters> {
+        check_reserved(argument, &self.reserved)?;
         let formula = match self.curl {
             SHX_CURL_EXACT => CurlFormula::Exact,
-            SHX_CURL_PAPER => CurlFormula::Paper,
-            other => return Err(Error::invalid("hair.curl", other, "one of SHX_CURL_")),
+            SHX_CURL_BERTAILS => CurlFormula::Paper,
+            other => return Err(Error::invalid(format!("{argument}.curl"), other, "one of SHX_CURL_")),
         };
         let measured = MeasuredHair {
             mean_radius: self.mean_radius,
             ellipticity: self.ellipticity,
             helix_radius: self.helix_radius,
-            helix_step: self.helix_step,
+            helix_step: self.helix_pitch,
             youngs_modulus: self.youngs_modulus,
             poisson_ratio: self.poisson_ratio,
             density: self.density,
@@ -135,18 +135,19 @@ impl shx_hair {
             root_turn: self.root_turn,
             seed: self.seed,
         };
-        let parameters = HairParameters { variation, ..measured.parameters(formula)? };
-        parameters.check("hair")?;
+        let in_words = |error: Error| error.renamed("hair", argument).with_fields(&[("helix_step", "helix_pitch")]);
+        let parameters = HairParameters { variation, ..measured.parameters(formula).map_err(in_words)? };
+        parameters.check("hair").map_err(in_words)?;
         Ok(parameters)
     }
 }
 
 /// High-level sliders, each from -1 to 1, 0 (default) changes nothing; docs/hair_types.md says what each does. Prepare with
-/// shx_sliders_init.
+/// shx_hair_sliders_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct shx_sliders {
-    /// Set by shx_sliders_init.
+pub struct shx_hair_sliders {
+    /// Set by shx_hair_sliders_init.
     pub struct_size: u32,
     /// 0.
     pub reserved0: u32,
@@ -165,7 +166,7 @@ pub struct shx_sliders {
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
-unsafe impl Versioned for shx_sliders {
+unsafe impl Versioned for shx_hair_sliders {
     const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
@@ -182,37 +183,37 @@ unsafe impl Versioned for shx_sliders {
     }
 }
 
-const _: () = assert!(size_of::<shx_sliders>() == 64 && offset_of!(shx_sliders, combing_ease) == 40);
+const _: () = assert!(size_of::<shx_hair_sliders>() == 64 && offset_of!(shx_hair_sliders, combing_ease) == 40);
 
-/// Prepares a shx_hair: Caucasian 1 hair without variation. size is sizeof(shx_hair).
+/// Prepares a shx_hair_type: Caucasian 1 hair without variation. size is sizeof(shx_hair_type).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_hair_init(hair: *mut shx_hair, size: usize) -> shx_result {
+pub unsafe extern "C" fn shx_hair_type_init(hair: *mut shx_hair_type, size: usize) -> shx_result {
     // SAFETY: the caller says that hair holds size bytes.
-    unsafe { initialise("shx_hair_init", "hair", hair, size) }
+    unsafe { initialise("shx_hair_type_init", "hair", hair, size) }
 }
 
-/// Prepares a shx_sliders. size is sizeof(shx_sliders).
+/// Prepares a shx_hair_sliders. size is sizeof(shx_hair_sliders).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_sliders_init(sliders: *mut shx_sliders, size: usize) -> shx_result {
+pub unsafe extern "C" fn shx_hair_sliders_init(sliders: *mut shx_hair_sliders, size: usize) -> shx_result {
     // SAFETY: the caller says that sliders holds size bytes.
-    unsafe { initialise("shx_sliders_init", "sliders", sliders, size) }
+    unsafe { initialise("shx_hair_sliders_init", "sliders", sliders, size) }
 }
 
-/// Fills a prepared shx_hair with what was measured of a kind, without variation: "asian", "caucasian1", "caucasian2", "african"
+/// Fills a prepared shx_hair_type with what was measured of a kind, without variation: "asian", "caucasian1", "caucasian2", "african"
 /// (Bertails et al. 2006, appendix B), "h1", "h2", "ga1", "gc3" (Bonanni and Kmoch 2008, table 1).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name). Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_hair_of_type(name: *const c_char, out_hair: *mut shx_hair) -> shx_result {
-    call("shx_hair_of_type", || {
+pub unsafe extern "C" fn shx_hair_type_from_name(name: *const c_char, out_hair: *mut shx_hair_type) -> shx_result {
+    call("shx_hair_type_from_name", || {
         if name.is_null() {
             return Err(Error::NullArgument { argument: "name".into() });
         }
         // SAFETY: a text that is closed by a zero, and the caller's structure of the size that it states.
         let (name, output) = unsafe { (CStr::from_ptr(name), VersionedOutput::new("out_hair", out_hair)?) };
         let kind = HairType::from_name(&name.to_string_lossy())?;
-        output.write(&shx_hair::of(&kind.measured()));
+        output.write(&shx_hair_type::of(&kind.measured()));
         Ok(())
     })
 }
@@ -246,6 +247,58 @@ pub struct shx_hair_strand {
 
 const _: () = assert!(size_of::<shx_hair_strand>() == 88 && offset_of!(shx_hair_strand, root_turn) == 64);
 
+/// Which strands to generate. Fill with shx_hair_strands_def_init, then set hair_type, strand_count, element_counts and element_lengths.
+/// The library reads what it points to during the call only.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_hair_strands_def {
+    /// Set by shx_hair_strands_def_init.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// The hair type. Default null: set it.
+    pub hair_type: *const shx_hair_type,
+    /// Sliders; null (default): all 0.
+    pub sliders: *const shx_hair_sliders,
+    /// Number of the first strand. The same number always gives the same strand. Default 0.
+    pub first_strand: u64,
+    /// How many strands.
+    pub strand_count: usize,
+    /// Number of elements of each strand, 1 or more: strand_count numbers.
+    pub element_counts: *const u32,
+    /// Lengths of the elements, m, strand after strand: as many numbers as element_counts adds up to.
+    pub element_lengths: *const f64,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers and pointers only.
+unsafe impl Versioned for shx_hair_strands_def {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved0: 0,
+            hair_type: std::ptr::null(),
+            sliders: std::ptr::null(),
+            first_strand: 0,
+            strand_count: 0,
+            element_counts: std::ptr::null(),
+            element_lengths: std::ptr::null(),
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(size_of::<shx_hair_strands_def>() == 56 && offset_of!(shx_hair_strands_def, first_strand) == 24);
+
+/// Fills a definition with the defaults. size is sizeof(shx_hair_strands_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_hair_strands_def_init(def: *mut shx_hair_strands_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_hair_strands_def_init", "def", def, size) }
+}
+
 /// Makes strand_count strands of a kind, with the sliders moved (null: as they are): those numbered first_strand and on. The same number
 /// always gives the same strand, whatever else is asked for. element_counts has the number of elements of each strand (1 or more), and
 /// element_lengths their lengths, m, strand after strand. Item i of strands (stride bytes apart, 0: packed) says what strand i is made of; its
@@ -254,62 +307,63 @@ const _: () = assert!(size_of::<shx_hair_strand>() == 88 && offset_of!(shx_hair_
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_strands(
-    hair: *const shx_hair,
-    sliders: *const shx_sliders,
-    first_strand: u64,
-    strand_count: usize,
-    element_counts: *const u32,
-    element_lengths: *const f64,
-    strands: *mut shx_hair_strand,
+    def: *const shx_hair_strands_def,
+    out_strands: *mut shx_hair_strand,
     stride: usize,
-    out_natural: *mut f64,
+    out_curvatures: *mut f64,
     capacity: usize,
 ) -> shx_result {
     call("shx_hair_strands", || {
         // SAFETY: the caller's structures, of the sizes that they state.
-        let mut parameters = unsafe { read_versioned("hair", hair)?.parameters()? };
-        if !sliders.is_null() {
+        let def = unsafe { read_versioned("def", def)? };
+        if def.reserved0 != 0 {
+            return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
+        }
+        // SAFETY: the same.
+        let mut parameters = unsafe { read_versioned("def.hair_type", def.hair_type)?.parameters("def.hair_type")? };
+        if !def.sliders.is_null() {
             // SAFETY: the same.
-            let sliders = unsafe { read_versioned("sliders", sliders)? };
+            let sliders = unsafe { read_versioned("def.sliders", def.sliders)? };
             if sliders.reserved0 != 0 {
-                return Err(Error::invalid("sliders.reserved0", sliders.reserved0, "0"));
+                return Err(Error::invalid("def.sliders.reserved0", sliders.reserved0, "0"));
             }
-            check_reserved("sliders", &sliders.reserved)?;
-            parameters = parameters.with_sliders(&Sliders {
+            check_reserved("def.sliders", &sliders.reserved)?;
+            let moved = parameters.with_sliders(&Sliders {
                 curliness: sliders.curliness,
                 stiffness: sliders.stiffness,
                 discipline: sliders.discipline,
                 weight: sliders.weight,
                 combing_ease: sliders.combing_ease,
-            })?;
+            });
+            parameters = moved.map_err(|error| error.inside("def"))?;
         }
         // SAFETY: the caller's arrays.
-        let counts = unsafe { array("element_counts", "strand_count", element_counts, strand_count)? };
+        let counts = unsafe { array("def.element_counts", "def.strand_count", def.element_counts, def.strand_count)? };
         if let Some(index) = counts.iter().position(|count| *count == 0) {
-            return Err(Error::invalid(format!("element_counts[{index}]"), 0, "1 or more"));
+            return Err(Error::invalid(format!("def.element_counts[{index}]"), 0, "1 or more"));
         }
         let total = counts.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count as usize));
         let Some(total) = total.filter(|total| *total <= MAX_COUNT) else {
-            return Err(Error::invalid("element_counts", "more elements than there can be", format!("{MAX_COUNT} at most")));
+            return Err(Error::invalid("def.element_counts", "more elements than there can be", format!("{MAX_COUNT} at most")));
         };
         // SAFETY: the caller's arrays, and memory for strand_count items and capacity rows.
         let (lengths, made, rows) = unsafe {
             (
-                array("element_lengths", "element_counts", element_lengths, total)?,
-                Strided::new("strands", "strand_count", strands, stride, strand_count)?,
-                Places::new("out_natural", "capacity", out_natural.cast::<[f64; 3]>(), capacity)?,
+                array("def.element_lengths", "def.element_counts", def.element_lengths, total)?,
+                Strided::new("out_strands", "def.strand_count", out_strands, stride, def.strand_count)?,
+                Places::new("out_curvatures", "capacity", out_curvatures.cast::<[f64; 3]>(), capacity)?,
             )
         };
         rows.check_room(total)?;
         let friction = parameters.contact().hair_friction;
-        let (mut all, mut natural) = (Vec::with_capacity(strand_count), Vec::with_capacity(total));
+        let (mut all, mut natural) = (Vec::with_capacity(def.strand_count), Vec::with_capacity(total));
         let mut first = 0;
         for (index, count) in counts.iter().enumerate() {
             let end = first + *count as usize;
-            let number = first_strand.wrapping_add(index as u64);
+            let number = def.first_strand.wrapping_add(index as u64);
             let strand = parameters.strand(number, &lengths[first..end]).map_err(|error| match error {
                 Error::InvalidArgument { argument, value, expected } if argument.starts_with("element_lengths") => {
-                    Error::invalid(format!("element_lengths (strand {index}, {argument})"), value, expected)
+                    Error::invalid(format!("def.element_lengths (strand {index}, {argument})"), value, expected)
                 }
                 other => other,
             })?;

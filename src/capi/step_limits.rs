@@ -9,71 +9,71 @@ use crate::error::{Result, check_not_negative};
 use crate::meter::StepLimits;
 
 /// The step went to its end.
-pub const SHX_STOPPED_NO: u32 = 0;
+pub const SHX_STOP_NONE: u32 = 0;
 /// Its work was spent.
-pub const SHX_STOPPED_WORK: u32 = 1;
+pub const SHX_STOP_WORK: u32 = 1;
 /// Its time was up.
-pub const SHX_STOPPED_TIME: u32 = 2;
+pub const SHX_STOP_TIME: u32 = 2;
 /// It was cancelled.
-pub const SHX_STOPPED_CANCELLED: u32 = 3;
+pub const SHX_STOP_CANCELLED: u32 = 3;
 
-/// What a step may cost. Fill with shx_step_options_init.
+/// What a step may cost. Fill with shx_step_limits_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
-pub struct shx_step_options {
-    /// Set by shx_step_options_init.
+pub struct shx_step_limits {
+    /// Set by shx_step_limits_init.
     pub struct_size: u32,
     /// 0.
     pub reserved0: u32,
     /// Most work on strands in contact or held by constraints, in each substep, in units that each take about a microsecond of one core: counted, not measured, so
     /// that the result is the same to the bit on every machine and for any number of threads. 0 (default): as much as keeps a host going whatever happens, a
     /// quarter of a second of one core or so for 2280 elements and for fewer, in proportion for more.
-    pub work: u64,
+    pub max_work: u64,
     /// Seconds that the call may take; the result's bits are then the clock's. 0 (default): any. A step's end takes a while after the last iteration, which is
     /// learned from step to step and reserved.
-    pub seconds: f64,
+    pub max_seconds: f64,
     /// Null (default), or a number that another thread sets to anything but 0 to cancel the step. It is looked at many times a millisecond.
     pub cancel: *const u32,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
-unsafe impl Versioned for shx_step_options {
+unsafe impl Versioned for shx_step_limits {
     const FIRST_SIZE: usize = size_of::<Self>();
 
     fn defaults() -> Self {
-        Self { struct_size: size_of::<Self>() as u32, reserved0: 0, work: 0, seconds: 0.0, cancel: std::ptr::null() }
+        Self { struct_size: size_of::<Self>() as u32, reserved0: 0, max_work: 0, max_seconds: 0.0, cancel: std::ptr::null() }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_step_options>() == 32 && offset_of!(shx_step_options, seconds) == 16);
+    assert!(size_of::<shx_step_limits>() == 32 && offset_of!(shx_step_limits, max_seconds) == 16);
 };
 
-impl shx_step_options {
+impl shx_step_limits {
     /// The engine's own limits.
     ///
     /// # Safety
     /// `cancel` is null or lives as long as what is made of the limits, and whoever writes to it does so in one piece.
     pub(super) unsafe fn limits<'a>(&self) -> Result<StepLimits<'a>> {
         if self.reserved0 != 0 {
-            return Err(crate::error::Error::invalid("options.reserved0", self.reserved0, "0"));
+            return Err(crate::error::Error::invalid("limits.reserved0", self.reserved0, "0"));
         }
-        check_not_negative(|| "options.seconds".into(), self.seconds)?;
+        check_not_negative(|| "limits.max_seconds".into(), self.max_seconds)?;
         // SAFETY: as the caller says; an AtomicU32 has a u32's size and alignment.
         let cancel = unsafe { self.cancel.cast::<AtomicU32>().as_ref() };
         Ok(StepLimits {
-            work: (self.work > 0).then_some(self.work),
-            seconds: (self.seconds > 0.0).then_some(self.seconds),
+            work: (self.max_work > 0).then_some(self.max_work),
+            seconds: (self.max_seconds > 0.0).then_some(self.max_seconds),
             cancel,
         })
     }
 }
 
-/// Fills options with the defaults. size is sizeof(shx_step_options).
+/// Fills options with the defaults. size is sizeof(shx_step_limits).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_step_options_init(options: *mut shx_step_options, size: usize) -> shx_result {
+pub unsafe extern "C" fn shx_step_limits_init(limits: *mut shx_step_limits, size: usize) -> shx_result {
     // SAFETY: the caller says that options holds size bytes.
-    unsafe { initialise("shx_step_options_init", "options", options, size) }
+    unsafe { initialise("shx_step_limits_init", "limits", limits, size) }
 }

@@ -1,0 +1,119 @@
+//! Curves drawn inside a body, pushed out of it.
+
+use std::mem::{offset_of, size_of};
+
+use nalgebra::Vector3;
+
+use super::buffers::{Places, array};
+use super::errors::shx_result;
+use super::guard::{shx_solver, write};
+use super::types::shx_body_id;
+use super::versioned::{Versioned, initialise, read_versioned};
+use crate::error::Error;
+use crate::groom::outside::BroughtOut;
+use crate::solver::id::BodyId;
+
+/// Curves to push out of a body. Fill with shx_push_out_def_init, then set body, point_counts and curve_count.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct shx_push_out_def {
+    /// Set by shx_push_out_def_init.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved0: u32,
+    /// The body. Default null: set it.
+    pub body: shx_body_id,
+    /// Least distance of every point from the surface, m; zero or above. Default 0.
+    pub clearance: f64,
+    /// curve_count numbers: how many points each curve has.
+    pub point_counts: *const u32,
+    /// How many curves.
+    pub curve_count: usize,
+}
+
+// SAFETY: repr(C), a u32 first, no padding (asserted below), integers, a double and a pointer only.
+unsafe impl Versioned for shx_push_out_def {
+    const FIRST_SIZE: usize = size_of::<Self>();
+
+    fn defaults() -> Self {
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            reserved0: 0,
+            body: shx_body_id { bits: 0 },
+            clearance: 0.0,
+            point_counts: std::ptr::null(),
+            curve_count: 0,
+        }
+    }
+}
+
+#[cfg(target_pointer_width = "64")]
+const _: () = assert!(size_of::<shx_push_out_def>() == 40 && offset_of!(shx_push_out_def, point_counts) == 24);
+
+/// Fills a definition with the defaults. size is sizeof(shx_push_out_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_push_out_def_init(def: *mut shx_push_out_def, size: usize) -> shx_result {
+    // SAFETY: the caller says that def holds size bytes.
+    unsafe { initialise("shx_push_out_def_init", "def", def, size) }
+}
+
+/// The engine's error with the names of the C structure.
+fn in_words_of_c(error: Error) -> Error {
+    match error {
+        Error::InvalidId { bits, .. } => Error::InvalidId { argument: "def.body".into(), bits },
+        other => other.renamed("clearance", "def.clearance").renamed("counts", "def.point_counts"),
+    }
+}
+
+/// Brings curves that are drawn inside a body out of it, where it is now, by the least that does: before strands are fitted to them. points: world,
+/// m, three doubles a point, changed in place; curve after curve, counts[i] points of curve i, count curves. Every point comes to at least clearance
+/// (m, 0 or above) from the surface; roots stay, and after one that is inside the curve may be as deep as a way out at one in two needs; edges keep
+/// their lengths. A curve that is clear is not touched, nor is one that would have to be moved by more than twice its depth and 5 mm. Each output
+/// holds count values or is null:
+/// out_depths: m, how deep in the body the deepest point was that was too near; 0: none was in it.
+/// out_moved: m, how far a point was moved at most.
+/// out_stuck: 1 where no way out was found, and the curve is as it was; else 0.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Then no point has moved. Alone with the solver.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_push_out_curves(
+    solver: *mut shx_solver,
+    def: *const shx_push_out_def,
+    points: *mut f64,
+    out_depths: *mut f64,
+    out_displacements: *mut f64,
+    out_stuck: *mut u32,
+) -> shx_result {
+    // SAFETY: the caller's handle, structure, its counts, three doubles a point, and places for a value a curve.
+    unsafe {
+        write("shx_solver_push_out_curves", solver, |core, _| {
+            let def = read_versioned("def", def)?;
+            if def.reserved0 != 0 {
+                return Err(Error::invalid("def.reserved0", def.reserved0, "0"));
+            }
+            let count = def.curve_count;
+            let counts = array("def.point_counts", "def.curve_count", def.point_counts, count)?;
+            let counts: Vec<usize> = counts.iter().map(|count| *count as usize).collect();
+            let numbers = counts.iter().try_fold(0usize, |sum, count| sum.checked_add(*count)).and_then(|sum| sum.checked_mul(3));
+            let too_many = || Error::invalid("def.point_counts", "too many points", "as many as fit into memory");
+            let numbers = numbers.ok_or_else(too_many)?;
+            let mut moved: Vec<Vector3<f64>> = array("points", "def.point_counts", points.cast_const(), numbers)?
+                .chunks_exact(3)
+                .map(Vector3::from_column_slice)
+                .collect();
+            let depths = Places::optional("out_depths", "def.curve_count", out_depths, count)?;
+            let displacements = Places::optional("out_displacements", "def.curve_count", out_displacements, count)?;
+            let stuck = Places::optional("out_stuck", "def.curve_count", out_stuck, count)?;
+            let body = BodyId::from_bits(def.body.bits);
+            let brought = core.bring_out(body, def.clearance, &counts, &mut moved).map_err(in_words_of_c)?;
+            Places::new("points", "def.point_counts", points, numbers)?
+                .write(&moved.iter().flatten().copied().collect::<Vec<_>>())?;
+            let list = |of: fn(&BroughtOut) -> f64| brought.iter().map(of).collect::<Vec<f64>>();
+            depths.map_or(Ok(()), |places| places.write(&list(|brought| brought.deepest)))?;
+            displacements.map_or(Ok(()), |places| places.write(&list(|brought| brought.moved)))?;
+            stuck.map_or(Ok(()), |places| {
+                places.write(&brought.iter().map(|brought| u32::from(brought.stuck)).collect::<Vec<_>>())
+            })
+        })
+    }
+}
