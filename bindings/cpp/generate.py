@@ -5,23 +5,23 @@
     python3 bindings/cpp/generate.py --check    fail if they are not what api.json gives
 
 Each C structure with an _init function becomes a C++ structure of the same name without shx_ that is derived from it, is filled when it is made,
-and has a setter with_NAME for each field. What api.json cannot say is in the tables below: which counts belong to which arrays, and the setters that
-need code of their own.
+and has a setter with_NAME for each field. What api.json cannot say is in bindings/tables.py, and here: names, and the setters that need code of their own.
 """
 
 from __future__ import annotations
 
 import argparse
-import json
 import re
 import sys
 import textwrap
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent))
+
+from tables import API, ARRAYS, OUTPUTS, STRUCTS, differences, enumeration_of, group_of, is_bool, is_reserved  # noqa: E402
+
 INCLUDE = HERE / "include" / "superhelix"
-API = json.loads((HERE.parent / "api.json").read_text(encoding="utf-8"))
-STRUCTS = {struct["name"]: struct for struct in API["structs"]}
 
 # Names of enumerations where the prefix is not a good one by itself.
 ENUMERATIONS = {
@@ -37,48 +37,18 @@ ENUMERATIONS = {
     "SHX_ERROR_": "error_code",
 }
 
-# Fields of an enumeration whose text does not name its prefix alone.
-PREFIXES = {("shx_solver_def", "log_level"): "SHX_LOG_"}
-
-# Structures that calls fill in: no setters.
-OUTPUTS = {"shx_step_report", "shx_settle_report", "shx_friction_fit_report", "shx_polyline_fit", "shx_suggestion"}
+# C++ types of items of arrays.
+ITEMS = {
+    "curvature": "curvature",
+    "triangle": "triangle",
+    "frame": "frame",
+    "float2": "std::array<float, 2>",
+    "float3": "std::array<float, 3>",
+    "double6": "std::array<double, 6>",
+}
 
 # Written by hand in types.hpp.
 BY_HAND = {"shx_input", "shx_output", "shx_frame"}
-
-# Arrays by the count that belongs to them: structure, count, then each array with its item. A count with a point is that of a view and is set with it.
-CURVATURE, TRIANGLE, FRAME = "curvature", "triangle", "frame"
-ARRAYS = {
-    "shx_strand_def": {
-        "element_count": {
-            "element_lengths": "double",
-            "natural_curvatures": CURVATURE,
-            "initial_curvatures": CURVATURE,
-            "initial_rates": CURVATURE,
-        }
-    },
-    "shx_pose_options": {"movable_count": {"movable": "std::uint8_t"}},
-    "shx_body_def": {"triangle_count": {"triangles": TRIANGLE}, "grid_size": {"grid": "std::uint8_t"}},
-    "shx_fit_input": {
-        "curve_count": {"point_counts": "std::uint32_t"},
-        "points.count": {"arclengths": "double", "widths": "double"},
-    },
-    "shx_curve_data": {
-        "strand_count": {"point_counts": "std::uint32_t", "strand_thickness": "float", "strand_uvs": "std::array<float, 2>"},
-        "points.count": {
-            "thickness": "float",
-            "transparency": "float",
-            "colors": "std::array<float, 3>",
-            "pinned": "std::uint8_t",
-        },
-    },
-    "shx_friction_fit_def": {"root_count": {"root_times": "double", "root_frames": FRAME}},
-    "shx_suggest_def": {"motion_count": {"motion": FRAME}},
-    "shx_scalp_def": {"triangle_count": {"triangles": TRIANGLE, "uvs": "std::array<double, 6>"}},
-    "shx_distance_grid_def": {"triangle_count": {"triangles": TRIANGLE}},
-    "shx_push_out_def": {"curve_count": {"point_counts": "std::uint32_t"}},
-    "shx_render_guides": {"guide_count": {"point_counts": "std::uint32_t"}},
-}
 
 HOOK = """
   // The host's parallel loop: parallel_for(count, min_range, task) calls task(begin, end, worker) over disjoint ranges that cover 0 to count - 1, from
@@ -208,19 +178,6 @@ def enumeration_name(prefix: str) -> str:
     return ENUMERATIONS.get(prefix, prefix.removeprefix("SHX_").rstrip("_").lower())
 
 
-def enumeration_of(struct: str, field: dict) -> dict | None:
-    """The enumeration whose prefix a field's text names."""
-    if field["type"]["name"] != "uint32_t":
-        return None
-    prefix = PREFIXES.get((struct, field["name"]))
-    named = [
-        enumeration
-        for enumeration in API["enumerations"]
-        if enumeration["name"] == prefix or re.search(rf"\b{enumeration['name']}(?![A-Z0-9])", field["doc"])
-    ]
-    return named[0] if named else None
-
-
 def enumerations() -> str:
     docs = {constant["name"]: constant for constant in API["constants"]}
     text = ""
@@ -245,14 +202,6 @@ def setter(struct: str, signature: str, body: str, doc: str) -> str:
     return comment(doc, "  ") + f"  {plain(struct)} &with_{signature} {{\n{textwrap.indent(body, '    ')}    return *this;\n  }}\n"
 
 
-def grouped(struct: str, name: str) -> tuple[str, dict] | None:
-    """The count and the arrays of the group that an array belongs to."""
-    for count, arrays in ARRAYS.get(struct, {}).items():
-        if name in arrays:
-            return count, arrays
-    return None
-
-
 def others_set(arrays: dict, but: str) -> str:
     return " || ".join(f"{name} != nullptr" for name in arrays if name != but) or "false"
 
@@ -260,15 +209,15 @@ def others_set(arrays: dict, but: str) -> str:
 def field_setter(struct: str, field: dict) -> str:
     name, kind, doc = field["name"], field["type"], field["doc"]
     label = f'"{plain(struct)}.{name}"'
-    if group := grouped(struct, name):
+    if group := group_of(struct, name):
         count, arrays = group
-        item = arrays[name]
+        item = ITEMS.get(arrays[name], f"std::{arrays[name]}" if arrays[name] in SCALARS else arrays[name])
         of_view = "." in count
         body = f"detail::agree({label}, values.size(), {count}, {'true' if of_view else others_set(arrays, name)});\n"
         if not of_view:
             types = {f["name"]: item_type(f) for f in STRUCTS[struct]["fields"]}
             body += f"{count} = static_cast<{types[count]}>(values.size());\n"
-        inner = "->data()" if item in (CURVATURE, TRIANGLE) or item.startswith("std::array") else ""
+        inner = "->data()" if arrays[name] in ITEMS and item != "frame" else ""
         pointer = f"values.empty() ? nullptr : values.data(){inner}" if inner else "values.data()"
         return setter(struct, f"{name}(span<const {item}> values)", body + f"{name} = {pointer};\n", doc)
     if kind["pointer"]:
@@ -287,7 +236,7 @@ def field_setter(struct: str, field: dict) -> str:
     if enumeration := enumeration_of(struct, field):
         item = "std::uint32_t" if enumeration["flags"] else f"superhelix::{enumeration_name(enumeration['name'])}::type"
         return setter(struct, f"{name}({item} value)", f"{name} = value;\n", doc)
-    if kind["name"] == "uint32_t" and re.match(r"[01]( \(default\))?:", doc):
+    if is_bool(struct, field):
         return setter(struct, f"{name}(bool value)", f"{name} = value ? 1 : 0;\n", doc)
     body = f"{name} = value;\n"
     if arrays := ARRAYS.get(struct, {}).get(name):
@@ -304,7 +253,7 @@ def definition(struct: dict) -> str:
     without, extra = EXTRA.get(name, (set(), ""))
     if name not in OUTPUTS:
         for field in struct["fields"]:
-            if field["name"] == "struct_size" or field["name"].startswith("reserved") or field["name"] in without:
+            if field["name"] == "struct_size" or is_reserved(field) or field["name"] in without:
                 continue
             text += "\n" + field_setter(name, field)
     return text + extra + "};\n\n"
@@ -322,21 +271,8 @@ def file(guard: str, about: str, includes: str, body: str) -> str:
 def check_tables() -> None:
     """What the tables name must be there."""
     prefixes = {enumeration["name"] for enumeration in API["enumerations"]}
-    wrong = [prefix for prefix in ENUMERATIONS if prefix not in prefixes]
-    wrong += [name for name in [*OUTPUTS, *BY_HAND, *ARRAYS, *EXTRA] if name not in STRUCTS]
-    for name, groups in ARRAYS.items():
-        fields = {field["name"] for field in STRUCTS.get(name, {"fields": []})["fields"]}
-        for count, arrays in groups.items():
-            wrong += [f"{name}.{field}" for field in [count.split(".")[0], *arrays] if field not in fields]
-    for name, (without, _) in EXTRA.items():
-        fields = {field["name"] for field in STRUCTS.get(name, {"fields": []})["fields"]}
-        wrong += [f"{name}.{field}" for field in without if field not in fields]
-    covered = {field for groups in ARRAYS.values() for arrays in groups.values() for field in arrays}
-    for name, struct in STRUCTS.items():
-        for field in struct["fields"]:
-            special = name in OUTPUTS | BY_HAND or field["name"] in covered | EXTRA.get(name, (set(), ""))[0]
-            if field["type"]["pointer"] and not special and not field["type"]["name"].startswith("shx_"):
-                wrong.append(f"{name}.{field['name']} is a pointer that no table knows")
+    by_hand = {name: without for name, (without, _) in EXTRA.items()} | {name: {"data"} for name in ("shx_input", "shx_output")}
+    wrong = [prefix for prefix in ENUMERATIONS if prefix not in prefixes] + differences(by_hand)
     if wrong:
         sys.exit("bindings/cpp/generate.py: api.json and the tables differ: " + ", ".join(wrong))
 

@@ -14,6 +14,8 @@ inline namespace SUPERHELIX_WAY {
 // The strands of a groom file: polylines, root first, in the file's units. They never change: any threads may read them at the same time.
 class curves {
  public:
+  // An empty one, to move another into.
+  curves() = default;
   // Reads .hair, .tfx, .obj, .usda or .data. The path is UTF-8.
   static returns<curves> read(const std::string &path) {
     shx_curves *made = nullptr;
@@ -100,6 +102,8 @@ inline returns<void> write_curves(const std::string &path, const curve_data &dat
 // Curves over time, from a .usda file. They never change: any threads may read them at the same time.
 class curve_cache {
  public:
+  // An empty one, to move another into.
+  curve_cache() = default;
   static returns<curve_cache> read(const std::string &path) {
     shx_curve_cache *made = nullptr;
     const shx_result code = shx_curve_cache_read(path.c_str(), &made);
@@ -134,6 +138,8 @@ class curve_cache {
 // A cache that is being written. The file appears when it is finished; one that is not finished leaves nothing.
 class curve_cache_writer {
  public:
+  // An empty one, to move another into.
+  curve_cache_writer() = default;
   // Begins a .usda file. first has the numbers of points and what does not change over time.
   static returns<curve_cache_writer> create(const std::string &path, const curve_data &first, double frames_per_second) {
     shx_curve_cache_writer *made = nullptr;

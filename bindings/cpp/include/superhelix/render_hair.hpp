@@ -15,6 +15,9 @@ class render_hair;
 // Where the guides of render hair are at one moment. Keep one for each moment that is needed at the same time.
 class render_pose {
  public:
+  // An empty one, to move another into; render_hair::create_pose makes them.
+  render_pose() = default;
+
   // Where the guides are, in the number and order of the hair.
   returns<void> set_guides(const render_guides &guides) { return detail::finish(shx_render_pose_set_guides(get(), &guides)); }
 
@@ -43,6 +46,8 @@ class render_pose {
 // Which guides each render strand follows, and how. It never changes: any threads may use it at the same time.
 class render_hair {
  public:
+  // An empty one, to move another into.
+  render_hair() = default;
   // Takes over what the C functions made. loop: render_settings::loop() of its settings.
   explicit render_hair(shx_render_hair *raw, std::shared_ptr<void> loop = {}) : loop_(std::move(loop)), handle_(raw) {}
 

@@ -13,6 +13,8 @@ inline namespace SUPERHELIX_WAY {
 // A triangle mesh at rest, on which follicles stand. It never changes: any threads may use it at the same time.
 class scalp {
  public:
+  // An empty one, to move another into.
+  scalp() = default;
   static returns<scalp> create(const scalp_def &def) {
     shx_scalp *made = nullptr;
     const shx_result code = shx_scalp_create(&def, &made);

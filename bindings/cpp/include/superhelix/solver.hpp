@@ -29,6 +29,8 @@ class solver : public solver_strands<solver>,
                public solver_constraints<solver>,
                public solver_rendering<solver> {
  public:
+  // An empty one, to move another into.
+  explicit solver(std::nullptr_t) noexcept {}
 #if !SUPERHELIX_USE_RESULTS
   explicit solver(const solver_def &def = solver_def()) : solver(create(def)) {}
 #endif
