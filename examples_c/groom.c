@@ -151,7 +151,7 @@ static groom read_groom(const options *o) {
 
   double worst = 0.0, sum = 0.0;
   for (size_t i = 0; i < taken; i++) {
-    if (fitted[i].status != SHX_OK) /* of no use: all points at one place */
+    if (fitted[i].result != SHX_OK) /* of no use: all points at one place */
       continue;
     shx_strand_def *def = &g.defs[g.strand_count];
     CHECK(shx_strand_def_init(def, sizeof *def));

@@ -50,7 +50,7 @@ pub enum Error {
         /// What is wrong with it.
         reason: String,
     },
-    /// Memory could not be had.
+    /// Out of memory.
     OutOfMemory {
         /// How many bytes were asked for.
         bytes: usize,
@@ -149,17 +149,20 @@ impl fmt::Display for Error {
                 write!(f, "{argument} is {value}; expected {expected}")
             }
             Error::InvalidId { argument, bits } => {
-                write!(f, "{argument} is 0x{bits:016x}, which names nothing in this solver (removed, or of another solver)")
+                write!(
+                    f,
+                    "{argument} is 0x{bits:016x}, which names nothing in this solver (it was removed, or belongs to another solver)"
+                )
             }
             Error::StructSize { argument, value } => {
-                write!(f, "{argument}.struct_size is {value}; initialise the structure with its _init function")
+                write!(f, "{argument}.struct_size is {value}; fill the structure with its _init function")
             }
             Error::BufferTooSmall { argument, capacity, needed } => {
                 write!(f, "{argument} holds {capacity} items; {needed} are needed")
             }
             Error::Busy => write!(f, "the solver is in use: it was called again from one of its own callbacks"),
             Error::Snapshot { reason } => write!(f, "snapshot: {reason}"),
-            Error::OutOfMemory { bytes } => write!(f, "{bytes} bytes of memory could not be had"),
+            Error::OutOfMemory { bytes } => write!(f, "could not allocate {bytes} bytes"),
             Error::Unsupported { argument, value, hint } => write!(f, "{argument} is {value}, which is not supported: {hint}"),
             Error::File { path, reason } => write!(f, "{path}: {reason}"),
             Error::Panic { message } => write!(f, "internal error: {message}; the solver is poisoned"),

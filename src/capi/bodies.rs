@@ -16,10 +16,13 @@ fn in_words_of_c(error: Error) -> Error {
     error.renamed("bodies", "defs").with_fields(&fields)
 }
 
-/// Adds count bodies, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_body_def)). out_ids
-/// receives count ids, in the order of the definitions. Strands touch bodies once they have been made to: shx_solver_set_strand_contact.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].radius", or the triangle
-/// where a mesh is not closed), SHX_ERROR_INVALID_ID (shape_of), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+/// Adds count bodies, all or none. Definition i starts i * def_stride bytes after the first; def_stride is
+/// usually sizeof(shx_body_def). Writes count ids to out_ids, in the order of the definitions. Only strands
+/// with contact collide with bodies: see shx_solver_set_strand_contact.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the
+/// message names, say, "defs[3].radius", or the triangle at which a mesh is open),
+/// SHX_ERROR_INVALID_ID (shape_of), SHX_ERROR_OUT_OF_MEMORY.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_add_bodies(
     solver: *mut shx_solver,
@@ -40,16 +43,18 @@ pub unsafe extern "C" fn shx_solver_add_bodies(
     }
 }
 
-/// Removes count bodies, all or none. Their ids are stale from then on.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Removes count bodies, all or none. Their ids become invalid.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_remove_bodies(solver: *mut shx_solver, ids: *const shx_body_id, count: usize) -> shx_result {
     // SAFETY: the caller's handle and count ids.
     unsafe { write("shx_solver_remove_bodies", solver, |core, _| core.remove_bodies(&body_ids(ids, count)?)) }
 }
 
-/// Whether an id names a body of this solver. False for the null id, a removed body, another solver's body, a null or poisoned solver
-/// (shx_last_error then has the text). May run beside other reading calls.
+/// Returns whether id names a body of this solver. False for the null id, a removed body, a body of another
+/// solver, and a null or poisoned solver (shx_last_error then has the message).
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_has_body(solver: *const shx_solver, id: shx_body_id) -> bool {
     let mut found = false;
@@ -63,8 +68,9 @@ pub unsafe extern "C" fn shx_solver_has_body(solver: *const shx_solver, id: shx_
     result == SHX_OK && found
 }
 
-/// How many bodies there are.
-/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+/// Returns the number of bodies.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_body_count(solver: *const shx_solver, out_count: *mut usize) -> shx_result {
     // SAFETY: the caller's handle and place for one number.
@@ -76,8 +82,9 @@ pub unsafe extern "C" fn shx_solver_body_count(solver: *const shx_solver, out_co
     }
 }
 
-/// The ids of all bodies, in the order they were added, into out_ids, which holds capacity ids.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_body_count). May run beside other reading calls.
+/// Writes the ids of all bodies, in the order in which they were added, to out_ids, which holds capacity ids.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (see shx_solver_body_count).
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_body_ids(
     solver: *const shx_solver,
@@ -93,11 +100,12 @@ pub unsafe extern "C" fn shx_solver_body_ids(
     }
 }
 
-/// Moves count bodies smoothly to the given frames (SHX_FORMAT_FRAME, one for each id) over the next over_seconds of simulated time (0 or
-/// above; 0: within the next substep); they sweep what lies between, and push it. All or none. Bodies that are not named stay on their
-/// way or still.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a number that is not finite, a quaternion whose
-/// length is not 1, over_seconds below 0). Alone with the solver.
+/// Moves count bodies smoothly to the given frames (SHX_FORMAT_FRAME, one per id) over the next over_seconds
+/// of simulated time. 0: within the next substep. They sweep the space in between and push strands along. All
+/// or none. Other bodies continue their motion or remain at rest.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a value that is not
+/// finite, a quaternion that is not of unit length, negative over_seconds).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_body_frames(
     solver: *mut shx_solver,
@@ -114,8 +122,10 @@ pub unsafe extern "C" fn shx_solver_set_body_frames(
     }
 }
 
-/// Puts count bodies at the given frames at once, at rest: they do not sweep what lies between. All or none.
-/// Errors: as shx_solver_set_body_frames. Alone with the solver.
+/// Moves count bodies to the given frames at once, at rest,
+/// without sweeping the space in between. All or none.
+/// Errors: as shx_solver_set_body_frames.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_teleport_bodies(
     solver: *mut shx_solver,
@@ -131,9 +141,11 @@ pub unsafe extern "C" fn shx_solver_teleport_bodies(
     }
 }
 
-/// The frames of count bodies as they are now, into frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
-/// May run beside other reading calls.
+/// Writes the current frames of count bodies to frames
+/// (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_body_frames(
     solver: *const shx_solver,
@@ -155,10 +167,12 @@ pub unsafe extern "C" fn shx_solver_get_body_frames(
     }
 }
 
-/// Sends the vertices of a mesh (SHX_FORMAT_F32X3 or _F64X3, m, the body's axes, as many as it was made with) to new places over the next
-/// over_seconds of simulated time (0: within the next substep), each straight and evenly. For skin that deforms: once a frame.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (another count, a number that is not finite,
-/// over_seconds below 0), SHX_ERROR_UNSUPPORTED (the body is no mesh). Alone with the solver.
+/// Moves the vertices of a mesh to new positions over the next over_seconds of simulated time (0: within the
+/// next substep), each on a straight line at constant speed. vertices are in body axes, m (SHX_FORMAT_F32X3 or
+/// _F64X3), as many as the mesh was created with. For deforming skin, call it once per frame.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (another count, a value
+/// that is not finite, negative over_seconds), SHX_ERROR_UNSUPPORTED (the body is not a mesh).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_body_vertices(
     solver: *mut shx_solver,
@@ -176,9 +190,10 @@ pub unsafe extern "C" fn shx_solver_set_body_vertices(
     }
 }
 
-/// Changes how far outside its shape a body's surface lies (m), and what it multiplies the strands' coefficients of Coulomb and of
-/// viscous friction by; all zero or above.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Sets thickness (m), friction_scale and viscous_friction_scale
+/// of a body, as in shx_body_def; all zero or above.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_body_surface(
     solver: *mut shx_solver,
@@ -190,13 +205,16 @@ pub unsafe extern "C" fn shx_solver_set_body_surface(
     // SAFETY: the caller's handle, null or alive.
     unsafe {
         write("shx_solver_set_body_surface", solver, |core, _| {
-            core.set_body_surface(BodyId::from_bits(id.bits), thickness, friction_scale, viscous_friction_scale).map_err(in_words_of_c)
+            core.set_body_surface(BodyId::from_bits(id.bits), thickness, friction_scale, viscous_friction_scale)
+                .map_err(in_words_of_c)
         })
     }
 }
 
-/// Changes which groups a body is in and which it touches (bits; any are allowed).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. Alone with the solver.
+/// Sets the collision groups of a body and the groups that it
+/// collides with, as in shx_body_def. Any bits are valid.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_body_filter(
     solver: *mut shx_solver,
@@ -210,10 +228,11 @@ pub unsafe extern "C" fn shx_solver_set_body_filter(
     }
 }
 
-/// What strands did to each of count bodies in the last substep: force (N) and torque about the body's origin (N m), world axes.
-/// SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
-/// May run beside other reading calls.
+/// Writes the wrench that strands exerted on each of count bodies in the last substep: force (N) and torque
+/// about the body's origin (N m), in world axes. SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_body_wrenches(
     solver: *const shx_solver,

@@ -18,37 +18,39 @@ use crate::math::frame::Frame;
 use crate::solver::Solver;
 use crate::solver::id::BodyId;
 
-/// A sphere about the body's origin: radius.
+/// A sphere at the body's origin: radius.
 pub const SHX_SHAPE_SPHERE: u32 = 1;
 /// All points within radius of the segment from a to b.
 pub const SHX_SHAPE_CAPSULE: u32 = 2;
-/// An ellipsoid about the body's origin: semi_axes.
+/// An ellipsoid at the body's origin: semi_axes.
 pub const SHX_SHAPE_ELLIPSOID: u32 = 3;
-/// A box about the body's origin: half_edges.
+/// A box at the body's origin: half_extents.
 pub const SHX_SHAPE_BOX: u32 = 4;
-/// All that lies behind the plane through the body's origin across normal.
+/// All points behind the plane through the body's origin with the given normal.
 pub const SHX_SHAPE_HALF_SPACE: u32 = 5;
 /// The convex hull of vertices.
 pub const SHX_SHAPE_HULL: u32 = 6;
-/// A triangle mesh: vertices, triangles, sides. The only shape that may deform (shx_solver_set_body_vertices).
+/// A triangle mesh: vertices, triangles, sides. The only shape that can deform (shx_solver_set_body_vertices).
 pub const SHX_SHAPE_MESH: u32 = 7;
-/// A signed distance grid, as shx_distance_grid_bake made it: grid. Cheap for large meshes that do not deform; edges are rounded
-/// by about a cell.
+/// A signed distance grid from shx_distance_grid_bake: grid. Fast for large meshes that
+/// do not deform; edges are rounded by about a cell.
 pub const SHX_SHAPE_GRID: u32 = 8;
 
-/// The shape of another body of the solver, as it is now: shape_of. Kept once for all that share it; one that deforms gets its own.
+/// The current shape of another body of the solver: shape_of. Bodies that share a shape
+/// store it once; one that deforms gets its own copy.
 pub const SHX_SHAPE_SHARED: u32 = 9;
 
-/// The mesh is closed and wound outward; what is inside is pushed out, however deep.
+/// The mesh is closed, its triangles counter-clockwise seen from
+/// outside. Strands inside are pushed out from any depth.
 pub const SHX_SIDES_SOLID: u32 = 1;
-/// Strands are kept on the side from which triangles are seen wound anticlockwise; what lies behind by less than depth is pushed to the
-/// front.
+/// Strands stay on the side from which triangles appear counter-clockwise. Strands
+/// behind it, closer than depth, are pushed to the front.
 pub const SHX_SIDES_FRONT: u32 = 2;
-/// Both sides, like a sheet: a strand stays on the side where the step found it.
+/// Two-sided, like a sheet: a strand stays on the side on which it started the step.
 pub const SHX_SIDES_BOTH: u32 = 3;
 
-/// What a body is made from. Fill with shx_body_def_init, then set shape and the fields that it needs; those of other shapes are not
-/// looked at. Arrays that it points to are read during the call and not kept.
+/// Definition of a body. Fill it with shx_body_def_init, then set shape and the fields of that shape; those of
+/// other shapes are ignored. The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_body_def {
@@ -56,47 +58,50 @@ pub struct shx_body_def {
     pub struct_size: u32,
     /// SHX_SHAPE_. Default 0: set it.
     pub shape: u32,
-    /// Where the body is, world. Default: at the origin, along the world's axes.
+    /// Pose of the body in world space. Default: at the origin, aligned with the world axes.
     pub pose: shx_frame,
-    /// Sphere, capsule: m, above zero. Default 0: set it.
+    /// Sphere, capsule: radius, m; above zero. Default 0: set it.
     pub radius: f64,
-    /// Capsule: one end of its axis, m, the body's axes. Default 0.
+    /// Capsule: one end of its axis in body axes, m. Default 0.
     pub a: [f64; 3],
-    /// Capsule: the other end, another point than a. Default 0: set it.
+    /// Capsule: the other end, distinct from a. Default 0: set it.
     pub b: [f64; 3],
-    /// Ellipsoid: along the body's axes, m, each above zero. Default 0: set it.
+    /// Ellipsoid: semi-axes along the body axes, m; each above zero. Default 0: set it.
     pub semi_axes: [f64; 3],
-    /// Box: half its edges along the body's axes, m, each above zero. Default 0: set it.
+    /// Box: half of its edge lengths along the body axes, m; each above zero. Default 0: set it.
     pub half_extents: [f64; 3],
-    /// Half-space: points out of it, the body's axes; any length above zero. Default (0, 0, 1).
+    /// Half-space: outward normal in body axes, any length above zero. Default (0, 0, 1).
     pub normal: [f64; 3],
-    /// Hull, mesh: points, m, the body's axes (SHX_FORMAT_F32X3 or _F64X3). Default: none.
+    /// Hull, mesh: vertices in body axes, m (SHX_FORMAT_F32X3 or _F64X3). Default: none.
     pub vertices: shx_input,
-    /// Mesh: three indices of vertices a triangle, anticlockwise seen from outside; 3 triangle_count numbers. Default null.
+    /// Mesh: three vertex indices per triangle, counter-clockwise seen from
+    /// outside; 3 triangle_count numbers. Default null.
     pub triangles: *const u32,
-    /// Mesh: how many triangles. Default 0: set it.
+    /// Mesh: number of triangles. Default 0: set it.
     pub triangle_count: usize,
     /// Mesh: SHX_SIDES_. Default SHX_SIDES_SOLID.
     pub sides: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Mesh with SHX_SIDES_FRONT: how far behind its triangles it acts, m, above zero. Default 0: set it.
+    /// Mesh with SHX_SIDES_FRONT: how far it acts behind its triangles, m; above zero. Default 0: set it.
     pub depth: f64,
     /// Grid: the bytes that shx_distance_grid_bake wrote. Default null.
     pub grid: *const c_void,
-    /// Grid: how many bytes. Default 0.
+    /// Grid: number of bytes. Default 0.
     pub grid_size: usize,
-    /// How far outside its shape the body's surface lies, m; zero or above. Default 0.
+    /// Distance of the body's surface outside its shape, m; zero or above. Default 0.
     pub thickness: f64,
-    /// Multiplies the strands' coefficients of Coulomb friction; zero or above. Default 1.
+    /// Factor on the Coulomb friction coefficients of strands; zero or above. Default 1.
     pub friction_scale: f64,
-    /// Multiplies the strands' coefficients of viscous friction; zero or above. Default 1.
+    /// Factor on the viscous friction coefficients of strands; zero or above. Default 1.
     pub viscous_friction_scale: f64,
-    /// Bits of the groups that the body is in. Default 1.
+    /// Collision groups of the body, as bits. Default 1.
     pub groups: u32,
-    /// Bits of the groups that it touches: a body and a strand meet where each is in a group that the other touches. Default all.
+    /// Groups that the body collides with, as bits. A body and a strand collide if each
+    /// is in a group of the other's mask. Default: all.
     pub mask: u32,
-    /// Shared: a body that was added by an earlier call. Its pose, surface and groups are not taken over. Default the null id: set it.
+    /// Shared: a body from an earlier call. Its pose, surface
+    /// and groups are not copied. Default null id: set it.
     pub shape_of: shx_body_id,
 }
 
@@ -164,7 +169,8 @@ pub(super) unsafe fn points(argument: &str, vertices: *const shx_input) -> Resul
 /// `triangles` is null or points to three indices for each of `count` triangles.
 pub(super) unsafe fn corners(within: &str, triangles: *const u32, count: usize) -> Result<Vec<[u32; 3]>> {
     // SAFETY: the same. A triangle is three indices.
-    unsafe { array(&format!("{within}triangles"), &format!("{within}triangle_count"), triangles.cast::<[u32; 3]>(), count) }.map(<[_]>::to_vec)
+    unsafe { array(&format!("{within}triangles"), &format!("{within}triangle_count"), triangles.cast::<[u32; 3]>(), count) }
+        .map(<[_]>::to_vec)
 }
 
 impl shx_body_def {
@@ -241,8 +247,9 @@ impl shx_body_def {
     }
 }
 
-/// Fills a definition with the defaults. size is sizeof(shx_body_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_body_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_body_def_init(def: *mut shx_body_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.

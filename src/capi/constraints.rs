@@ -13,49 +13,53 @@ use crate::math::frame::Frame;
 use crate::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatus, Hold};
 use crate::solver::id::{ConstraintId, StrandId};
 
-/// The material point stays at the target's origin.
+/// The material point stays at the origin of the target.
 pub const SHX_CONSTRAINT_POINT: u32 = 1;
-/// The point, and the strand's tangent stays along the target's first axis; the strand may turn about it.
+/// As SHX_CONSTRAINT_POINT, and the tangent stays along the first
+/// axis of the target. The strand can rotate about it.
 pub const SHX_CONSTRAINT_DIRECTION: u32 = 2;
-/// The point, and the material frame stays that of the target.
+/// As SHX_CONSTRAINT_POINT, and the material frame stays that of the target.
 pub const SHX_CONSTRAINT_FRAME: u32 = 3;
-/// The strand passes through a ring at the target's origin, with Coulomb friction; once its tip has gone through it is free.
+/// The strand slides through a ring at the origin of the target, with
+/// Coulomb friction, and is free once its tip has passed.
 pub const SHX_CONSTRAINT_RING: u32 = 4;
-/// The point stays at a material point of another strand, or of the same one (a closed loop).
+/// The material point stays at a material point of another strand, or of the same one (a closed loop).
 pub const SHX_CONSTRAINT_TIE: u32 = 5;
 
-/// The constraint holds.
+/// The constraint is satisfied.
 pub const SHX_CONSTRAINT_STATUS_SATISFIED: u32 = 1;
-/// What it asks is decided by other constraints already, and agrees with them; its force is shared out arbitrarily.
+/// Other constraints imply it, and agree with it. The distribution of force among them is arbitrary.
 pub const SHX_CONSTRAINT_STATUS_REDUNDANT: u32 = 2;
-/// It does not hold: other constraints, or the strand's length, contradict it.
+/// It is violated: other constraints or the length of the strand contradict it.
 pub const SHX_CONSTRAINT_STATUS_VIOLATED: u32 = 3;
-/// A ring that the strand has slipped out of.
+/// The strand has slipped out of the ring.
 pub const SHX_CONSTRAINT_STATUS_RELEASED: u32 = 4;
 
-/// What a constraint is made from. Fill with shx_constraint_def_init, then set strand, arclength, hold and what that needs.
+/// Definition of a constraint. Fill it with shx_constraint_def_init, then set
+/// strand, arclength, kind and what that kind needs.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_constraint_def {
     /// Set by shx_constraint_def_init.
     pub struct_size: u32,
-    /// SHX_CONSTRAINT_. Default SHX_CONSTRAINT_POINT.
+    /// SHX_CONSTRAINT_POINT (default), _DIRECTION, _FRAME, _RING or _TIE.
     pub kind: u32,
-    /// The strand that is held. Default null: set it.
+    /// The constrained strand. Default null id: set it.
     pub strand: shx_strand_id,
-    /// Where on it, arclength from the root, m; 0 to its length. A ring begins near there. Default 0.
+    /// Arclength of the constrained point from the root, m; 0 to the length
+    /// of the strand. A ring starts near it. Default 0.
     pub arclength: f64,
-    /// Tie: the other strand, or the same. Default null.
+    /// Tie: the other strand, or the same one. Default null id.
     pub other_strand: shx_strand_id,
-    /// Tie: arclength on that, m; 0 to its length. Default 0.
+    /// Tie: arclength on the other strand, m; 0 to its length. Default 0.
     pub other_arclength: f64,
-    /// Where the strand is held, world; not looked at by a tie. Default: at the origin, along the world's axes.
+    /// Target frame in world space; ignored by a tie. Default: at the origin, aligned with the world axes.
     pub target: shx_frame,
-    /// Ring: its friction on the strand as it slides over it from root to tip; zero or above. Default 0.
+    /// Ring: Coulomb coefficient for sliding over the strand from root to tip; zero or above. Default 0.
     pub friction_along: f64,
     /// Ring: the same from tip to root. Default 0.
     pub friction_against: f64,
-    /// How far the point gives way for a unit of force, m/N; zero or above; 0 for rings. Default 0: not at all.
+    /// Displacement of the point per unit of force, m/N; zero or above; must be 0 for rings. Default 0: rigid.
     pub compliance: f64,
 }
 
@@ -80,21 +84,21 @@ unsafe impl Versioned for shx_constraint_def {
     }
 }
 
-/// What a constraint did in the last substep.
+/// State of a constraint in the last substep.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_constraint_state {
-    /// SHX_CONSTRAINT_.
+    /// SHX_CONSTRAINT_STATUS_.
     pub status: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
-    /// Where on the strand it holds, arclength, m: a ring's changes as the strand slides.
+    /// Arclength of the constrained point, m. That of a ring changes as the strand slides.
     pub arclength: f64,
-    /// How far the held point is from where it should be, m.
+    /// Distance of the constrained point from its target, m.
     pub error: f64,
     /// Force on the (first) strand, N, world.
     pub force: [f64; 3],
-    /// Torque on the strand about the held point, N m, world; zero but for directions and frames.
+    /// Torque on the strand about the constrained point, N m, world. Non-zero for directions and frames only.
     pub torque: [f64; 3],
 }
 
@@ -110,9 +114,19 @@ impl shx_constraint_def {
             SHX_CONSTRAINT_POINT => Hold::Point,
             SHX_CONSTRAINT_DIRECTION => Hold::Direction,
             SHX_CONSTRAINT_FRAME => Hold::Frame,
-            SHX_CONSTRAINT_RING => Hold::Ring { friction: Friction { along: self.friction_along, against: self.friction_against } },
-            SHX_CONSTRAINT_TIE => Hold::Tie { other: StrandId::from_bits(self.other_strand.bits), arclength: self.other_arclength },
-            other => return Err(Error::invalid(format!("{argument}.kind"), other, "SHX_CONSTRAINT_POINT, _DIRECTION, _FRAME, _RING or _TIE")),
+            SHX_CONSTRAINT_RING => {
+                Hold::Ring { friction: Friction { along: self.friction_along, against: self.friction_against } }
+            }
+            SHX_CONSTRAINT_TIE => {
+                Hold::Tie { other: StrandId::from_bits(self.other_strand.bits), arclength: self.other_arclength }
+            }
+            other => {
+                return Err(Error::invalid(
+                    format!("{argument}.kind"),
+                    other,
+                    "SHX_CONSTRAINT_POINT, _DIRECTION, _FRAME, _RING or _TIE",
+                ));
+            }
         };
         let target = if self.kind == SHX_CONSTRAINT_TIE {
             Frame::default()
@@ -142,19 +156,27 @@ impl From<&ConstraintState> for shx_constraint_state {
     }
 }
 
-/// Fills a definition with the defaults. size is sizeof(shx_constraint_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_constraint_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_constraint_def_init(def: *mut shx_constraint_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_constraint_def_init", "def", def, size) }
 }
 
-/// Adds count constraints, all or none. Definition i begins i * def_stride bytes after the first (def_stride:
-/// sizeof(shx_constraint_def)). out_ids receives count ids, in the order of the definitions. They hold from the end of the next substep
-/// on: a point that is far from its target is drawn there within that substep. A constraint goes with its strands.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID (a strand), SHX_ERROR_INVALID_ARGUMENT (the text names
-/// "defs[3].arclength"), SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+/// The engine's error with the names of the C structure.
+fn in_words_of_c(error: Error) -> Error {
+    error.renamed("constraints", "defs").renamed_in("friction.", "friction_").with_fields(&[("other", "other_strand")])
+}
+
+/// Adds count constraints, all or none. Definition i starts i * def_stride bytes after the first; def_stride
+/// is usually sizeof(shx_constraint_def). Writes count ids to out_ids, in the order of the definitions.
+/// Constraints hold from the end of the next substep on: a point far from its target is pulled there within
+/// that substep. Removing a strand removes its constraints.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID (a strand),
+/// SHX_ERROR_INVALID_ARGUMENT (the message names, say, "defs[3].arclength"), SHX_ERROR_OUT_OF_MEMORY.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_add_constraints(
     solver: *mut shx_solver,
@@ -168,16 +190,15 @@ pub unsafe extern "C" fn shx_solver_add_constraints(
         write("shx_solver_add_constraints", solver, |core, _| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
             let definitions = definitions("shx_constraint_def", defs, def_stride, count, shx_constraint_def::definition)?;
-            let ids = core
-                .add_constraints(&definitions)
-                .map_err(|error| error.renamed("constraints", "defs").renamed_in("friction.", "friction_"))?;
+            let ids = core.add_constraints(&definitions).map_err(in_words_of_c)?;
             places.write(&ids.iter().map(|id| shx_constraint_id { bits: id.bits() }).collect::<Vec<_>>())
         })
     }
 }
 
-/// Removes count constraints, all or none. Their ids are stale from then on.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Removes count constraints, all or none. Their ids become invalid.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_remove_constraints(
     solver: *mut shx_solver,
@@ -188,8 +209,10 @@ pub unsafe extern "C" fn shx_solver_remove_constraints(
     unsafe { write("shx_solver_remove_constraints", solver, |core, _| core.remove_constraints(&constraint_ids(ids, count)?)) }
 }
 
-/// Whether an id names a constraint of this solver. False for the null id, a removed constraint, one whose strand was removed, another
-/// solver's, a null or poisoned solver (shx_last_error then has the text). May run beside other reading calls.
+/// Returns whether id names a constraint of this solver. False for the null id, a removed
+/// constraint, one whose strand was removed, one of another solver, and a null or
+/// poisoned solver (shx_last_error then has the message).
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_has_constraint(solver: *const shx_solver, id: shx_constraint_id) -> bool {
     let mut found = false;
@@ -203,8 +226,9 @@ pub unsafe extern "C" fn shx_solver_has_constraint(solver: *const shx_solver, id
     result == SHX_OK && found
 }
 
-/// How many constraints there are.
-/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+/// Returns the number of constraints.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_constraint_count(solver: *const shx_solver, out_count: *mut usize) -> shx_result {
     // SAFETY: the caller's handle and place for one number.
@@ -216,8 +240,10 @@ pub unsafe extern "C" fn shx_solver_constraint_count(solver: *const shx_solver, 
     }
 }
 
-/// The ids of all constraints, in the order they were added, into out_ids, which holds capacity ids.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_constraint_count). May run beside other reading calls.
+/// Writes the ids of all constraints, in the order in which they
+/// were added, to out_ids, which holds capacity ids.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (see shx_solver_constraint_count).
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_constraint_ids(
     solver: *const shx_solver,
@@ -234,11 +260,12 @@ pub unsafe extern "C" fn shx_solver_constraint_ids(
     }
 }
 
-/// Moves the targets of count constraints smoothly to the given frames (SHX_FORMAT_FRAME, one for each id) over the next over_seconds of
-/// simulated time (0 or above; 0: within the next substep). All or none. Targets of constraints that are not named stay on their way or
-/// still; ties have none, and theirs are not looked at.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a number that is not finite, a quaternion whose
-/// length is not 1, over_seconds below 0). Alone with the solver.
+/// Moves the targets of count constraints smoothly to the given frames (SHX_FORMAT_FRAME, one per id) over the
+/// next over_seconds of simulated time. 0: within the next substep. All or none. Other targets continue their
+/// motion or remain at rest. Ties have no targets; their frames are ignored.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a value that is not
+/// finite, a quaternion that is not of unit length, negative over_seconds).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_constraint_targets(
     solver: *mut shx_solver,
@@ -255,9 +282,11 @@ pub unsafe extern "C" fn shx_solver_set_constraint_targets(
     }
 }
 
-/// The targets of count constraints as they are now, into frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
-/// May run beside other reading calls.
+/// Writes the current targets of count constraints to frames
+/// (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_constraint_targets(
     solver: *const shx_solver,
@@ -279,9 +308,10 @@ pub unsafe extern "C" fn shx_solver_get_constraint_targets(
     }
 }
 
-/// What each of count constraints did in the last substep, into states, which has room for count of them, stride bytes apart (0: packed;
-/// any alignment).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+/// Writes the states of count constraints in the last substep to out_states, which holds count items,
+/// stride bytes apart (0: tightly packed; any alignment).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_constraint_states(
     solver: *const shx_solver,

@@ -12,16 +12,16 @@ use crate::contact::options::{ContactModel, ContactOptions, Friction, StrandCont
 use crate::error::{Error, Result};
 use crate::solver::id::StrandId;
 
-/// The papers' penalty: a spring and a damper along the normal, viscous friction along the surface. The cheap model: surfaces sink into
-/// each other by their force over stiffness.
+/// Penalty contact (Bertails et al. 2006): a spring and a damper along the normal, viscous friction along the
+/// surface. The cheap model: surfaces penetrate by force over stiffness.
 pub const SHX_CONTACT_PENALTY: u32 = 1;
-/// The same with a spring that begins softly, down to regularisation_depth.
+/// Penalty contact with a spring that starts softly, up to regularisation_depth.
 pub const SHX_CONTACT_REGULARISED_PENALTY: u32 = 2;
-/// Signorini's and Coulomb's laws: surfaces do not pass through each other, to tolerance at the end of every step, and friction is Coulomb's; both solved to
-/// residual.
+/// Signorini's law of contact and Coulomb's law of friction: surfaces do not penetrate by more than tolerance
+/// at the end of a step, and both laws are solved to residual. The default.
 pub const SHX_CONTACT_COULOMB: u32 = 3;
 
-/// How contact is answered in a solver. Fill with shx_contact_options_init.
+/// How a solver handles contact. Fill it with shx_contact_options_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_contact_options {
@@ -29,29 +29,33 @@ pub struct shx_contact_options {
     pub struct_size: u32,
     /// SHX_CONTACT_. Default SHX_CONTACT_COULOMB.
     pub model: u32,
-    /// 1: strands that have a wisp_radius touch each other. 0 (default): only bodies, and costs nothing.
+    /// 1: strands with a wisp_radius also collide with each
+    /// other. 0 (default): strands collide with bodies only.
     pub hair_contact: u32,
-    /// Newton iterations that strands which touch may take together in a substep, 1 to 10000. Default 50. With the penalty models up to
-    /// ten are a choice of what to pay for a step: what springs have not pushed out by then they do in the next ones, and nothing is reported for it. More, and
-    /// with SHX_CONTACT_COULOMB any, are a limit: what has not converged by then is tried again with touches that give way.
+    /// Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1
+    /// to 10000. Default 50. Penalty models: up to 10 is a choice of cost; the remaining penetration is resolved
+    /// in later steps and not reported. Larger values, and any with SHX_CONTACT_COULOMB, are limits: an island
+    /// that reaches one is solved again with compliant contacts.
     pub max_iterations: u32,
-    /// Sweeps of the contact problem's solver in each of them, 1 to 1000000. Default 500.
+    /// Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.
     pub max_sweeps: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Penalty models: of one touch, N/m; above zero. Default 10.
+    /// Penalty models: stiffness of a contact, N/m; above zero. Default 10.
     pub stiffness: f64,
-    /// Penalty: what stiffness is multiplied by to damp approach and parting, s; zero or above. Default 1e-3.
+    /// SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.
     pub damping: f64,
-    /// Regularised penalty: m; above zero. Default 1e-4.
+    /// SHX_CONTACT_REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4.
     pub regularisation_depth: f64,
-    /// Coulomb: how deep surfaces may be in each other at the end of a step, m; above zero. Default 5e-5.
+    /// SHX_CONTACT_COULOMB: allowed penetration at the end of a step, m; above zero. Default 5e-5.
     pub tolerance: f64,
-    /// Coulomb: what the laws of contact and friction may err by in a converged step, 1e-12 to 1: at every contact they hold exactly for a force within residual
-    /// times the force (or the lightest strand's weight, where that is more) of the one that acts, and a sliding speed within residual times 0.01 m/s of the one that
-    /// there is. Default 1e-4: a ten-thousandth of the force, and a micrometre a second.
+    /// SHX_CONTACT_COULOMB: allowed error of the contact and friction laws in a converged step, 1e-12 to 1. At
+    /// every contact the laws hold exactly for some force within residual times the actual force (or times the
+    /// weight of the lightest strand, if larger) and some sliding velocity within residual times 0.01 m/s of the
+    /// actual one. Default 1e-4: a ten-thousandth of the force, and a micrometre per second.
     pub residual: f64,
-    /// Coulomb: how fast surfaces that are in each other when a step begins are parted, m/s; above zero. Default 0.1.
+    /// SHX_CONTACT_COULOMB: speed at which surfaces that penetrate at the start of a
+    /// step are separated, m/s; above zero. Default 0.1.
     pub separation_speed: f64,
 }
 
@@ -116,16 +120,18 @@ impl shx_contact_options {
     }
 }
 
-/// Fills options with the defaults. size is sizeof(shx_contact_options).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *options with defaults. size is sizeof(shx_contact_options).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_contact_options_init(options: *mut shx_contact_options, size: usize) -> shx_result {
     // SAFETY: the caller says that options holds size bytes.
     unsafe { initialise("shx_contact_options_init", "options", options, size) }
 }
 
-/// Changes how contact is answered, from the next step on.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range). Alone with the solver.
+/// Sets the contact options, from the next step on.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_contact_options(
     solver: *mut shx_solver,
@@ -139,8 +145,9 @@ pub unsafe extern "C" fn shx_solver_set_contact_options(
     }
 }
 
-/// How contact is answered, into *out_options.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. May run beside other reading calls.
+/// Writes the contact options to *out_options.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_contact_options(
     solver: *const shx_solver,
@@ -155,37 +162,40 @@ pub unsafe extern "C" fn shx_solver_get_contact_options(
     }
 }
 
-/// What a strand is to contact. Fill with shx_strand_contact_init. Coefficients of friction come in pairs: along for what goes over the
-/// strand from root to tip, with the scales, against from tip to root; between them by the cosine of the direction.
+/// Contact properties of a strand. Fill it with shx_strand_contact_init. Friction coefficients come in pairs:
+/// along, for what slides over the strand from root to tip, with the scales; and against, from tip to root. In
+/// between they vary with the cosine of the direction.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_strand_contact {
     /// Set by shx_strand_contact_init.
     pub struct_size: u32,
-    /// Bits of the groups that the strand is in. Default 1.
+    /// Collision groups of the strand, as bits. Default 1.
     pub groups: u32,
-    /// Bits of the groups that it touches: two things meet where each is in a group that the other touches. Default all.
+    /// Groups that the strand collides with, as bits. Two objects collide if each
+    /// is in a group of the other's mask. Default: all.
     pub mask: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// How far from the centreline the strand begins for bodies, m; zero or above. Default 50e-6.
+    /// Contact radius against bodies, m; zero or above. Default 50e-6.
     pub radius: f64,
-    /// The same for other strands: the radius of the wisp that it stands for, m; zero or above. Default 0: it touches no strand.
+    /// Contact radius against other strands, m: that of the wisp which the strand represents;
+    /// zero or above. Default 0: no contact with strands.
     pub wisp_radius: f64,
-    /// Coulomb's coefficient against bodies, multiplied by the body's friction; zero or above. Default 0.2.
+    /// Coulomb coefficient against bodies, multiplied by their friction_scale; zero or above. Default 0.2.
     pub friction_along: f64,
-    /// Default 0.3.
+    /// The same from tip to root. Default 0.3.
     pub friction_against: f64,
-    /// Coulomb's coefficient against strands, the mean of both; zero or above. Default 0.2.
+    /// Coulomb coefficient against strands, the mean of both strands; zero or above. Default 0.2.
     pub hair_friction_along: f64,
-    /// Default 0.3.
+    /// The same from tip to root. Default 0.3.
     pub hair_friction_against: f64,
-    /// Penalty models: viscous friction of a touch, N s/m, against bodies (multiplied by the body's viscous_friction) and strands (the
-    /// mean of both); zero or above. Default 1e-4.
+    /// Penalty models: viscous friction of a contact, N s/m, against bodies (multiplied by their
+    /// viscous_friction_scale) and strands (the mean of both strands); zero or above. Default 1e-4.
     pub viscous_friction_along: f64,
-    /// Default 1.5e-4.
+    /// The same from tip to root. Default 1.5e-4.
     pub viscous_friction_against: f64,
-    /// The first so many metres from the follicle touch nothing; zero or above. Default 0.
+    /// Length from the follicle on that has no contacts, m; zero or above. Default 0.
     pub exempt_length: f64,
 }
 
@@ -242,18 +252,21 @@ impl shx_strand_contact {
     }
 }
 
-/// Fills a structure with the defaults. size is sizeof(shx_strand_contact).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *contact with defaults. size is sizeof(shx_strand_contact).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_strand_contact_init(contact: *mut shx_strand_contact, size: usize) -> shx_result {
     // SAFETY: the caller says that contact holds size bytes.
     unsafe { initialise("shx_strand_contact_init", "contact", contact, size) }
 }
 
-/// Says what count strands are to contact. contacts null: they touch nothing, which is how strands begin. contact_stride 0: one structure
-/// for all; else strand i has the one that begins i * contact_stride bytes after the first. All or none.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names
-/// "contacts[3].radius"). Alone with the solver.
+/// Sets the contact properties of count strands. With null contacts they collide with nothing, as new
+/// strands do. contact_stride 0: one structure for all strands; otherwise that of strand i starts i *
+/// contact_stride bytes after the first. All or none.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT (the message names, say, "contacts[3].radius").
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_strand_contact(
     solver: *mut shx_solver,
@@ -269,7 +282,7 @@ pub unsafe extern "C" fn shx_solver_set_strand_contact(
             return core.set_contact(&ids, None);
         }
         if count.checked_mul(contact_stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
-            let expected = "0, sizeof(shx_strand_contact), or the stride of a structure that holds one";
+            let expected = "0, sizeof(shx_strand_contact), or the size of your structure that contains one";
             return Err(Error::invalid("contact_stride", contact_stride, expected));
         }
         let one = |index: usize, argument: &str| {
@@ -293,9 +306,10 @@ pub unsafe extern "C" fn shx_solver_set_strand_contact(
     unsafe { write("shx_solver_set_strand_contact", solver, |core, _| body(core)) }
 }
 
-/// What a strand is to contact, into *out_contact; 1 into *out_enabled, or 0 where it touches nothing (then *out_contact has the
-/// defaults).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+/// Writes the contact properties of a strand to *out_contact and 1 to *out_enabled. For a
+/// strand without contact it writes the defaults and 0.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_strand_contact(
     solver: *const shx_solver,

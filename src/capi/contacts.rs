@@ -8,38 +8,38 @@ use super::guard::{read, shx_solver};
 use super::types::{shx_body_id, shx_strand_id};
 use crate::solver::bodies::{Contact, ContactPartner};
 
-/// The strand met a body.
+/// The contact is with a body.
 pub const SHX_PARTNER_BODY: u32 = 1;
-/// The strand met another strand, or itself elsewhere.
+/// The contact is with another strand, or with another part of the same one.
 pub const SHX_PARTNER_STRAND: u32 = 2;
 
-/// Where something met a strand at the end of the last substep.
+/// A contact of a strand at the end of the last substep.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_contact {
     /// The strand.
     pub strand: shx_strand_id,
-    /// Arclength on it, m.
+    /// Arclength of the contact on the strand, m.
     pub arclength: f64,
-    /// What it met: SHX_PARTNER_.
+    /// What the strand is in contact with: SHX_PARTNER_.
     pub partner: u32,
-    /// Which triangle of a mesh; else 0.
+    /// Triangle of a mesh; otherwise 0.
     pub triangle: u32,
-    /// The body that it met; null for a strand.
+    /// The body; null id for a strand.
     pub body: shx_body_id,
-    /// The strand that it met; null for a body.
+    /// The other strand; null id for a body.
     pub other_strand: shx_strand_id,
-    /// Arclength on that strand, m; 0 for a body.
+    /// Arclength on the other strand, m; 0 for a body.
     pub other_arclength: f64,
-    /// On the strand's centreline, m, world.
+    /// Point on the centreline of the strand, m, world.
     pub position: [f64; 3],
-    /// Unit normal, world, from the partner to the strand.
+    /// Unit normal from the partner to the strand, world.
     pub normal: [f64; 3],
-    /// Force on the strand, N, world; on the partner it is the opposite.
+    /// Force on the strand, N, world. The partner receives the opposite force.
     pub force: [f64; 3],
     /// How far the strand slid over its partner during the substep, m, world, along the surface.
     pub slip: [f64; 3],
-    /// Distance of the surfaces along the normal at the places that touch, m; negative where they overlap.
+    /// Distance between the surfaces along the normal, m; negative if they penetrate.
     pub gap: f64,
 }
 
@@ -74,8 +74,10 @@ impl From<&Contact> for shx_contact {
     }
 }
 
-/// How many contacts carried a force at the end of the last substep: what shx_solver_contacts needs room for.
-/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+/// Returns the number of contacts with non-zero force at the end of the last
+/// substep: the capacity that shx_solver_contacts needs.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_contact_count(solver: *const shx_solver, out_count: *mut usize) -> shx_result {
     // SAFETY: the caller's handle and place for one number.
@@ -87,11 +89,13 @@ pub unsafe extern "C" fn shx_solver_contact_count(solver: *const shx_solver, out
     }
 }
 
-/// The contacts that carried a force at the end of the last substep into contacts, which has room for capacity of them, stride bytes
-/// apart (0: packed; any alignment), and their number into *out_count. Always in the same order, whatever the number of threads. The list
-/// is empty after strands or bodies were removed and after shx_solver_restore, until the next step.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (stride), SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_contact_count).
-/// May run beside other reading calls.
+/// Writes the contacts with non-zero force at the end of the last substep to out_contacts, which holds
+/// capacity items, stride bytes apart (0: tightly packed; any alignment), and their number to *out_count.
+/// Their order does not depend on the number of threads. The list is empty after shx_solver_restore, and after
+/// strands or bodies were removed, until the next step.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (stride),
+/// SHX_ERROR_BUFFER_TOO_SMALL (see shx_solver_contact_count).
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_contacts(
     solver: *const shx_solver,

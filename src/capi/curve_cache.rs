@@ -11,17 +11,19 @@ use super::types::shx_input;
 use crate::error::{Error, Result};
 use crate::files::curve_cache::{CurveCache, CurveCacheWriter};
 
-/// Curves over time. Made by shx_curve_cache_read, owned by the caller, freed by shx_curve_cache_destroy. It never changes, so any threads may
-/// read it at the same time.
+/// Curves over time. shx_curve_cache_read makes it, you own it, shx_curve_cache_destroy frees it.
+/// Immutable: any number of threads may use it at once.
 pub struct shx_curve_cache(CurveCache);
 
-/// A cache that is being written. Made by shx_curve_cache_writer_create, owned by the caller, ended and freed by shx_curve_cache_writer_finish, or given
-/// up and freed by shx_curve_cache_writer_abandon.
+/// A curve cache while it is being written. shx_curve_cache_writer_create makes it
+/// and you own it. shx_curve_cache_writer_finish completes the file and frees the
+/// writer; shx_curve_cache_writer_abandon discards both.
 pub struct shx_curve_cache_writer(CurveCacheWriter);
 
-/// Reads the curves of a .usda file at its time samples; curves that stand still are one frame at time 0. *out_cache is yours; free it with
-/// shx_curve_cache_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+/// Reads the curves of a .usda file at all of its time samples. Static curves become one frame at time 0. You
+/// own *out_cache; free it with shx_curve_cache_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_read(path: *const c_char, out_cache: *mut *mut shx_curve_cache) -> shx_result {
     call("shx_curve_cache_read", || {
@@ -32,7 +34,8 @@ pub unsafe extern "C" fn shx_curve_cache_read(path: *const c_char, out_cache: *m
     })
 }
 
-/// Frees a cache. Null is nothing to free. Any thread; nobody may use it any more.
+/// Frees a cache. Null is allowed.
+/// Threads: any. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_destroy(cache: *mut shx_curve_cache) {
     call("shx_curve_cache_destroy", || {
@@ -54,9 +57,10 @@ unsafe fn cache_from<'a>(cache: *const shx_curve_cache) -> Result<&'a CurveCache
     }
 }
 
-/// The times of the frames, s, ascending. *out_count is how many there are, at least one; they go into out_times, which holds capacity numbers
-/// (null with capacity 0: only the count is wanted).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Writes the times of the frames, s, ascending, to out_times, which holds capacity numbers, and their number,
+/// at least 1, to *out_count. With null out_times and capacity 0 it only returns the number.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_times(
     cache: *const shx_curve_cache,
@@ -82,9 +86,12 @@ pub unsafe extern "C" fn shx_curve_cache_times(
     })
 }
 
-/// The curves at a time, s, with their velocities where the file has them (shx_curves_attribute): a frame's own at its time, between frames
-/// straight from one to the next, outside held. *out_curves is yours; free it with shx_curves_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (time), SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+/// Returns the curves at a time, s, with velocities if the file has them (shx_curves_attribute). Between
+/// frames it interpolates linearly; before the first and after the last frame it returns that frame. You
+/// own *out_curves; free it with shx_curves_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT
+/// (time), SHX_ERROR_FILE, SHX_ERROR_OUT_OF_MEMORY.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_sample(
     cache: *const shx_curve_cache,
@@ -99,10 +106,12 @@ pub unsafe extern "C" fn shx_curve_cache_sample(
     })
 }
 
-/// Begins a cache, a .usda file. first has the numbers of points and what does not change over time (diameters, colours, unit, axis); its
-/// points are not written, and whether it has velocities says whether frames have. frames_per_second is above 0: what times are counted in.
-/// The file appears when the cache is finished. *out_writer is yours.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+/// Starts to write a cache, a .usda file. first gives the point counts and what does not change over
+/// time (diameters, colours, units, up axis). Its points are not written; if it has velocities, every
+/// frame must have them. Times are stored in units of 1/frames_per_second s; above 0. The file
+/// appears when you finish the cache. You own *out_writer.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_writer_create(
     path: *const c_char,
@@ -122,9 +131,12 @@ pub unsafe extern "C" fn shx_curve_cache_writer_create(
     })
 }
 
-/// Writes a frame: its time, s, after that of the frame before, the points of all strands (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4) and, if
-/// first had velocities, theirs (the same formats); else velocities is null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (the cache is then of no further use). Alone with the writer.
+/// Writes a frame: its time, s, later than that of the previous frame, and the points
+/// of all strands (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4). velocities (same formats)
+/// are required if first had them, and null otherwise.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT,
+/// SHX_ERROR_FILE (the writer is then useless: abandon it).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_writer_write(
     writer: *mut shx_curve_cache_writer,
@@ -148,8 +160,9 @@ pub unsafe extern "C" fn shx_curve_cache_writer_write(
     })
 }
 
-/// Ends a cache, puts the file in its place, and frees the writer, whether that goes well or not.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE. Alone with the writer.
+/// Completes the cache, moves the file to its path, and frees the writer, also if that fails.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (no frame was written), SHX_ERROR_FILE.
+/// Threads: exclusive. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_writer_finish(writer: *mut shx_curve_cache_writer) -> shx_result {
     call("shx_curve_cache_writer_finish", || {
@@ -161,7 +174,8 @@ pub unsafe extern "C" fn shx_curve_cache_writer_finish(writer: *mut shx_curve_ca
     })
 }
 
-/// Gives up a cache: nothing is left of it. Null is nothing to give up. Alone with the writer.
+/// Discards the cache and frees the writer; no file remains. Null is allowed.
+/// Threads: exclusive. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_cache_writer_abandon(writer: *mut shx_curve_cache_writer) {
     call("shx_curve_cache_writer_abandon", || {

@@ -14,68 +14,69 @@ use crate::error::{Error, Result, check_finite};
 use crate::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
 use crate::files::tfx::{self, TfxVersion};
 
-/// Thickness (diameter), a float a point, file units.
+/// Thickness (diameter), one float per point, file units.
 pub const SHX_CURVE_ATTRIBUTE_THICKNESS: u32 = 1;
-/// Transparency, a float a point, 0 to 1.
+/// Transparency, one float per point, 0 to 1.
 pub const SHX_CURVE_ATTRIBUTE_TRANSPARENCY: u32 = 2;
-/// Colour, three floats a point, 0 to 1.
+/// Colour, three floats per point, 0 to 1.
 pub const SHX_CURVE_ATTRIBUTE_COLOR: u32 = 3;
-/// Velocity, three floats a point, file units a second.
+/// Velocity, three floats per point, file units per second.
 pub const SHX_CURVE_ATTRIBUTE_VELOCITY: u32 = 4;
-/// Whether a point is held, a float a point, 0 or 1.
+/// Whether a point is pinned, one float per point, 0 or 1.
 pub const SHX_CURVE_ATTRIBUTE_PINNED: u32 = 5;
-/// Thickness factor, a float a strand.
+/// Thickness factor, one float per strand.
 pub const SHX_CURVE_ATTRIBUTE_STRAND_THICKNESS: u32 = 6;
-/// Texture coordinates of the root, two floats a strand.
+/// Texture coordinates of the root, two floats per strand.
 pub const SHX_CURVE_ATTRIBUTE_STRAND_UV: u32 = 7;
-/// Arclength of each point from its root, file units, a float a point: only where the file has splines, which are longer than the polylines of
-/// their points. For shx_fit_input.arclengths convert it to metres and doubles.
+/// Arclength from the root, one float per point, file units. Only if the file has splines, which are longer
+/// than the polylines through their points. For shx_fit_input.arclengths convert it to metres and doubles.
 pub const SHX_CURVE_ATTRIBUTE_ARCLENGTH: u32 = 8;
 
-/// The file does not say which axis points up.
+/// The file does not define an up axis.
 pub const SHX_UP_AXIS_UNKNOWN: u32 = 0;
-/// y points up.
+/// The y axis points up.
 pub const SHX_UP_AXIS_Y: u32 = 1;
-/// z points up.
+/// The z axis points up.
 pub const SHX_UP_AXIS_Z: u32 = 2;
 
-/// Curves to write to a file. Prepare with shx_curve_data_init, then set at least points, point_counts and strand_count. Null arrays are what
-/// the file will not say. What is pointed to is read during the call and not kept.
+/// Curves to write to a file. Fill it with shx_curve_data_init, then set at least
+/// points, point_counts and strand_count. Attributes whose array is null are not
+/// written. The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_curve_data {
     /// Set by shx_curve_data_init.
     pub struct_size: u32,
-    /// SHX_UP_AXIS_, for formats that say it (.usda). Default SHX_UP_AXIS_UNKNOWN.
+    /// SHX_UP_AXIS_, for formats that store it (.usda). Default SHX_UP_AXIS_UNKNOWN.
     pub up_axis: u32,
-    /// How many strands.
+    /// Number of strands.
     pub strand_count: usize,
-    /// strand_count numbers, each 2 or more, whose sum is points.count.
+    /// Number of points of each strand: strand_count numbers, each 2 or more, that sum to points.count.
     pub point_counts: *const u32,
-    /// The points of all strands, one strand after the other, root first, file units: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (narrowed to
-    /// floats; a fourth number is not looked at).
+    /// Points of all strands, strand by strand, root first, file units: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4
+    /// (rounded to floats; a fourth number is ignored).
     pub points: shx_input,
-    /// count 0 (default), or a velocity a point, file units a second; formats as points.
+    /// Velocity of each point, file units per second; formats as points. count 0 (default): none.
     pub velocities: shx_input,
-    /// Null, or a diameter a point, file units.
+    /// Null, or a diameter per point, file units.
     pub thickness: *const f32,
-    /// Null, or a number a point, 0 to 1.
+    /// Null, or a number per point, 0 to 1.
     pub transparency: *const f32,
-    /// Null, or three numbers a point, 0 to 1.
+    /// Null, or three numbers per point, 0 to 1.
     pub colors: *const f32,
-    /// Null, or a byte a point: other than 0 where it is held.
+    /// Null, or a byte per point: non-zero if it is pinned.
     pub pinned: *const u8,
-    /// Null, or a factor a strand.
+    /// Null, or a factor per strand.
     pub strand_thickness: *const f32,
-    /// Null, or two numbers a strand.
+    /// Null, or two numbers per strand.
     pub strand_uvs: *const f32,
-    /// Metres a file unit, for formats that say it (.usda). 0 (default): not known.
+    /// Metres per file unit, for formats that store it (.usda). 0 (default): unknown.
     pub metres_per_unit: f64,
-    /// 2, 3 or 4: the version of a .tfx file. 0 (default): 4, or 2 where strands differ in their number of points.
+    /// Version of a .tfx file: 2, 3 or 4. 0 (default): 4, or 2 if strands differ in their number of points.
     pub tfx_version: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -113,8 +114,9 @@ const _: () = {
     assert!(offset_of!(shx_curve_data, thickness) == 88 && offset_of!(shx_curve_data, tfx_version) == 144);
 };
 
-/// Prepares a shx_curve_data. size is sizeof(shx_curve_data).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *data with defaults. size is sizeof(shx_curve_data).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_data_init(data: *mut shx_curve_data, size: usize) -> shx_result {
     // SAFETY: the caller says that data holds size bytes.
@@ -212,9 +214,11 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
     Ok((curves, version))
 }
 
-/// Writes curves to a file whose name ends in .hair (Cem Yuksel's), .tfx (TressFX), .obj (Wavefront lines) or .usda (USD as text). What the
-/// format has no place for is left out: docs/files.md has the table.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+/// Writes curves to a file: .hair (Cem Yuksel), .tfx (TressFX), .obj (Wavefront lines)
+/// or .usda (USD text), by the ending of its name. Attributes that the format cannot
+/// store are omitted: see the table in docs/files.md.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curve_data_write(path: *const c_char, data: *const shx_curve_data) -> shx_result {
     call("shx_curve_data_write", || {
@@ -227,9 +231,11 @@ pub unsafe extern "C" fn shx_curve_data_write(path: *const c_char, data: *const 
     })
 }
 
-/// What a file says beside the points: SHX_CURVE_ATTRIBUTE_ in what. *out_count is how many floats that is, 0 if the file does not say; they go into
-/// out_values, which holds capacity floats (null with capacity 0: only the count is wanted).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (what), SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Writes an attribute of curves (SHX_CURVE_ATTRIBUTE_) to out_values, which holds capacity
+/// floats, and its number of floats to *out_count: 0 if the file does not have it. With null
+/// out_values and capacity 0 it only returns the number.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (attribute), SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curves_attribute(
     curves: *const shx_curves,
@@ -268,14 +274,24 @@ pub unsafe extern "C" fn shx_curves_attribute(
     })
 }
 
-/// Metres a file unit (0 where the file does not say) and the axis that points up (SHX_UP_AXIS_).
-/// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+/// Returns the metres per file unit (0 if the file does not define them) and the up axis (SHX_UP_AXIS_).
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: any.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn shx_curves_units(curves: *const shx_curves, out_metres_per_unit: *mut f64, out_up_axis: *mut u32) -> shx_result {
+pub unsafe extern "C" fn shx_curves_units(
+    curves: *const shx_curves,
+    out_metres_per_unit: *mut f64,
+    out_up_axis: *mut u32,
+) -> shx_result {
     call("shx_curves_units", || {
         // SAFETY: the caller's handle and places for a number each.
-        let (curves, metres, up) =
-            unsafe { (curves_from(curves)?, Place::new("out_metres_per_unit", out_metres_per_unit)?, Place::new("out_up_axis", out_up_axis)?) };
+        let (curves, metres, up) = unsafe {
+            (
+                curves_from(curves)?,
+                Place::new("out_metres_per_unit", out_metres_per_unit)?,
+                Place::new("out_up_axis", out_up_axis)?,
+            )
+        };
         metres.write(curves.extras().metres_per_unit.unwrap_or(0.0));
         up.write(match curves.extras().up {
             None => SHX_UP_AXIS_UNKNOWN,

@@ -10,8 +10,9 @@ use super::types::{MAX_COUNT, shx_input, shx_output};
 use crate::error::{Error, Result, check_finite};
 use crate::files::curves::Curves;
 
-/// The strands of a groom file: polylines, root first, in the file's units. Made by shx_curves_read, owned by the caller, freed by
-/// shx_curves_destroy. It never changes, so any threads may read it at the same time.
+/// Curves of a groom file: polylines, root first, in the units of the file. shx_curves_read
+/// and shx_curve_cache_sample make them, you own them, shx_curves_destroy frees them.
+/// Immutable: any number of threads may use them at once.
 pub struct shx_curves(Curves);
 
 impl shx_curves {
@@ -50,10 +51,12 @@ pub(super) unsafe fn curves_from<'a>(curves: *const shx_curves) -> Result<&'a Cu
     }
 }
 
-/// Reads a groom: Cem Yuksel's .hair, TressFX .tfx (versions 2, 3, 4), Wavefront .obj with lines, USD as text (.usda, at its first time
-/// sample) or plain .data. path is UTF-8 (on Unix any bytes). *out_curves is yours; free it with shx_curves_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (cannot be read, unknown, truncated, oversized,
-/// nonsense), SHX_ERROR_OUT_OF_MEMORY. Any thread.
+/// Reads a groom: .hair (Cem Yuksel), .tfx (TressFX, versions 2, 3, 4), .obj (Wavefront lines),
+/// .usda (USD text, first time sample) or plain .data. path is UTF-8 (on Unix any bytes). You
+/// own *out_curves; free it with shx_curves_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE (unreadable, unknown format,
+/// truncated, too large, malformed), SHX_ERROR_OUT_OF_MEMORY.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curves_read(path: *const c_char, out_curves: *mut *mut shx_curves) -> shx_result {
     call("shx_curves_read", || {
@@ -64,7 +67,8 @@ pub unsafe extern "C" fn shx_curves_read(path: *const c_char, out_curves: *mut *
     })
 }
 
-/// Frees curves. Null is nothing to free. Any thread; nobody may use them any more.
+/// Frees curves. Null is allowed.
+/// Threads: any. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curves_destroy(curves: *mut shx_curves) {
     call("shx_curves_destroy", || {
@@ -76,8 +80,9 @@ pub unsafe extern "C" fn shx_curves_destroy(curves: *mut shx_curves) {
     });
 }
 
-/// How many strands and how many points in all. Either output may be null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+/// Returns the number of strands and the total number of points. Either output may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curves_count(
     curves: *const shx_curves,
@@ -102,8 +107,9 @@ pub unsafe extern "C" fn shx_curves_count(
     })
 }
 
-/// The number of points of each strand into out_counts, which holds capacity numbers.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Writes the number of points of each strand to out_counts, which holds capacity numbers.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curves_point_counts(curves: *const shx_curves, out_counts: *mut u32, capacity: usize) -> shx_result {
     // SAFETY: the caller's handle and place for capacity numbers.
@@ -113,10 +119,11 @@ pub unsafe extern "C" fn shx_curves_point_counts(curves: *const shx_curves, out_
     })
 }
 
-/// Copies the points of strand_count strands from first_strand on, one strand after the other, each number times scale (metres a
-/// file unit; above zero). points: SHX_FORMAT_F32X3 or _F64X3.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that are not there, scale), SHX_ERROR_BUFFER_TOO_SMALL.
-/// Any thread.
+/// Writes the points of strand_count strands from first_strand on, strand by strand, multiplied by scale
+/// (metres per file unit; above zero). points: SHX_FORMAT_F32X3 or _F64X3.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that
+/// do not exist, scale), SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curves_points(
     curves: *const shx_curves,
@@ -148,11 +155,13 @@ pub unsafe extern "C" fn shx_curves_points(
     })
 }
 
-/// Writes polylines to a file, whose name ends in .obj (Wavefront lines), .hair (Cem Yuksel's), .tfx (TressFX) or .usda (USD as text): a
-/// frame of a cache. points holds
-/// the points of all strands, one strand after the other (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; narrowed to floats, a fourth
-/// number is not looked at); point_counts holds strand_count numbers, each at least 2, whose sum is points.count.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE. Any thread.
+/// Writes polylines to a file: .obj (Wavefront lines), .hair (Cem Yuksel), .tfx (TressFX) or .usda
+/// (USD text), by the ending of its name. Use it for the frames of a cache with one file per
+/// frame. points holds the points of all strands, strand by strand (SHX_FORMAT_F32X3, _F32X4,
+/// _F64X3, _F64X4; rounded to floats, a fourth number is ignored). point_counts holds strand_count
+/// numbers, each at least 2, that sum to points.count.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_curves_write_points(
     path: *const c_char,
@@ -167,7 +176,7 @@ pub unsafe extern "C" fn shx_curves_write_points(
         let counts = array("point_counts", "strand_count", point_counts, strand_count)?;
         let total = counts.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count as usize));
         if let Some(strand) = counts.iter().position(|count| *count < 2) {
-            return Err(Error::invalid(format!("point_counts[{strand}]"), counts[strand], "at least 2 points a strand"));
+            return Err(Error::invalid(format!("point_counts[{strand}]"), counts[strand], "at least 2 points per strand"));
         }
         if total.is_none_or(|total| total > MAX_COUNT || total != reader.count()) {
             return Err(Error::invalid("points.count", reader.count(), "the sum of point_counts"));

@@ -14,23 +14,26 @@ use crate::contact::shape::{DistanceGrid, Mesh};
 use crate::error::{Error, Result};
 use crate::files::distance_grid;
 
-/// A mesh to bake, and how. Fill with shx_distance_grid_def_init, then set every field.
+/// A mesh to bake into a signed distance grid. Fill it with shx_distance_grid_def_init, then set the other
+/// fields. The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_distance_grid_def {
     /// Set by shx_distance_grid_def_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Vertices, m: SHX_FORMAT_F32X3 or _F64X3.
+    /// Vertices, m (SHX_FORMAT_F32X3 or _F64X3). Default: none, set it.
     pub vertices: shx_input,
-    /// Three vertex indices for each triangle, counter-clockwise seen from outside.
+    /// Three vertex indices per triangle, counter-clockwise seen from
+    /// outside; 3 triangle_count numbers. Default null: set it.
     pub triangles: *const u32,
-    /// How many triangles.
+    /// Number of triangles. Default 0: set it.
     pub triangle_count: usize,
-    /// Distance between the nodes of the grid, m; above zero.
+    /// Distance between grid nodes, m; above zero. Default 0: set it.
     pub cell: f64,
-    /// How far the grid extends beyond the mesh at least, m; above zero.
+    /// Minimum distance by which the grid extends beyond the mesh, m; above zero. A body acts within this
+    /// distance outside its surface, and at any depth inside. Default 0: set it.
     pub band: f64,
 }
 
@@ -56,23 +59,24 @@ const _: () = {
     assert!(size_of::<shx_distance_grid_def>() == 72 && offset_of!(shx_distance_grid_def, triangles) == 40);
 };
 
-/// Fills a definition with the defaults. size is sizeof(shx_distance_grid_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_distance_grid_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_distance_grid_def_init(def: *mut shx_distance_grid_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_distance_grid_def_init", "def", def, size) }
 }
 
-/// Bakes a mesh into a signed distance grid, for bodies of SHX_SHAPE_GRID: its distances at the nodes of a lattice of cell metres
-/// that reaches at least band metres beyond it. A strand is told of the body within that band, inside at any depth. A mesh that is not
-/// closed (a head cut off at the neck, parts that do not quite meet) has its inside where its winding number is above one half: an opening
-/// is closed by the surface on which it is one half. vertices: SHX_FORMAT_F32X3 or _F64X3, m; triangles: three indices each,
-/// anticlockwise seen from outside, in a mesh that is not closed for the most part. Writes the grid into image, which
-/// holds capacity bytes, and its size into *out_size; image null with capacity 0: only the size, which bakes nothing. The bytes may be
-/// kept in a file; they are the same on every machine. Takes about a microsecond a node, some microseconds where the mesh is not closed.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (also: the mesh is too open to have an inside, or more than 2^27 nodes),
-/// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY. Any thread.
+/// Bakes a mesh into a signed distance grid for bodies of SHX_SHAPE_GRID: distances at the nodes of a lattice.
+/// The mesh need not be closed (a head cut off at the neck, parts that do not quite meet): its inside is where
+/// its generalised winding number exceeds one half, but most of it must be closed. Writes the grid to
+/// out_grid, which holds capacity bytes, and its size to *out_size. With a null out_grid and capacity 0 it
+/// only returns the size and bakes nothing. You may save the bytes in a file; they are the same on every
+/// machine. Takes about a microsecond per node, several microseconds if the mesh is not closed.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a mesh too open to
+/// have an inside, and more than 2^27 nodes), SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_distance_grid_bake(
     def: *const shx_distance_grid_def,

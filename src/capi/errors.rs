@@ -6,36 +6,40 @@ use std::fmt::{self, Write};
 
 use crate::error::Error;
 
-/// What a fallible function returns: SHX_OK or one of the negative SHX_ERROR_ codes. Codes are never renumbered and never
-/// reused. A function that fails has changed nothing and written nothing; shx_last_error gives the text.
+/// Result of a function: SHX_OK or a negative SHX_ERROR_ code. Codes are never renumbered or reused. A
+/// function that fails has changed nothing and written nothing; shx_last_error returns the message.
 pub type shx_result = i32;
 
 /// Success.
 pub const SHX_OK: i32 = 0;
-/// A required pointer is null. The text names it.
+/// A required pointer is null. The message names it.
 pub const SHX_ERROR_NULL_ARGUMENT: i32 = -1;
-/// A value is out of range: not a number, infinite, negative, an unknown enumerated value, a wrong count. The text names the
-/// argument and the value.
+/// A value is invalid: not finite, out of range, an unknown enumerated value, a wrong
+/// count. The message names the argument and the value.
 pub const SHX_ERROR_INVALID_ARGUMENT: i32 = -2;
-/// An id that names nothing in this solver: null, of a removed strand, or of another solver.
+/// An id names nothing in this solver: it is null, its object was removed, or it belongs to another solver.
 pub const SHX_ERROR_INVALID_ID: i32 = -3;
-/// A structure's struct_size is not one that this library can read: it was not filled by its _init function.
+/// The struct_size of a structure is invalid. Fill structures with their _init functions.
 pub const SHX_ERROR_STRUCT_SIZE: i32 = -4;
-/// The caller's buffer is too short. The text says how many items are needed.
+/// Your buffer is too small. The message gives the required size.
 pub const SHX_ERROR_BUFFER_TOO_SMALL: i32 = -5;
-/// The solver is in use: the call came from one of its own callbacks, or from a second thread at the same time.
+/// The object is in use: the call came from one of its own
+/// callbacks, or from a second thread at the same time.
 pub const SHX_ERROR_BUSY: i32 = -6;
-/// A snapshot image is not one, is truncated or damaged, or is of another version.
+/// The data is not a snapshot, is truncated or corrupt, or has another version.
 pub const SHX_ERROR_SNAPSHOT: i32 = -7;
-/// Memory could not be had.
+/// Out of memory.
 pub const SHX_ERROR_OUT_OF_MEMORY: i32 = -8;
-/// A request that this version does not serve. The text says what to use instead.
+/// This version does not support the request. The message says what to use instead.
 pub const SHX_ERROR_UNSUPPORTED: i32 = -9;
-/// A file could not be read, written or understood. The text names the file, the place and what was expected there.
-pub const SHX_ERROR_FILE: i32 = -11;
-/// A bug of the library was caught at its border. The solver of that call is poisoned: destroy it.
+/// A file could not be read, written or parsed. The message names
+/// the file, the position and what was expected there.
+pub const SHX_ERROR_FILE: i32 = -10;
+/// A bug in the library, caught before it could reach your program.
+/// The solver of this call is now poisoned: destroy it.
 pub const SHX_ERROR_INTERNAL: i32 = -100;
-/// An earlier SHX_ERROR_INTERNAL left this solver in an unknown state. Only shx_solver_destroy takes it.
+/// An earlier SHX_ERROR_INTERNAL left this solver in an unknown
+/// state. It accepts no call but shx_solver_destroy.
 pub const SHX_ERROR_POISONED: i32 = -101;
 
 /// Bytes kept of an error's text, the closing zero included.
@@ -108,8 +112,9 @@ pub(crate) fn remember(function: &str, error: &Error) -> shx_result {
     code(error)
 }
 
-/// The name of a result code, "SHX_ERROR_BUSY"; "unknown result" for a number that is none. The text is static: do not free it.
-/// Any thread.
+/// Returns the name of a result code, such as "SHX_ERROR_BUSY",
+/// or "unknown result". Static text: do not free it.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn shx_result_name(result: shx_result) -> *const c_char {
     let name = match result {
@@ -131,10 +136,12 @@ pub extern "C" fn shx_result_name(result: shx_result) -> *const c_char {
     name.as_ptr()
 }
 
-/// Copies the text of the last error on this thread into buffer, cut to capacity bytes with the closing zero (UTF-8), and
-/// returns the length of the whole text without the zero. The text names the function, the argument and the value. It stays
-/// until the next error on this thread; a call that succeeds does not clear it. Empty when there was none.
-/// buffer may be null or capacity 0: only the length is returned. Any thread; each has its own text.
+/// Copies the message of this thread's last error into buffer: UTF-8, truncated to capacity bytes
+/// including the terminating zero. Returns the length of the whole message without the zero. The
+/// message names the function, the argument and the value. It remains until the next error on this
+/// thread; successful calls do not clear it. It is empty if there was no error. With a null buffer
+/// or capacity 0 the function only returns the length.
+/// Threads: any. Each thread has its own message.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_last_error(buffer: *mut c_char, capacity: usize) -> usize {
     LAST_ERROR.with(|last| {

@@ -15,21 +15,22 @@ use crate::error::{Error, Result};
 use crate::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
 use crate::rod::definition::{MAX_ELEMENTS, check_rows};
 
-/// A strand fitted to a polyline, beside its element lengths and curvatures. Prepare with shx_polyline_fit_init.
+/// A strand fitted to a polyline, apart from its element lengths
+/// and curvatures. Fill it with shx_polyline_fit_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_polyline_fit {
     /// Set by shx_polyline_fit_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
-    /// Root frame: the first point, n0 along the first segment.
+    /// Root frame: the first point, with n0 along the first segment.
     pub root: shx_frame,
     /// Length of the polyline, m.
     pub length: f64,
-    /// Root mean square distance between the polyline and the strand at equal arclength, m.
+    /// RMS distance between polyline and strand at equal arclength, m.
     pub rms_error: f64,
-    /// The largest such distance, m.
+    /// Largest such distance, m.
     pub max_error: f64,
 }
 
@@ -51,20 +52,24 @@ unsafe impl Versioned for shx_polyline_fit {
 
 const _: () = assert!(size_of::<shx_polyline_fit>() == 88 && offset_of!(shx_polyline_fit, length) == 64);
 
-/// Prepares a shx_polyline_fit. size is sizeof(shx_polyline_fit).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *fit with defaults. size is sizeof(shx_polyline_fit).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_polyline_fit_init(fit: *mut shx_polyline_fit, size: usize) -> shx_result {
     // SAFETY: the caller says that fit holds size bytes.
     unsafe { initialise("shx_polyline_fit_init", "fit", fit, size) }
 }
 
-/// Fits a strand of element_count helical elements (1 to 100000) to a polyline of at least two distinct points in metres, root
-/// first (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is not looked at). Doubled points are skipped. The root frame,
-/// the length and the errors go to out_fit, element_count lengths (m) to out_element_lengths, element_count rows of curvatures
-/// (rad/m) to out_curvatures; capacity says how many elements both hold. Put them into shx_strand_def.root, .element_lengths and
-/// .natural (or .initial).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Fits a strand of element_count helical elements (1 to 100000) to a polyline of at least two distinct
+/// points, m, root first (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is ignored).
+/// Repeated points are skipped. Writes the root frame, the length and the errors to out_fit,
+/// element_count lengths (m) to out_element_lengths, and element_count rows of curvatures (rad/m) to
+/// out_curvatures. Both arrays hold capacity elements. Use them as shx_strand_def.root, .element_lengths
+/// and .natural_curvatures (or .initial_curvatures).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_polyline(
     polyline: *const shx_input,
@@ -105,11 +110,12 @@ pub unsafe extern "C" fn shx_fit_polyline(
     call("shx_fit_polyline", body)
 }
 
-/// Natural curvatures for which a strand of this definition hangs still under gravity (three doubles, m/s^2) in the shape of
-/// curvatures (count rows, rad/m; count is def.element_count): the sag-free natural shape. They go to out_natural, which holds
-/// count rows. Only the material, the lengths and the root of the definition matter. In a solver of the default quadrature_tolerance
-/// the strand is in balance to rounding, in others to that tolerance.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+/// Computes the natural curvatures with which a strand rests under gravity (three doubles, m/s^2) in a given
+/// shape: curvatures, count rows, rad/m; count is def.element_count. Writes count rows to out_natural. Only
+/// the material, the lengths and the root of def matter. The strand is in balance to rounding in a solver with
+/// the default quadrature_tolerance, and to that tolerance in others.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: any.
 /// cbindgen:ptrs-as-arrays=[[gravity; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_sag_free_curvatures(

@@ -20,50 +20,55 @@ use crate::groom::fit::{ElementLengths, Fit, FitCurve, FitOptions, FitRoot, FitS
 use crate::rod::definition::MAX_ELEMENTS;
 use crate::workers::Workers;
 
-/// All elements of a strand are equally long.
+/// All elements of a strand have the same length.
 pub const SHX_FIT_LENGTHS_EQUAL: u32 = 1;
-/// Equally long where that is good, else free. The default.
+/// Equal lengths where they fit well, otherwise free ones. The default.
 pub const SHX_FIT_LENGTHS_AUTO: u32 = 2;
-/// Free: half the error. Strands step as fast; shx_solver_sample takes strands of equal elements side by side, others one by one.
+/// Free lengths: half the error. Strands step as fast; sampling
+/// vectorises across strands with equal elements only.
 pub const SHX_FIT_LENGTHS_FREE: u32 = 3;
 
-/// How to fit, and by whom. Fill with shx_fit_options_init.
+/// Options of fitting. Fill it with shx_fit_options_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_fit_options {
     /// Set by shx_fit_options_init.
     pub struct_size: u32,
-    /// Helical elements a strand, 1 to 100000; with a tolerance, the most. Default 10.
+    /// Number of helical elements per strand, 1 to 100000; with a tolerance, the maximum. Default 10.
     pub element_count: u32,
-    /// Above 0: the smallest number of elements for which no point is farther than this from the strand at equal arclength, m. Where
-    /// element_count do not keep it, the strand has that many, and its max_error says so. 0 (default): none.
+    /// Above 0: use the smallest number of elements for which no point is farther than this from the strand at
+    /// equal arclength, m. If element_count elements do not suffice, the strand has that many and its
+    /// max_error exceeds the tolerance. 0 (default): none.
     pub tolerance: f64,
     /// SHX_FIT_LENGTHS_. Default SHX_FIT_LENGTHS_AUTO.
     pub length_mode: u32,
-    /// 1 (default): elements may be twisted where that brings the centreline closer. 0: no twist; material frames are carried along
-    /// without turning, and elements are arcs of circles.
+    /// 1 (default): elements may twist where that brings the centreline closer. 0: no twist; material frames are
+    /// parallel-transported, and elements are circular arcs.
     pub twist: u32,
-    /// The least length of an element in those of equal ones, 0.05 to 1. Default 0.3.
+    /// Minimum length of an element relative to equal lengths, 0.05 to 1. Default 0.3.
     pub min_length_ratio: f64,
-    /// A start is good, and the last, when the root mean square distance is below this share of the length; 0 to 1. Default 1e-3.
+    /// A fit is good enough, and no other start is tried, once its RMS distance is below
+    /// this fraction of the length; 0 to 1. Default 1e-3.
     pub target_rms_error: f64,
-    /// A strand whose largest distance is above this share of the length has it lowered below, or as far as it goes, at the cost of the root
-    /// mean square; 0 to 1. Default 0.01. 1: never. With a tolerance that is used in its place.
+    /// If the largest distance exceeds this fraction of the length, it is reduced below it, or as far as
+    /// possible, at the expense of the RMS distance; 0 to 1. Default 0.01; 1: never. A tolerance replaces it.
     pub target_max_error: f64,
-    /// What the points may be off by, m, 0 or above: the length of a curve that zigzags by less is taken along its middle. Default 0.
+    /// Expected error of the points, m; 0 or above. The length of a curve that zigzags
+    /// by less is measured along its middle. Default 0.
     pub noise: f64,
-    /// Where curves have frames: how many metres of distance, in units of the curve's length, one radian between the frames is worth,
-    /// 0 or above. Default 3e-3.
+    /// For curves with frames: the distance, as a fraction of the length of the curve, that counts as much as
+    /// one radian between the frames; 0 or above. Default 3e-3.
     pub frame_weight: f64,
-    /// Starts tried at most, 1 to 8. Default 4.
+    /// Maximum number of initial guesses, 1 to 8. Default 4.
     pub max_starts: u32,
-    /// Threads: 0 or 1 (default): the calling thread; 2 to 256: a pool, there for the call alone. The results' bits do not depend on it.
+    /// Number of threads. 0 or 1 (default): the calling thread. 2 to 256: a pool for this call only.
+    /// Results are identical to the bit for any number.
     pub worker_count: u32,
-    /// Or the host's parallel loop.
+    /// Your parallel loop instead. Default null: none.
     pub parallel_for: shx_parallel_for_fn,
-    /// Handed to parallel_for.
+    /// User pointer of parallel_for.
     pub parallel_for_user: *mut c_void,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -93,6 +98,7 @@ unsafe impl Versioned for shx_fit_options {
     }
 }
 
+#[cfg(target_pointer_width = "64")]
 const _: () = {
     assert!(size_of::<shx_fit_options>() == 120 && offset_of!(shx_fit_options, min_length_ratio) == 24);
     assert!(offset_of!(shx_fit_options, max_starts) == 64 && offset_of!(shx_fit_options, reserved) == 88);
@@ -139,41 +145,44 @@ fn in_words_of_c(error: Error) -> Error {
     ])
 }
 
-/// Prepares a shx_fit_options. size is sizeof(shx_fit_options).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *options with defaults. size is sizeof(shx_fit_options).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_options_init(options: *mut shx_fit_options, size: usize) -> shx_result {
     // SAFETY: the caller says that options holds size bytes.
     unsafe { initialise("shx_fit_options_init", "options", options, size) }
 }
 
-/// Curves to fit strands to. Prepare with shx_fit_input_init, then set at least points, point_counts and curve_count. What is pointed
-/// to is read during the call and not kept.
+/// Curves to fit strands to. Fill it with shx_fit_input_init, then set at least points, point_counts and
+/// curve_count. The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_fit_input {
     /// Set by shx_fit_input_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// How many curves.
+    /// Number of curves. Default 0: set it.
     pub curve_count: usize,
-    /// The points of all curves, one curve after the other, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is
-    /// not looked at). Doubled points are skipped.
+    /// Points of all curves, curve by curve, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth
+    /// number is ignored). Repeated points are skipped.
     pub points: shx_input,
-    /// curve_count numbers, whose sum is points.count.
+    /// Number of points of each curve: curve_count numbers that sum to points.count.
     pub point_counts: *const u32,
-    /// Null (default: the sum of the edges), or the arclength of each point, m: from 0 at each root, ascending.
+    /// Arclength of each point, m, ascending from 0 at each
+    /// root. Null (default): the sum of the segment lengths.
     pub arclengths: *const f64,
-    /// Null (default), or the hair's width at each point, m, 0 or above.
+    /// Width of the hair at each point, m; 0 or above. Null (default): none.
     pub widths: *const f64,
-    /// count 0 (default), or a material frame at each point (SHX_FORMAT_FRAME, of which the rotation counts, or _F32X4, _F64X4:
-    /// quaternions x, y, z, w): the strands' n1 follow the images of the y axis as well as they can.
+    /// Material frame at each point (SHX_FORMAT_FRAME, of which only the rotation matters,
+    /// or _F32X4, _F64X4: quaternions x, y, z, w). n1 of the strands follows their y axes
+    /// as closely as possible. count 0 (default): none.
     pub frames: shx_input,
-    /// count 0 (default: from the curve), or for each curve the root's frame (formats as frames), or the direction in which the strand
-    /// leaves (SHX_FORMAT_F32X3, _F64X3; any length above zero).
+    /// Root frame of each curve (formats as frames), or the direction in which its strand leaves
+    /// (SHX_FORMAT_F32X3, _F64X3; any length above zero). count 0 (default): taken from the curve.
     pub roots: shx_input,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -206,34 +215,35 @@ const _: () = {
     assert!(offset_of!(shx_fit_input, reserved) == 136);
 };
 
-/// Prepares a shx_fit_input. size is sizeof(shx_fit_input).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *curves with defaults. size is sizeof(shx_fit_input).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_input_init(curves: *mut shx_fit_input, size: usize) -> shx_result {
     // SAFETY: the caller says that curves holds size bytes.
     unsafe { initialise("shx_fit_input_init", "curves", curves, size) }
 }
 
-/// A strand that was fitted to a curve, beside its element lengths and curvatures.
+/// A strand fitted to a curve, apart from its element lengths and curvatures.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_fitted_strand {
-    /// SHX_OK, or why the curve could not be fitted (SHX_ERROR_INVALID_ARGUMENT: no length, numbers that are not finite, ...); then
-    /// the rest is 0.
+    /// SHX_OK, or why the curve could not be fitted (SHX_ERROR_INVALID_ARGUMENT: no length, values that are not
+    /// finite, and so on); the other fields are then 0.
     pub result: shx_result,
-    /// How many elements the strand has.
+    /// Number of elements of the strand.
     pub element_count: u32,
-    /// Root frame: the curve's first point.
+    /// Root frame, at the first point of the curve.
     pub root: shx_frame,
-    /// m.
+    /// Length, m.
     pub length: f64,
-    /// Root mean square distance between the curve's points and the strand at equal arclength, m.
+    /// RMS distance between the points of the curve and the strand at equal arclength, m.
     pub rms_error: f64,
-    /// The largest such distance, m.
+    /// Largest such distance, m.
     pub max_error: f64,
-    /// The largest distance of the curve's points from the strand, wherever on it the nearest place is, m.
+    /// Largest distance of a point of the curve from the closest point of the strand, m.
     pub max_distance: f64,
-    /// Root mean square angle between n1 and the curve's frames, rad; 0 without frames.
+    /// RMS angle between n1 and the frames of the curve, rad; 0 without frames.
     pub frame_error: f64,
     /// Half the mean width, m; 0 without widths.
     pub radius: f64,
@@ -362,13 +372,15 @@ unsafe fn roots(input: &shx_input, needed: usize) -> Result<Option<Vec<FitRoot>>
     Ok(Some((0..needed).map(|index| FitRoot::Direction(reader.point(index).into())).collect()))
 }
 
-/// Fits a strand to each of many curves, on as many threads as options say (null: the defaults). Item i of strands (stride bytes apart,
-/// 0: packed) says what came of curve i; a curve that cannot be fitted has its status and leaves the others alone. The rows of curve i
-/// begin at i * options.element_count, both in out_element_lengths (m) and out_curvatures (rad/m, rows of three doubles); what a strand
-/// has fewer elements than that is filled with 0. capacity says how many elements both hold: at least curve_count *
-/// options.element_count. shx_strand_def_set_fit puts them into a definition.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL,
-/// SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
+/// Fits a strand to each of many curves, on the threads that options ask for (null: defaults). Item i
+/// of out_strands (stride bytes apart, 0: tightly packed) is the result for curve i; a curve that
+/// cannot be fitted does not affect the others. The rows of curve i start at i *
+/// options.element_count, in out_element_lengths (m) as in out_curvatures (rad/m, rows of three
+/// doubles); unused rows are 0. Both hold capacity elements: at least curve_count *
+/// options.element_count. shx_strand_def_set_fit puts a fitted strand into a definition.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
+/// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_UNSUPPORTED (threads that could not be started).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_strands(
     options: *const shx_fit_options,
@@ -427,12 +439,14 @@ pub unsafe extern "C" fn shx_fit_strands(
     call("shx_fit_strands", body)
 }
 
-/// Puts a fitted strand into a definition that shx_strand_def_init has filled: root, length, element_count, element_lengths and
-/// natural, and where the curve had widths both semi-axes (radius); the rest stays as it is. element_lengths (m) and curvatures
-/// (rad/m, rows of three doubles) are the strand's own: of curve i of shx_fit_strands they begin at i * options.element_count. The
-/// definition points to them: they must stay until it has been used.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the curve could not be fitted: its status is
-/// not SHX_OK); then nothing has changed. Any thread.
+/// Puts a fitted strand into a definition that shx_strand_def_init has filled: root, length, element_count,
+/// element_lengths, natural_curvatures, and both semi-axes (radius) if the curve had widths. The other
+/// fields stay. element_lengths (m) and curvatures (rad/m, rows of three doubles) are those of this strand:
+/// for curve i of shx_fit_strands they start at i * options.element_count. The definition points to them,
+/// so they must remain valid until you have used it.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the
+/// curve could not be fitted: its result is not SHX_OK).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_strand_def_set_fit(
     def: *mut shx_strand_def,
@@ -447,7 +461,7 @@ pub unsafe extern "C" fn shx_strand_def_set_fit(
             (read_versioned("def", def.cast_const())?, VersionedOutput::new("def", def)?, fitted)
         };
         if fitted.result != SHX_OK {
-            return Err(Error::invalid("fitted.result", fitted.result, "SHX_OK: a curve that could be fitted"));
+            return Err(Error::invalid("fitted.result", fitted.result, "SHX_OK, from a curve that could be fitted"));
         }
         let count = fitted.element_count as usize;
         if !(1..=MAX_ELEMENTS).contains(&count) {

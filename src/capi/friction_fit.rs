@@ -18,96 +18,99 @@ use crate::math::pose_spline::PoseSpline;
 use crate::study::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
 use crate::study::recording::{Observable, Recording, RootMotion};
 
-/// The distance from root to tip, m.
+/// Distance from root to tip, m.
 pub const SHX_OBSERVABLE_SPAN: u32 = 1;
 /// How far the tip hangs below the root along gravity, m.
 pub const SHX_OBSERVABLE_DEPTH: u32 = 2;
-/// How far the tip is from the root along shx_friction_fit_def.direction, m.
+/// Offset of the tip from the root along shx_friction_fit_def.direction, m.
 pub const SHX_OBSERVABLE_OFFSET: u32 = 3;
-/// The angle of the line from root to tip against gravity, towards shx_friction_fit_def.direction, rad, -pi to pi.
+/// Angle of the line from root to tip from gravity towards shx_friction_fit_def.direction, rad, -pi to pi.
 pub const SHX_OBSERVABLE_ANGLE: u32 = 4;
 
 /// Internal friction gamma.
 pub const SHX_FRICTION_INTERNAL: u32 = 1;
-/// Kelvin-Voigt time mu.
+/// Kelvin-Voigt damping time mu.
 pub const SHX_FRICTION_VISCOSITY: u32 = 2;
 /// Air drag nu.
 pub const SHX_FRICTION_AIR_DRAG: u32 = 4;
 
-/// The strand starts at rest in its stable equilibrium under gravity, moving rigidly with its root. The default.
+/// The strand starts in its stable equilibrium under gravity, moving rigidly with its root. The default.
 pub const SHX_FRICTION_START_SETTLED: u32 = 1;
 /// The strand starts with the initial curvatures and rates of its definition.
 pub const SHX_FRICTION_START_AS_DEFINED: u32 = 2;
 
-/// This coefficient was not fitted; value is the strand's own, the other numbers are 0.
+/// The coefficient was not fitted: value is that of the strand, the other numbers are 0.
 pub const SHX_COEFFICIENT_NOT_FITTED: u32 = 0;
-/// The recording says what the coefficient is.
+/// The recording determines the coefficient.
 pub const SHX_COEFFICIENT_DETERMINED: u32 = 1;
-/// It does not: the curve hardly changes with the coefficient (standard error above half of it, or no value of the range differs by
-/// three standard deviations), or two coefficients cannot be told apart.
+/// It does not: the curve hardly depends on the coefficient (the standard error exceeds half of the value, or
+/// no value in the range differs by three standard deviations), or two coefficients cannot be told apart.
 pub const SHX_COEFFICIENT_UNDETERMINED: u32 = 2;
-/// The best value is the lower end of the range, and the curve would still improve below.
+/// The best value is the lower bound of the range, and a smaller one would fit better.
 pub const SHX_COEFFICIENT_AT_LOWER_BOUND: u32 = 3;
-/// The best value is the upper end of the range, and the curve would still improve above.
+/// The best value is the upper bound of the range, and a larger one would fit better.
 pub const SHX_COEFFICIENT_AT_UPPER_BOUND: u32 = 4;
 
-/// What to fit and how. Fill with shx_friction_fit_def_init, then set at least coefficients. What is pointed to is read during the call
-/// and not kept.
+/// What to fit, and how. Fill it with shx_friction_fit_def_init, then set at least coefficients.
+/// The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_friction_fit_def {
     /// Set by shx_friction_fit_def_init.
     pub struct_size: u32,
-    /// What the recorded values are: SHX_OBSERVABLE_. Default SHX_OBSERVABLE_SPAN.
+    /// Meaning of the recorded values: SHX_OBSERVABLE_. Default SHX_OBSERVABLE_SPAN.
     pub observable: u32,
-    /// What to fit: SHX_FRICTION_ bits, at least one. Default 0: set it.
+    /// Coefficients to fit: SHX_FRICTION_INTERNAL, _VISCOSITY and
+    /// _AIR_DRAG bits, at least one. Default 0: set it.
     pub coefficients: u32,
-    /// The strand's state where the simulation starts: SHX_FRICTION_START_. Default SHX_FRICTION_START_SETTLED.
+    /// Initial state of the strand: SHX_FRICTION_START_. Default SHX_FRICTION_START_SETTLED.
     pub start: u32,
-    /// For SHX_OBSERVABLE_OFFSET and _ANGLE: of any length above zero. Default (1, 0, 0).
+    /// Direction for SHX_OBSERVABLE_OFFSET and _ANGLE, any length above zero. Default (1, 0, 0).
     pub direction: [f64; 3],
-    /// Smallest and largest gamma looked at, kg m^3/s: above zero, the second above the first. Default 1e-12, 1e-8.
+    /// Smallest and largest gamma to try, kg m^3/s; above zero, ascending. Default 1e-12, 1e-8.
     pub internal_friction_range: [f64; 2],
     /// The same for mu, s. Default 1e-4, 1.
     pub viscosity_range: [f64; 2],
     /// The same for nu, kg/(m s). Default 1e-7, 1e-3.
     pub air_drag_range: [f64; 2],
-    /// A gamma within its range to begin from, beside the grid; 0 (default): none.
+    /// Initial guess of gamma within its range, in addition to the grid. 0 (default): none.
     pub internal_friction_guess: f64,
     /// The same for mu.
     pub viscosity_guess: f64,
     /// The same for nu.
     pub air_drag_guess: f64,
-    /// The simulation starts this long before the first time, s; zero or above. Default 0.
+    /// The simulation starts this long before the first recorded time, s; zero or above. Default 0.
     pub lead_in: f64,
-    /// Values in the first so many seconds are simulated but not compared; zero or above. Default 0.
+    /// Values in this initial time span are simulated but not compared, s; zero or above. Default 0.
     pub discard: f64,
-    /// The longest step, s; above zero. Default 1/480.
+    /// Longest step, s; above zero. Default 1/480.
     pub time_step: f64,
-    /// Points of the grid over each range: 2 to 64, or 0 for none (then every coefficient needs a guess). Default 9.
+    /// Grid points over each range, 2 to 64. 0: no grid, so every coefficient needs a guess. Default 9.
     pub grid_points: u32,
-    /// 1: a constant added to the simulated values is fitted as well, for a marker that is not quite on the tip. Default 0.
+    /// 1: also fit a constant that is added to the simulated values, for a
+    /// marker that is not exactly at the tip. Default 0.
     pub fit_offset: u32,
-    /// Iterations of the least squares at most, 1 to 1000. Default 50.
+    /// Maximum number of least-squares iterations, 1 to 1000. Default 50.
     pub max_iterations: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// The root is at amplitude * sin(2 pi frequency t + phase) from the strand's pose, along oscillation_direction; m. Default 0.
+    /// Amplitude of the root, m: it moves by amplitude * sin(2 pi frequency t
+    /// + phase) along oscillation_direction. Default 0.
     pub oscillation_amplitude: f64,
-    /// Hz; above zero, or 0 (default): it does not oscillate.
+    /// Frequency, Hz; above zero, or 0 (default): the root does not oscillate.
     pub oscillation_frequency: f64,
-    /// rad. Default 0.
+    /// Phase, rad. Default 0.
     pub oscillation_phase: f64,
-    /// Of any length; (0, 0, 0) (default): up, against gravity.
+    /// Direction, any length. (0, 0, 0) (default): up, against gravity.
     pub oscillation_direction: [f64; 3],
-    /// Or the root moves through recorded poses (which replace the strand's own), smoothly, held before the first and after the
-    /// last: root_count times, s, strictly increasing.
+    /// Instead, the root follows recorded frames, which replace the root of the strand: root_count times, s,
+    /// strictly increasing. It moves smoothly and is at rest before the first and after the last.
     pub root_times: *const f64,
-    /// root_count poses.
+    /// root_count frames.
     pub root_frames: *const shx_frame,
-    /// How many. 0 (default): none.
+    /// Number of frames. 0 (default): none.
     pub root_count: usize,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -152,31 +155,34 @@ unsafe impl Versioned for shx_friction_fit_def {
 const _: () = {
     assert!(size_of::<shx_friction_fit_def>() == 256);
     assert!(offset_of!(shx_friction_fit_def, direction) == 16 && offset_of!(shx_friction_fit_def, grid_points) == 136);
-    assert!(offset_of!(shx_friction_fit_def, oscillation_amplitude) == 152 && offset_of!(shx_friction_fit_def, root_times) == 200);
+    assert!(
+        offset_of!(shx_friction_fit_def, oscillation_amplitude) == 152 && offset_of!(shx_friction_fit_def, root_times) == 200
+    );
 };
 
-/// What was found out about one coefficient.
+/// Result for one coefficient.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_fitted_coefficient {
-    /// SHX_COEFFICIENT_: whether the recording says what it is.
+    /// SHX_COEFFICIENT_: whether the recording determines it.
     pub status: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
-    /// The best value, in the coefficient's unit.
+    /// Best value, in the unit of the coefficient.
     pub value: f64,
-    /// Its standard error, in the same unit; infinite where the curve does not depend on it.
+    /// Standard error, in the same unit. Infinite if the curve does not depend on the coefficient.
     pub standard_error: f64,
-    /// By what share of itself the value would change (to first order) if the steps were half as long. Not a number where
-    /// standard_error is infinite.
+    /// Relative change of the value, to first order, if the steps were
+    /// half as long. NaN if standard_error is infinite.
     pub step_sensitivity: f64,
-    /// The nearest value of the grid below the best that the curve excludes by two standard deviations; 0 where there is none.
+    /// Largest grid value below the best one that the curve
+    /// excludes by two standard deviations; 0 if there is none.
     pub excluded_below: f64,
-    /// The nearest one above; infinite where there is none.
+    /// Smallest such grid value above; infinite if there is none.
     pub excluded_above: f64,
 }
 
-/// The outcome of a fit. Prepare with shx_friction_fit_report_init.
+/// Result of a fit. Fill it with shx_friction_fit_report_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_friction_fit_report {
@@ -190,21 +196,23 @@ pub struct shx_friction_fit_report {
     pub viscosity: shx_fitted_coefficient,
     /// nu, kg/(m s).
     pub air_drag: shx_fitted_coefficient,
-    /// Root mean square of the compared residuals, in the unit of the values.
+    /// RMS of the compared residuals, in the unit of the recorded values.
     pub rms_residual: f64,
-    /// The residuals' standard deviation, corrected for what was fitted: the recording's noise if the model is right.
+    /// Standard deviation of the residuals, corrected for the number of fitted coefficients:
+    /// the noise of the recording if the model is right.
     pub noise: f64,
-    /// Correlation of one residual with the next, -1 to 1. Near 1, the model misses something and the standard errors are too small.
+    /// Correlation of consecutive residuals, -1 to 1. Near 1 the model lacks
+    /// something, and the standard errors are too small.
     pub residual_correlation: f64,
-    /// The constant that was added to the simulated values; 0 unless fitted.
+    /// Constant added to the simulated values; 0 unless fitted.
     pub offset: f64,
-    /// Curves that were simulated.
+    /// Number of simulated curves.
     pub simulations: u32,
-    /// Steps of the best curve whose iteration did not reach its tolerance.
+    /// Number of steps of the best curve that did not converge.
     pub unconverged: u32,
     /// Index of the first value that was compared.
     pub first_compared: u32,
-    /// How many values were compared: that one and all after it.
+    /// Number of values that were compared: that one and all after it.
     pub compared: u32,
 }
 
@@ -252,11 +260,15 @@ impl shx_friction_fit_def {
             return Err(Error::Unsupported {
                 argument: "solver.parallel_for".into(),
                 value: "a function".into(),
-                hint: "a fit runs on threads of its own, as many as worker_count says".into(),
+                hint: "use worker_count: a fit runs on its own threads".into(),
             });
         }
         if self.coefficients == 0 || self.coefficients > 7 {
-            return Err(Error::invalid("friction.coefficients", self.coefficients, "SHX_FRICTION_ bits, at least one"));
+            return Err(Error::invalid(
+                "friction.coefficients",
+                self.coefficients,
+                "SHX_FRICTION_INTERNAL, _VISCOSITY and _AIR_DRAG bits, at least one",
+            ));
         }
         let settings = [
             (self.internal_friction_range, self.internal_friction_guess),
@@ -322,7 +334,7 @@ impl shx_friction_fit_def {
             });
         }
         if oscillates {
-            let expected = "0, since the root moves through poses, or an oscillation alone";
+            let expected = "0: the root either oscillates or follows frames";
             return Err(Error::invalid("friction.root_count", self.root_count, expected));
         }
         let frame = |(index, frame): (usize, &shx_frame)| {
@@ -401,33 +413,38 @@ fn report(fit: &FrictionFit, strand: &shx_strand_def) -> shx_friction_fit_report
     }
 }
 
-/// Fills a definition with the defaults. size is sizeof(shx_friction_fit_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_friction_fit_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_friction_fit_def_init(def: *mut shx_friction_fit_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_friction_fit_def_init", "def", def, size) }
 }
 
-/// Prepares a report. size is sizeof(shx_friction_fit_report).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *report with defaults. size is sizeof(shx_friction_fit_report).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_friction_fit_report_init(report: *mut shx_friction_fit_report, size: usize) -> shx_result {
     // SAFETY: the caller says that report holds size bytes.
     unsafe { initialise("shx_friction_fit_report_init", "report", report, size) }
 }
 
-/// Fits friction coefficients of a strand to a recorded curve, as Bertails et al. 2006 (section 4.2) choose them: the internal
-/// friction from the span of a curl that is shaken up and down, the air drag from a pendulum that comes to rest. The recording
-/// (count times, s, strictly increasing, and as many values; at least two more compared than unknowns) is simulated with the
-/// strand, and the squared difference is minimised over the coefficients' logarithms; the strand's own values of those sought make
-/// no difference. solver gives gravity, wind, the integrator and worker_count; null: all defaults; its log is not used.
-/// docs/friction_fit.md says how to record. The outcome goes to out_report. out_curve is null or holds count doubles: the best
-/// curve, from value first_compared on, goes to its first places. Takes some 20 simulations of the recording for one coefficient,
-/// 120 for two.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a strand that finds no rest, or a range
-/// in which no simulation stays finite), SHX_ERROR_UNSUPPORTED (parallel_for). A coefficient that the recording does not determine
-/// is no error: see verdict. Any thread.
+/// Fits friction coefficients of a strand to a recorded curve (Bertails et al. 2006, section 4.2):
+/// internal friction from the span of a curl that is shaken vertically, air drag from a pendulum that
+/// comes to rest. The recording has count times, s, strictly increasing, and as many values; at least two
+/// more of them are compared than there are unknowns. The fit simulates it with the strand and minimises
+/// the squared difference over the logarithms of the coefficients; the strand's own values of fitted
+/// coefficients have no effect. solver gives gravity, wind, integrator and worker_count; null: defaults.
+/// Its log is not used. docs/friction_fit.md explains how to record. The result goes to out_report.
+/// out_curve is null or holds count doubles: the best curve, starting with value first_compared. Takes
+/// some 20 simulations of the recording for one coefficient, 120 for two. A coefficient that the
+/// recording does not determine is not an error: see status.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT (also a strand that finds no equilibrium, and a range
+/// in which no simulation stays finite), SHX_ERROR_UNSUPPORTED (parallel_for).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_fit_friction(
     solver: *const shx_solver_def,

@@ -10,9 +10,8 @@ use super::log::{LogSink, SHX_LOG_ERROR};
 use crate::error::{Error, Result};
 use crate::solver::Solver;
 
-/// A solver: strands, gravity, wind and everything that a step needs. Made by shx_solver_create, owned by the caller, freed by
-/// shx_solver_destroy. Functions that take a const shx_solver* may run at the same time on any threads; one that takes a
-/// shx_solver* must be alone. A call that breaks this rule gives SHX_ERROR_BUSY.
+/// A solver holds strands, bodies, constraints and everything a step needs. shx_solver_create makes it, you
+/// own it, shx_solver_destroy frees it. Calls that break the thread rules of a solver return SHX_ERROR_BUSY.
 pub struct shx_solver {
     /// -1: a call that changes it is running; n > 0: n reading calls are.
     users: AtomicI32,

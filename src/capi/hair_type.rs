@@ -14,54 +14,57 @@ use crate::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
 use crate::groom::hair_type::{HairType, MeasuredHair};
 use crate::groom::variation::Variation;
 
-/// Natural curvatures are those of the measured helix itself.
+/// Natural curvatures are those of the measured helix.
 pub const SHX_CURL_EXACT: u32 = 0;
-/// Natural curvatures as Bertails et al. 2006 have them, for steps much shorter than the helix radius.
+/// Natural curvatures by the formula of Bertails et al. 2006, for pitches much smaller than the helix radius.
 pub const SHX_CURL_BERTAILS: u32 = 1;
 
-/// What was measured of a kind of hair, and how its strands vary. Prepare with shx_hair_type_init or shx_hair_type_from_name.
+/// A type of hair: measured properties, and how strands vary. Fill it
+/// with shx_hair_type_init or shx_hair_type_from_name.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_hair_type {
     /// Set by shx_hair_type_init.
     pub struct_size: u32,
-    /// SHX_CURL_.
+    /// SHX_CURL_. Default SHX_CURL_EXACT.
     pub curl: u32,
-    /// Mean radius of the section, sqrt(a1 a2), m; above 0.
+    /// Mean radius of the cross-section, sqrt(a1 a2), m; above 0.
     pub mean_radius: f64,
-    /// Longer semi-axis over the shorter one; 1 or above.
+    /// Ratio of the longer to the shorter semi-axis; 1 or above.
     pub ellipticity: f64,
-    /// Radius of the helix that a lock's tip makes, m; 0: straight, then helix_step is 0 too.
+    /// Radius of the helix that the tip of a lock forms, m. 0: straight; helix_pitch must be 0 then.
     pub helix_radius: f64,
-    /// How far that helix goes on in a turn, m; 0 or above.
+    /// Pitch of that helix, m; 0 or above.
     pub helix_pitch: f64,
-    /// Pa, above 0.
+    /// Young's modulus, Pa; above 0.
     pub youngs_modulus: f64,
-    /// Above -1, at most 0.5.
+    /// Poisson's ratio; above -1, at most 0.5.
     pub poisson_ratio: f64,
-    /// kg/m^3, above 0.
+    /// Density, kg/m^3; above 0.
     pub density: f64,
-    /// gamma, kg m^3/s; 0 or above.
+    /// Internal friction gamma, kg m^3/s; 0 or above.
     pub internal_friction: f64,
-    /// nu, kg/(m s); 0 or above.
+    /// Air drag nu, kg/(m s); 0 or above.
     pub air_drag: f64,
-    /// Friction against other hair and bodies in units of shx_strand_contact's own coefficients; 0 or above.
+    /// Factor on the default Coulomb coefficients of shx_strand_contact; 0 or above.
     pub friction: f64,
-    /// Of natural twist and curvature from strand to strand: standard deviation over the mean, 0 (default) to 0.25.
+    /// Variation of natural twist and curvature between strands:
+    /// standard deviation over mean, 0 (default) to 0.25.
     pub variation_between: f64,
-    /// Of natural twist and curvature along a strand: the same.
+    /// Variation of natural twist and curvature along a strand; the same measure and range.
     pub variation_along: f64,
-    /// Of the section's radius from strand to strand: the same.
+    /// Variation of the radius between strands; the same measure and range.
     pub variation_thickness: f64,
-    /// Natural curvature in random directions that is added along a strand: standard deviation, rad/m; 0 (default) or above.
+    /// Natural curvature in random directions that is added along a strand:
+    /// standard deviation, rad/m; 0 (default) or above.
     pub frizz: f64,
-    /// The arclength over which what varies along a strand changes, m; 1e-4 or above (default 0.02).
+    /// Arclength over which properties vary along a strand, m; 1e-4 or above. Default 0.02.
     pub variation_period: f64,
-    /// Roots are turned about their tangents by up to so much either way, rad; 0 (default) to pi.
+    /// Roots turn about their tangents by up to this angle in either direction, rad; 0 (default) to pi.
     pub root_turn: f64,
-    /// Another seed, other strands of the same kind.
+    /// Random seed: another seed gives other strands of the same type.
     pub seed: u64,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -142,14 +145,14 @@ impl shx_hair_type {
     }
 }
 
-/// High-level sliders, each from -1 to 1, 0 (default) changes nothing; docs/hair_types.md says what each does. Prepare with
-/// shx_hair_sliders_init.
+/// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes
+/// their effects. Fill it with shx_hair_sliders_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_hair_sliders {
     /// Set by shx_hair_sliders_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
     /// Natural curvature and twist.
     pub curliness: f64,
@@ -161,7 +164,7 @@ pub struct shx_hair_sliders {
     pub weight: f64,
     /// Less friction.
     pub combing_ease: f64,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 2],
 }
 
@@ -185,25 +188,29 @@ unsafe impl Versioned for shx_hair_sliders {
 
 const _: () = assert!(size_of::<shx_hair_sliders>() == 64 && offset_of!(shx_hair_sliders, combing_ease) == 40);
 
-/// Prepares a shx_hair_type: Caucasian 1 hair without variation. size is sizeof(shx_hair_type).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *hair with Caucasian hair (type 1) without variation. size is sizeof(shx_hair_type).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_type_init(hair: *mut shx_hair_type, size: usize) -> shx_result {
     // SAFETY: the caller says that hair holds size bytes.
     unsafe { initialise("shx_hair_type_init", "hair", hair, size) }
 }
 
-/// Prepares a shx_hair_sliders. size is sizeof(shx_hair_sliders).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *sliders with defaults. size is sizeof(shx_hair_sliders).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_sliders_init(sliders: *mut shx_hair_sliders, size: usize) -> shx_result {
     // SAFETY: the caller says that sliders holds size bytes.
     unsafe { initialise("shx_hair_sliders_init", "sliders", sliders, size) }
 }
 
-/// Fills a prepared shx_hair_type with what was measured of a kind, without variation: "asian", "caucasian1", "caucasian2", "african"
-/// (Bertails et al. 2006, appendix B), "h1", "h2", "ga1", "gc3" (Bonanni and Kmoch 2008, table 1).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name). Any thread.
+/// Writes a measured type of hair, without variation, to out_hair, which shx_hair_type_init has
+/// filled: "asian", "caucasian1", "caucasian2", "african" (Bertails et al. 2006, appendix B), "h1",
+/// "h2", "ga1", "gc3" (Bonanni and Kmoch 2008, table 1).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_type_from_name(name: *const c_char, out_hair: *mut shx_hair_type) -> shx_result {
     call("shx_hair_type_from_name", || {
@@ -218,55 +225,56 @@ pub unsafe extern "C" fn shx_hair_type_from_name(name: *const c_char, out_hair: 
     })
 }
 
-/// What a strand of a kind is made of. Put the first eight into a shx_strand_def, turn its root frame about the tangent (the frame's x axis)
-/// by root_turn, and put friction_along and friction_against into a shx_strand_contact.
+/// Properties of a generated strand. Copy the first seven to a shx_strand_def, rotate its
+/// root frame about the tangent (the x axis of the frame) by root_turn, and copy
+/// friction_along and friction_against to a shx_strand_contact.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_hair_strand {
-    /// Semi-axes along n1 and n2, m.
+    /// Semi-axes of the cross-section along n1 and n2, m.
     pub radius: [f64; 2],
-    /// kg/m^3.
+    /// Density, kg/m^3.
     pub density: f64,
-    /// Pa.
+    /// Young's modulus, Pa.
     pub youngs_modulus: f64,
     /// Poisson's ratio.
     pub poisson_ratio: f64,
-    /// gamma, kg m^3/s.
+    /// Internal friction gamma, kg m^3/s.
     pub internal_friction: f64,
-    /// mu, s.
+    /// Kelvin-Voigt damping time mu, s.
     pub viscosity: f64,
-    /// nu, kg/(m s).
+    /// Air drag nu, kg/(m s).
     pub air_drag: f64,
-    /// rad.
+    /// Rotation of the root frame about the tangent, rad.
     pub root_turn: f64,
-    /// Coulomb's coefficient along the strand, against bodies and hair.
+    /// Coulomb coefficient from root to tip, against bodies and hair.
     pub friction_along: f64,
-    /// The same against the scales, from tip to root.
+    /// The same from tip to root, against the scales.
     pub friction_against: f64,
 }
 
 const _: () = assert!(size_of::<shx_hair_strand>() == 88 && offset_of!(shx_hair_strand, root_turn) == 64);
 
-/// Which strands to generate. Fill with shx_hair_strands_def_init, then set hair_type, strand_count, element_counts and element_lengths.
-/// The library reads what it points to during the call only.
+/// Strands to generate. Fill it with shx_hair_strands_def_init, then set hair_type, strand_count,
+/// element_counts and element_lengths. The library reads what it points to during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_hair_strands_def {
     /// Set by shx_hair_strands_def_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// The hair type. Default null: set it.
+    /// Type of hair. Default null: set it.
     pub hair_type: *const shx_hair_type,
-    /// Sliders; null (default): all 0.
+    /// Sliders. Null (default): all 0.
     pub sliders: *const shx_hair_sliders,
-    /// Number of the first strand. The same number always gives the same strand. Default 0.
+    /// Number of the first strand; the others follow. The same number always gives the same strand. Default 0.
     pub first_strand: u64,
-    /// How many strands.
+    /// Number of strands. Default 0: set it.
     pub strand_count: usize,
-    /// Number of elements of each strand, 1 or more: strand_count numbers.
+    /// Number of elements of each strand, 1 or more; strand_count numbers. Default null: set it.
     pub element_counts: *const u32,
-    /// Lengths of the elements, m, strand after strand: as many numbers as element_counts adds up to.
+    /// Lengths of all elements, strand by strand, m. Default null: set it.
     pub element_lengths: *const f64,
 }
 
@@ -291,20 +299,21 @@ unsafe impl Versioned for shx_hair_strands_def {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(size_of::<shx_hair_strands_def>() == 56 && offset_of!(shx_hair_strands_def, first_strand) == 24);
 
-/// Fills a definition with the defaults. size is sizeof(shx_hair_strands_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_hair_strands_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_strands_def_init(def: *mut shx_hair_strands_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_hair_strands_def_init", "def", def, size) }
 }
 
-/// Makes strand_count strands of a kind, with the sliders moved (null: as they are): those numbered first_strand and on. The same number
-/// always gives the same strand, whatever else is asked for. element_counts has the number of elements of each strand (1 or more), and
-/// element_lengths their lengths, m, strand after strand. Item i of strands (stride bytes apart, 0: packed) says what strand i is made of; its
-/// natural twist and curvatures, rad/m, go into out_natural (rows of three doubles, an element each, strand after strand), which holds
-/// capacity rows.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Generates strands of a hair type. Item i of out_strands (stride bytes apart, 0: tightly packed) has the
+/// properties of strand i. Its natural twist and curvatures, rad/m, go to out_curvatures (rows of three
+/// doubles, one per element, strand by strand), which holds capacity rows.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_strands(
     def: *const shx_hair_strands_def,
@@ -344,7 +353,7 @@ pub unsafe extern "C" fn shx_hair_strands(
         }
         let total = counts.iter().try_fold(0_usize, |sum, count| sum.checked_add(*count as usize));
         let Some(total) = total.filter(|total| *total <= MAX_COUNT) else {
-            return Err(Error::invalid("def.element_counts", "more elements than there can be", format!("{MAX_COUNT} at most")));
+            return Err(Error::invalid("def.element_counts", "too many elements", format!("at most {MAX_COUNT}")));
         };
         // SAFETY: the caller's arrays, and memory for strand_count items and capacity rows.
         let (lengths, made, rows) = unsafe {

@@ -6,13 +6,15 @@ use super::guard::{shx_solver, write};
 use super::types::shx_strand_id;
 use crate::solver::id::StrandId;
 
-/// Puts count living strands on element_count elements each (1 to 100000), as they are: for level of detail by distance. Shape,
-/// velocities and energies stay as well as that many elements can. A multiple of a strand's present number splits every element and
-/// is exact; a divisor joins neighbours; anything else keeps the grading of their lengths. The natural shape that the strand was made
-/// with, or that was set last, is remembered: nothing of it is lost by going back and forth. Ids stay; roots on their way go on.
-/// out_distances: how far each strand's curve has moved at most, m; count numbers, or null.
-/// It costs what a few steps cost. Time stands still.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Changes the number of elements of count living strands to element_count each (1 to 100000), for
+/// level of detail. Shape, velocities and energies are kept as well as that many elements allow. A
+/// multiple of the current number splits every element and is exact; a divisor merges neighbours; any
+/// other number keeps the grading of the lengths. The solver remembers the natural shape that you
+/// defined or set last, so switching back and forth loses nothing of it. Ids remain valid and moving
+/// roots continue. Writes the largest displacement of each strand's curve, m, to out_distances: count
+/// numbers, or null. Costs as much as a few steps; no time passes.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_element_count(
     solver: *mut shx_solver,
@@ -34,9 +36,11 @@ pub unsafe extern "C" fn shx_solver_set_element_count(
     }
 }
 
-/// The same for one strand with elements of given lengths: count numbers from root to tip, m, each above zero; they sum to the
-/// strand's length (within 1e-9 of it). out_distance may be null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Does the same as shx_solver_set_element_count for one strand and elements of given
+/// lengths: count numbers from root to tip, m, each above zero. Their sum is the length of
+/// the strand, within 1e-9 of it. out_distance may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_element_lengths(
     solver: *mut shx_solver,

@@ -5,19 +5,20 @@ use std::fmt;
 
 use super::floating_point::with_host_mode;
 
-/// A call failed: the text that shx_last_error gives.
+/// A call failed. The message is that of shx_last_error.
 pub const SHX_LOG_ERROR: u32 = 1;
-/// Something that the host should look at: strands rolled back or unconverged in a step, elements that turn too far, a parallel_for that
-/// missed items.
+/// Something needs attention: strands that did not converge or were rolled back, elements
+/// that turn too far, a parallel_for that skipped items.
 pub const SHX_LOG_WARN: u32 = 2;
-/// Once in a while: a solver was made.
+/// Rare events: a solver was created.
 pub const SHX_LOG_INFO: u32 = 3;
-/// A line a step.
+/// One line per step.
 pub const SHX_LOG_DEBUG: u32 = 4;
 
-/// Receives messages of a solver: user is shx_solver_def.log_user, level one of SHX_LOG_, message UTF-8 that is valid during
-/// the call only. Called on the thread that called the library, in its floating-point mode. Calling the same solver from it
-/// gives SHX_ERROR_BUSY. It must return: no exception, no longjmp.
+/// Receives log messages of a solver. user is shx_solver_def.log_user, level is one of SHX_LOG_,
+/// message is UTF-8 and valid during the call only. It runs on the thread that called the
+/// library, in that thread's floating-point mode. It must not call the same solver
+/// (SHX_ERROR_BUSY), and it must return normally: no exceptions, no longjmp.
 pub type shx_log_fn = Option<unsafe extern "C" fn(user: *mut c_void, level: u32, message: *const c_char)>;
 
 /// A solver's callback and its limit.

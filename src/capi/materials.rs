@@ -11,15 +11,16 @@ use crate::error::{Error, Result};
 use crate::rod::material::Material;
 use crate::solver::id::StrandId;
 
-/// Section and material of a strand, as shx_strand_def has them. Fill with shx_material_init, then change what you need.
+/// Cross-section and material of a strand, as in shx_strand_def. Fill it
+/// with shx_material_init, then change what you need.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_material {
     /// Set by shx_material_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Semi-axes of the section along n1 and n2, m; above zero. Default 50e-6, 50e-6.
+    /// Semi-axes of the cross-section along n1 and n2, m; above zero. Default 50e-6, 50e-6.
     pub radius: [f64; 2],
     /// Density, kg/m^3; above zero. Default 1300.
     pub density: f64,
@@ -29,7 +30,7 @@ pub struct shx_material {
     pub poisson_ratio: f64,
     /// Internal friction gamma, kg m^3/s; zero or above. Default 0.
     pub internal_friction: f64,
-    /// Kelvin-Voigt time mu, s; zero or above. Default 0.
+    /// Kelvin-Voigt damping time mu, s; zero or above. Default 0.
     pub viscosity: f64,
     /// Air drag nu, kg/(m s); zero or above. Default 0.
     pub air_drag: f64,
@@ -79,20 +80,23 @@ impl shx_material {
     }
 }
 
-/// Fills a material with the defaults. size is sizeof(shx_material).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *material with defaults. size is sizeof(shx_material).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_material_init(material: *mut shx_material, size: usize) -> shx_result {
     // SAFETY: the caller says that material holds size bytes.
     unsafe { initialise("shx_material_init", "material", material, size) }
 }
 
-/// Changes sections and materials of count living strands: from then on they are as strands that were made so. Material i begins i *
-/// def_stride bytes after the first (def_stride: sizeof(shx_material)); def_count is count, or 1: one for all. Shapes, natural shapes,
-/// velocities and freedoms stay, and so do the radii of contact (shx_solver_set_strand_contact). A strand that hung at rest does so no more:
-/// shx_solver_adopt_rest_shapes makes its shape one of rest again.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names
-/// "defs[3].density"). Alone with the solver.
+/// Changes the cross-sections and materials of count living strands, as if they had been created with them.
+/// Material i starts i * def_stride bytes after the first; def_stride is usually sizeof(shx_material).
+/// def_count is count, or 1: one material for all. Shapes, natural shapes, velocities, degrees of freedom and
+/// contact radii (shx_solver_set_strand_contact) stay. A strand at rest is no longer in equilibrium:
+/// shx_solver_adopt_rest_shapes makes its shape a rest shape again.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT (the message names, say, "defs[3].density").
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_materials(
     solver: *mut shx_solver,
@@ -107,7 +111,7 @@ pub unsafe extern "C" fn shx_solver_set_materials(
         write("shx_solver_set_materials", solver, |core, _| {
             let ids = strand_ids(ids, count)?;
             if def_count != count && def_count != 1 {
-                return Err(Error::invalid("def_count", def_count, format!("{count}, one a strand, or 1 for all")));
+                return Err(Error::invalid("def_count", def_count, format!("{count}, one per strand, or 1 for all")));
             }
             let read = |def: &shx_material, argument: &str| def.material(argument);
             let materials = definitions("shx_material", defs, def_stride, def_count, read)?;
@@ -116,8 +120,10 @@ pub unsafe extern "C" fn shx_solver_set_materials(
     }
 }
 
-/// The section and material that a strand has now, into out_material, which shx_material_init has filled.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+/// Writes the current cross-section and material of a strand to
+/// out_material, which shx_material_init has filled.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_material(
     solver: *const shx_solver,

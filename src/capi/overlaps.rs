@@ -13,14 +13,16 @@ use crate::solver::id::{BodyId, StrandId};
 /// The names of an allowance's lists, and those of the calls.
 const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_shares", "wisp_fractions"), ("sunk", "body_depths")];
 
-/// How deep count strands are in others (where the contact options' hair is set) and in bodies as they are now, less what they are allowed.
-/// Strands without contact overlap nothing; what is exempt or filtered out does not count. Moves nothing. Each output holds count values
-/// or is null:
-/// out_hair_depths: m, what the distance of the centrelines lacks to the sum of the wisps' radii where that is most; 0: in none.
-/// out_strands: the strand that it is deepest in; bits 0: none.
-/// out_body_depths: m, how deep the strand's surface is in a body where that is most; 0: in none.
-/// out_bodies: the body that it is deepest in; bits 0: none.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Computes how deep count strands currently overlap other strands (if hair_contact is set) and bodies, beyond
+/// their permitted overlap. Strands without contact overlap nothing; exempt lengths and filtered pairs do not
+/// count. Changes nothing. Each output holds count values or is null.
+/// out_hair_depths: largest overlap with a strand, m: the sum of the wisp radii minus
+/// the distance of the centrelines; 0 if there is none.
+/// out_strands: the strand of that overlap; null id if there is none.
+/// out_body_depths: largest depth of the strand's surface in a body, m; 0 if there is none.
+/// out_bodies: the body of that depth; null id if there is none.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_overlaps(
     solver: *mut shx_solver,
@@ -51,12 +53,14 @@ pub unsafe extern "C" fn shx_solver_overlaps(
     }
 }
 
-/// Allows count strands what they overlap now, so that no touch presses as long as they stay as they are: with
-/// shx_solver_adopt_rest_shapes the groom as it stands is at rest, however its wisps and bodies were drawn into each other. Where two
-/// wisps overlap both keep the same share of their radii (of a strand that is not among ids the other one keeps what is left), where a
-/// strand is in a body it may be as deep there; to either side as far as the element goes. What was allowed before is forgotten. Away
-/// from these places strands touch as before.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a strand named twice). Alone with the solver.
+/// Permits the current overlaps of count strands, so that no contact pushes while they stay as they are.
+/// Together with shx_solver_adopt_rest_shapes it lets a groom rest as drawn, however its wisps and bodies
+/// intersect. Where two wisps overlap, both keep the same fraction of their radii; if one of them is not among
+/// ids, the other one gives way alone. Where a strand is inside a body, that depth is permitted. Both hold
+/// along the whole element. Elsewhere strands collide as before. Replaces overlaps that were permitted before.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT (a strand that appears twice).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_permit_overlaps(
     solver: *mut shx_solver,
@@ -67,13 +71,15 @@ pub unsafe extern "C" fn shx_solver_permit_overlaps(
     unsafe { write("shx_solver_permit_overlaps", solver, |core, _| core.allow_overlaps(&strand_ids(ids, count)?).map(|_| ())) }
 }
 
-/// Says what a strand may overlap, at station_count stations along it, linear between them and constant beyond the first and the last;
-/// station_count 0 (the lists may be null then): nothing, which is how strands begin. A host that stores a groom keeps what
-/// shx_solver_get_permitted_overlap gave for this; snapshots hold it.
-/// along: arclengths of the stations from the root, m, rising, the first zero or above.
-/// wisp_shares: what is left of the wisp's radius at each, 0 to 1.
-/// sunk: how far the strand's surface may be in a body at each, m, zero or above.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (the text names "sunk[2]"). Alone with the solver.
+/// Sets the permitted overlap of a strand at count points along it, linear in between and constant beyond the
+/// first and the last. count 0 (the arrays may be null): none, as new strands have. To store a groom, save the
+/// output of shx_solver_get_permitted_overlap; snapshots include it.
+/// arclengths: positions of the points, m from the root; ascending, zero or above.
+/// wisp_fractions: fraction of the wisp radius that remains at each point, 0 to 1.
+/// body_depths: permitted depth of the strand's surface in a body at each point, m; zero or above.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT (the message names, say, "body_depths[2]").
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_permitted_overlap(
     solver: *mut shx_solver,
@@ -102,10 +108,12 @@ pub unsafe extern "C" fn shx_solver_set_permitted_overlap(
     }
 }
 
-/// What a strand may overlap, as shx_solver_set_permitted_overlap takes it: the number of its stations into *out_station_count (0: nothing), and
-/// their values into the lists, which hold capacity numbers each or are null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other
-/// reading calls.
+/// Writes the permitted overlap of a strand, as shx_solver_set_permitted_overlap
+/// takes it: the number of points to *out_count (0: none), and their values to the
+/// arrays, which hold capacity numbers each or are null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_permitted_overlap(
     solver: *const shx_solver,

@@ -9,15 +9,17 @@ use super::floating_point::{DefaultMode, with_host_mode};
 use crate::error::{Error, Result};
 use crate::workers::{ParallelFor, Workers};
 
-/// One piece of a shx_parallel_for_fn's work: items begin to end - 1 on worker (any number that no other thread has at the same
-/// time). May be called from any thread of the host, in any floating-point mode.
+/// A piece of work that the library passes to shx_parallel_for_fn. It processes items begin
+/// to end - 1. worker is any number that no other thread uses at the same time. You may
+/// call it on any thread, in any floating-point mode.
 pub type shx_range_fn = Option<unsafe extern "C" fn(task: *mut c_void, begin: u32, end: u32, worker: u32)>;
 
-/// The host's parallel loop. Must call function(task, begin, end, worker) over disjoint ranges that cover 0 to count - 1, each item
-/// once, and return when all calls have returned. Ranges should hold min_range items or more. user is
-/// shx_solver_def.parallel_for_user. Called on the thread that called the library, in its floating-point mode. Calling the same
-/// solver from it gives SHX_ERROR_BUSY. It must return: no exception, no longjmp. Items that it leaves out are done by the
-/// calling thread, and items that it gives twice are done once.
+/// Your parallel loop. It must call function(task, begin, end, worker) on disjoint ranges that cover 0 to
+/// count - 1, and return when all of those calls have returned. Ranges should hold at least min_range
+/// items. user is the parallel_for_user of the structure that holds the callback. It runs on the thread
+/// that called the library, in that thread's floating-point mode. It must not call the same solver
+/// (SHX_ERROR_BUSY), and it must return normally: no exceptions, no longjmp. The calling thread processes
+/// items that you skip; items that you pass twice are processed once.
 pub type shx_parallel_for_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, count: u32, min_range: u32, function: shx_range_fn, task: *mut c_void)>;
 

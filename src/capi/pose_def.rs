@@ -11,29 +11,29 @@ use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::groom::pose::{Brush, ElementChange, PoseOptions};
 
-/// How strands are dragged and brushed. Fill with shx_pose_options_init, then change what you need.
+/// Options of dragging and brushing. Fill it with shx_pose_options_init, then change what you need.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_pose_options {
     /// Set by shx_pose_options_init.
     pub struct_size: u32,
-    /// 1: a strand's direction at its tip stays what it is. Default 0.
+    /// 1: the direction of the strand at its tip stays. Default 0.
     pub keep_tip_direction: u32,
-    /// 1 (default): strands are kept out of the solver's bodies (those that a strand's shx_strand_contact names; of strands without, all),
-    /// and taken out of them. 0: bodies are not looked at.
+    /// 1 (default): strands stay out of the solver's bodies, and leave those that they are in. The groups of
+    /// shx_strand_contact decide which; strands without contact avoid all bodies. 0: bodies are ignored.
     pub avoid_bodies: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// The shape to stay near: 0 (default) the present one, 1 the natural one, between them a mixture.
+    /// Which shape to stay close to: 0 (default) the current one, 1 the natural one, in between a blend.
     pub natural_pull: f64,
-    /// How far strands stay from bodies, beyond both thicknesses, m; 0 (default) or above.
+    /// Distance that strands keep from bodies, beyond both thicknesses, m; zero or above. Default 0.
     pub clearance: f64,
-    /// Which elements may change: 1 or 0 for each element of each strand of the call, strand after strand; the others keep their
-    /// curvatures to the bit. Null (default): all may.
+    /// Which elements may change: 1 or 0 for each element of each strand of the call, strand by strand. The
+    /// others keep their curvatures to the bit. Null (default): all may change.
     pub movable: *const u8,
-    /// How many numbers movable has: the strands' elements together. Not read when movable is null.
+    /// Number of items of movable: the total number of elements of the strands. Ignored if movable is null.
     pub movable_count: usize,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -57,24 +57,25 @@ unsafe impl Versioned for shx_pose_options {
     }
 }
 
-/// A ball that is moved, and with it what lies in it. Fill with shx_brush_init, then set at least radius.
+/// A sphere that moves and takes along the points inside it. Fill
+/// it with shx_brush_init, then set at least radius.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_brush {
     /// Set by shx_brush_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Where it is before it moves, world, m. Default 0.
+    /// Centre before the movement, world, m. Default 0.
     pub centre: [f64; 3],
-    /// m; above zero. Default 0: set it.
+    /// Radius, m; above zero. Default 0: set it.
     pub radius: f64,
-    /// A point at distance d is to follow by the share (1 - d^2/radius^2)^falloff of the movement. Zero or above; 0: all of the ball alike.
-    /// Default 1.
+    /// A point at distance d from the centre follows the fraction (1 - d^2/radius^2)^falloff of the
+    /// displacement. Zero or above; 0: all points follow fully. Default 1.
     pub falloff: f64,
-    /// Where it goes, m. Default 0.
+    /// Displacement of the sphere, m. Default 0.
     pub displacement: [f64; 3],
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 2],
 }
 
@@ -95,23 +96,24 @@ unsafe impl Versioned for shx_brush {
     }
 }
 
-/// A change of one element of a strand. Fill with shx_element_change_init, then change what you need.
+/// A change of one element of a strand. Fill it with shx_element_change_init, then change what you need.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_element_change {
     /// Set by shx_element_change_init.
     pub struct_size: u32,
-    /// Which element, from 0 at the root. Default 0.
+    /// Index of the element, from 0 at the root. Default 0.
     pub element: u32,
-    /// By how much more its end is twisted about the strand, rad. Default 0.
+    /// Additional twist of the end of the element about the strand, rad. Default 0.
     pub twist: f64,
-    /// By how much more it turns about n1 and n2, rad. Default 0.
+    /// Additional rotation of the end of the element about n1 and n2, rad. Default 0.
     pub bend: [f64; 2],
-    /// Factor on its length; above zero. Default 1.
+    /// Factor on the length of the element; above zero. Default 1.
     pub length_scale: f64,
-    /// 1 (default): a longer element keeps its curvatures, so that the helix goes on; 0: it keeps the angles that it turns by.
+    /// 1 (default): the element keeps its curvatures when its length changes, so the helix
+    /// continues. 0: it keeps the angles by which it turns.
     pub keep_curvature: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
 }
 
@@ -209,24 +211,27 @@ impl shx_element_change {
     }
 }
 
-/// Fills options with the defaults. size is sizeof(shx_pose_options).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *options with defaults. size is sizeof(shx_pose_options).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_pose_options_init(options: *mut shx_pose_options, size: usize) -> shx_result {
     // SAFETY: the caller says that options holds size bytes.
     unsafe { initialise("shx_pose_options_init", "options", options, size) }
 }
 
-/// Fills a brush with the defaults. size is sizeof(shx_brush).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *brush with defaults. size is sizeof(shx_brush).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_brush_init(brush: *mut shx_brush, size: usize) -> shx_result {
     // SAFETY: the caller says that brush holds size bytes.
     unsafe { initialise("shx_brush_init", "brush", brush, size) }
 }
 
-/// Fills a change with the defaults: none. size is sizeof(shx_element_change).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *change with defaults. size is sizeof(shx_element_change).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_element_change_init(change: *mut shx_element_change, size: usize) -> shx_result {
     // SAFETY: the caller says that change holds size bytes.

@@ -11,15 +11,17 @@ use super::versioned::definitions;
 use crate::error::{Error, Result};
 use crate::groom::pose::{DragTarget, Growth, Plane};
 
-/// Drags a point of each of count strands to a target: the point at arclengths[i] (m from the root, above 0) to item i of targets
-/// (SHX_FORMAT_F32X3, _F64X3; world, m; count items). Roots, lengths and natural shapes stay. Among the shapes that bring the point
-/// there one near the present shape is taken (options.natural_pull: near the natural one), bent as the strand's stiffness bends it. A
-/// target out of reach is approached; one within a body counts as the nearest place of its surface. The strands are at rest then,
-/// relative to their roots, and quarantines are cleared. Gravity, constraints and other strands are not looked at:
-/// shx_solver_adopt_rest_shapes makes the pose one that stays. options: null for the defaults. out_distances: how far each point is
-/// from its target, m; count numbers, or null. Each strand may be named once. The work is shared among the solver's workers; the
-/// results' bits do not depend on them.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Alone with the solver.
+/// Drags a point of each of count strands to a target: the point at arclengths[i] (m from the root, above 0)
+/// to item i of targets (count items; SHX_FORMAT_F32X3, _F64X3; world, m). Roots, lengths and natural shapes
+/// stay. Of the shapes that reach the target it takes one close to the current shape (see natural_pull), bent
+/// as the stiffness of the strand bends it. A target that is out of reach is approached; a target inside a
+/// body counts as the closest point on its surface. Afterwards the strands are at rest relative to their roots
+/// and released from quarantine. Gravity, constraints and other strands are ignored: call
+/// shx_solver_adopt_rest_shapes to keep the pose. options may be null (defaults). Writes the remaining
+/// distance of each point from its target, m, to out_distances: count numbers, or null. Each strand may appear
+/// once. The work runs on the solver's workers; results do not depend on their number.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_drag_strands(
     solver: *mut shx_solver,
@@ -38,7 +40,7 @@ pub unsafe extern "C" fn shx_solver_drag_strands(
             let arclengths = array("arclengths", "count", arclengths, count)?;
             let positions = Reader::new("targets", targets, VECTOR_FORMATS)?;
             if positions.count() != count {
-                return Err(Error::invalid("targets.count", positions.count(), format!("{count}, one a strand")));
+                return Err(Error::invalid("targets.count", positions.count(), format!("{count}, one per strand")));
             }
             let target =
                 |(k, arclength): (usize, &f64)| DragTarget { arclength: *arclength, position: positions.point(k).into() };
@@ -66,13 +68,16 @@ fn of_arclength(error: Error) -> Error {
     }
 }
 
-/// Moves a brush over count strands: the points that lie in it before it moves are to follow it, by the brush's falloff; strands bend, by
-/// least squares, roots and lengths stay. Strands with no point in the brush are left alone to the bit, velocities included; the others
-/// are at rest then, as after shx_solver_drag_strands, which says what is kept out of. options: null for the defaults. out_touched: 1
-/// for each strand with a point in the brush, else 0; out_distances: the root mean square distance of each strand's points in the brush
-/// from where they were to go, m. Each holds count items or is null. Each strand may be named once. The work is shared among the
-/// solver's workers; the results' bits do not depend on them.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Alone with the solver.
+/// Moves a brush over count strands. Points inside the brush before the movement follow it
+/// according to its falloff; the strands bend in the least-squares sense, roots and lengths stay.
+/// Strands without a point in the brush stay unchanged to the bit, velocities included; the others
+/// are at rest afterwards and avoid bodies as in shx_solver_drag_strands. options may be null
+/// (defaults). Each output holds count items or is null.
+/// out_brushed: 1 for strands with a point in the brush, else 0.
+/// out_distances: RMS distance of the strand's points in the brush from where they should be, m.
+/// Each strand may appear once. The work runs on the solver's workers; results do not depend on their number.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_brush_strands(
     solver: *mut shx_solver,
@@ -80,16 +85,18 @@ pub unsafe extern "C" fn shx_solver_brush_strands(
     count: usize,
     brush: *const shx_brush,
     options: *const shx_pose_options,
-    out_touched: *mut u8,
+    out_brushed: *mut u8,
     out_distances: *mut f64,
 ) -> shx_result {
     // SAFETY: the caller's handle, structures and memory for count items each.
     unsafe {
         write("shx_solver_brush_strands", solver, |core, _| {
-            let touched = Places::optional("out_touched", "count", out_touched, count)?;
+            let touched = Places::optional("out_brushed", "count", out_brushed, count)?;
             let distances = Places::optional("out_distances", "count", out_distances, count)?;
             let ids = strand_ids(ids, count)?;
-            let found = core.brush(&ids, &read_brush(brush)?, &read_options(options)?)?;
+            let found = core
+                .brush(&ids, &read_brush(brush)?, &read_options(options)?)
+                .map_err(|error| error.with_fields(&[("movement", "displacement")]))?;
             if let Some(touched) = touched {
                 touched.write(&found.iter().map(|found| u8::from(found.touched)).collect::<Vec<_>>())?;
             }
@@ -101,11 +108,13 @@ pub unsafe extern "C" fn shx_solver_brush_strands(
     }
 }
 
-/// Changes an element of each of count strands: twists, bends and lengthens it; what lies beyond goes along as it is. Change i begins i *
-/// def_stride bytes after the first (def_stride: sizeof(shx_element_change)). Twist and bending act on the present shape, the length on
-/// the natural one as well. The strands are at rest then, relative to their roots. Each strand may be named once.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (also a frozen freedom, and
-/// a strand that a constraint would hold beyond its new length). Alone with the solver.
+/// Changes one element of each of count strands: twists, bends and lengthens it. The rest of the strand moves
+/// rigidly with its end. Change i starts i * def_stride bytes after the first; def_stride is usually
+/// sizeof(shx_element_change). Twist and bend change the current shape, length_scale the natural shape as
+/// well. Afterwards the strands are at rest relative to their roots. Each strand may appear once.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT
+/// (also a frozen curvature, and a strand with a constraint beyond its new length).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_change_elements(
     solver: *mut shx_solver,
@@ -140,11 +149,12 @@ fn of_defs(error: Error) -> Error {
     }
 }
 
-/// Cuts count strands, strand i at arclengths[i] (m from the root, above 0, at most its length), at any moment of a run: what is left keeps
-/// its shape, its natural shape and its velocities exactly. The element that is cut is shorter, of the same helix; elements beyond are
-/// gone. Each strand may be named once.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (also a strand that a constraint holds beyond the
-/// cut). Alone with the solver.
+/// Cuts count strands, strand i at arclengths[i] (m from the root, above 0, at most its length), at any time
+/// during a simulation. The rest keeps its shape, natural shape and velocities exactly. The element at the cut
+/// becomes shorter and keeps its helix; elements beyond are removed. Each strand may appear once.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT
+/// (also a strand with a constraint beyond the cut).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_cut_strands(
     solver: *mut shx_solver,
@@ -161,11 +171,13 @@ pub unsafe extern "C" fn shx_solver_cut_strands(
     }
 }
 
-/// Lets count strands grow at their tips by length (m, above 0), at any moment of a run: what was there keeps shape and velocities, and what
-/// is new moves with the tip. element_count elements are added, all equally long; 0: the last one becomes longer. curvatures: three
-/// doubles, rad/m, of the added elements and their natural shape; null: those of the last one, so that the helix goes on (and null where
-/// element_count is 0). Each strand may be named once.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Extends count strands at their tips by length (m, above 0), at any time during a simulation. The existing
+/// part keeps its shape and velocities; the new part moves with the tip. Adds element_count elements of equal
+/// length; 0: the last element becomes longer. curvatures: three doubles, rad/m, the initial and natural
+/// curvatures of the new elements. Null: those of the last element, so the helix continues; it must be null
+/// if element_count is 0. Each strand may appear once.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_grow_strands(
     solver: *mut shx_solver,
@@ -186,10 +198,12 @@ pub unsafe extern "C" fn shx_solver_grow_strands(
     }
 }
 
-/// Adds the images of count strands in a mirror, the plane through point across normal (three doubles each; normal of any length above
-/// zero): shape, natural shape and velocities as they are now, curls the other way round; material, contact and user_data are copied.
-/// The images' roots stay where they are until they are moved. out_ids receives count ids, in the order of ids.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+/// Adds mirror images of count strands, across the plane through point with the given normal (three doubles
+/// each; normal of any length above zero). Shape, natural shape and velocities are mirrored as they are now,
+/// so curls turn the other way; material, contact and user_data are copied. The roots of the images are at
+/// rest until you move them. Writes count ids to out_ids, in the order of ids.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_OUT_OF_MEMORY.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_mirror_strands(
     solver: *mut shx_solver,

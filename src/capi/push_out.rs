@@ -13,21 +13,22 @@ use crate::error::Error;
 use crate::groom::outside::BroughtOut;
 use crate::solver::id::BodyId;
 
-/// Curves to push out of a body. Fill with shx_push_out_def_init, then set body, point_counts and curve_count.
+/// Curves to push out of a body. Fill it with shx_push_out_def_init,
+/// then set body, point_counts and curve_count.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_push_out_def {
     /// Set by shx_push_out_def_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// The body. Default null: set it.
+    /// The body. Default null id: set it.
     pub body: shx_body_id,
-    /// Least distance of every point from the surface, m; zero or above. Default 0.
+    /// Distance that points keep from the surface, m; zero or above. Default 0.
     pub clearance: f64,
-    /// curve_count numbers: how many points each curve has.
+    /// Number of points of each curve; curve_count numbers. Default null: set it.
     pub point_counts: *const u32,
-    /// How many curves.
+    /// Number of curves. Default 0: set it.
     pub curve_count: usize,
 }
 
@@ -50,8 +51,9 @@ unsafe impl Versioned for shx_push_out_def {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(size_of::<shx_push_out_def>() == 40 && offset_of!(shx_push_out_def, point_counts) == 24);
 
-/// Fills a definition with the defaults. size is sizeof(shx_push_out_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_push_out_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_push_out_def_init(def: *mut shx_push_out_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
@@ -66,15 +68,18 @@ fn in_words_of_c(error: Error) -> Error {
     }
 }
 
-/// Brings curves that are drawn inside a body out of it, where it is now, by the least that does: before strands are fitted to them. points: world,
-/// m, three doubles a point, changed in place; curve after curve, counts[i] points of curve i, count curves. Every point comes to at least clearance
-/// (m, 0 or above) from the surface; roots stay, and after one that is inside the curve may be as deep as a way out at one in two needs; edges keep
-/// their lengths. A curve that is clear is not touched, nor is one that would have to be moved by more than twice its depth and 5 mm. Each output
-/// holds count values or is null:
-/// out_depths: m, how deep in the body the deepest point was that was too near; 0: none was in it.
-/// out_moved: m, how far a point was moved at most.
-/// out_stuck: 1 where no way out was found, and the curve is as it was; else 0.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Then no point has moved. Alone with the solver.
+/// Pushes curves that are drawn inside a body out of it, where the body is now, by the smallest change. Use it
+/// before you fit strands to them. points holds three doubles per point, curve by curve, m, world; they are
+/// modified in place. Every point ends at least clearance from the surface. Roots stay; behind a root inside
+/// the body the curve may stay as deep as a rise of one in two needs to get out. Edges keep their lengths.
+/// Curves that are clear stay unchanged, and so does a curve that would have to move by more than twice its
+/// depth plus 5 mm. Each output holds curve_count values or is null.
+/// out_depths: depth of the deepest point below the surface, m; 0 if none was inside.
+/// out_displacements: largest displacement of a point, m.
+/// out_stuck: 1 if no way out was found and the curve is unchanged, else 0.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT. No point has moved then.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_push_out_curves(
     solver: *mut shx_solver,

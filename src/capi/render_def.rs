@@ -15,78 +15,83 @@ use super::versioned::{Versioned, initialise};
 use crate::error::{Error, Result};
 use crate::groom::render_hair::{GuideSamples, RenderSettings, Space, resampled};
 
-/// Between guides positions are mixed: strands stay between them; curls that are out of step cancel. The default.
+/// Interpolate the positions of guides: strands stay between them,
+/// but curls that are out of phase cancel. The default.
 pub const SHX_INTERPOLATION_POSITION: u32 = 1;
-/// Lengths and curvatures are mixed: strands keep the guides' length and curls.
+/// Interpolate lengths and curvatures of guides: strands keep their length and curls.
 pub const SHX_INTERPOLATION_CURVATURE: u32 = 2;
 
-/// How render strands are made from guides. Lengths in m. Fill with shx_render_settings_init.
+/// How render strands are made from guides. Lengths in m. Fill it with shx_render_settings_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_render_settings {
     /// Set by shx_render_settings_init.
     pub struct_size: u32,
-    /// Points of a strand, root and tip included, 2 to 4096; also those that each guide is sampled at. Default 16.
+    /// Points per strand, including root and tip, 2 to 4096; guides are sampled at as many. Default 16.
     pub points_per_strand: u32,
-    /// What is mixed between guides: SHX_INTERPOLATION_. Default SHX_INTERPOLATION_POSITION.
+    /// SHX_INTERPOLATION_. Default SHX_INTERPOLATION_POSITION.
     pub interpolation: u32,
-    /// Guides that a strand follows at most, 1 to 4. Default 4.
+    /// Maximum number of guides that a strand follows, 1 to 4. Default 4.
     pub guides_per_strand: u32,
-    /// 0 to 1: 0 interpolated all along, 0.5 (default) interpolated at the root and gathered in wisps at the tip, 1 disjoint locks.
+    /// 0: interpolated from root to tip. 0.5 (default): interpolated at the root,
+    /// gathered in wisps at the tip. 1: separate locks.
     pub curliness: f64,
-    /// 1: each guide has the curliness that is measured on its shape, instead. Default 0.
+    /// 1: use the curliness measured on the shape of each guide instead. Default 0.
     pub measure_curliness: u32,
-    /// Wisps a guide, 1 to 10000. Default 4.
+    /// Wisps per guide, 1 to 10000. Default 4.
     pub wisps_per_guide: u32,
-    /// Guides whose tips are farther apart than their roots by more than this are not mixed; 0 (default): none is too far.
+    /// Guides are not interpolated if their tips are farther apart than
+    /// their roots by more than this. 0 (default): no limit.
     pub max_tip_distance: f64,
-    /// The same as a share of the shorter guide's length; 0: none is too far. Default 0.6.
+    /// The same as a fraction of the shorter guide's length. 0: no limit. Default 0.6.
     pub max_tip_ratio: f64,
-    /// A wisp's radius at root, middle and tip as a share of what it is by the roots' places, 0 or above. Default 1, 0.6, 0.08.
+    /// Radius of a wisp at root, middle and tip relative to the
+    /// spacing of roots, 0 or above. Default 1, 0.6, 0.08.
     pub wisp_profile: [f64; 3],
-    /// 0 to 1: by which share wisps' sections are flattened along the scalp's normal. 0 (default): as round as the patch of scalp that they
-    /// stand on; 1: ribbons.
+    /// How far the cross-sections of wisps are flattened along the normal of the scalp. 0
+    /// (default): as round as their patch of scalp. 1: ribbons.
     pub wisp_flatness: f64,
-    /// Root mean square distance by which whole wisps stray from their way at the tip, 0 or above. Default 0.
+    /// RMS deviation of whole wisps from their path at the tip, 0 or above. Default 0.
     pub wisp_noise: f64,
-    /// Waves of that along a strand, above 0 to 1000. Default 1.5.
+    /// Waves of wisp_noise along a strand, above 0 to 1000. Default 1.5.
     pub wisp_noise_waves: f64,
-    /// Root mean square distance by which strands stray from their way at the tip, 0 or above. Default 0.
+    /// RMS deviation of strands from their path at the tip, 0 or above. Default 0.
     pub frizz: f64,
-    /// Waves of that along a strand, above 0 to 1000. Default 3.
+    /// Waves of frizz along a strand, above 0 to 1000. Default 3.
     pub frizz_waves: f64,
-    /// Share of the strands that leave their wisps, 0 to 1. Default 0.02.
+    /// Fraction of strands that leave their wisps, 0 to 1. Default 0.02.
     pub flyaway_fraction: f64,
-    /// Root mean square distance by which those stray from their way at the tip, 0 or above. Default 5e-3.
+    /// RMS deviation of those strands from their path at the tip, 0 or above. Default 5e-3.
     pub flyaway_distance: f64,
-    /// By which share strands are cut short at most, each by a random one of its own; 0 to less than 1. Default 0.25.
+    /// Largest fraction by which strands are cut short, each by a random amount; 0 to less than 1. Default 0.25.
     pub length_variation: f64,
     /// Radius at the root, 0 or above. Default 40e-6.
     pub radius: f64,
-    /// Radius at the tip. Default 15e-6.
+    /// Radius at the tip, 0 or above. Default 15e-6.
     pub tip_radius: f64,
-    /// From where on, as a share of the length, the radius goes to that of the tip; 0 to less than 1. Default 0.5.
+    /// Where the taper starts, as a fraction of the length; 0 to less than 1. Default 0.5.
     pub taper_start: f64,
-    /// How the radius goes to that of the tip, above -1 to below 1: 0 (default) linearly; above, strands end bluntly; below, they are thin
-    /// early.
+    /// Shape of the taper, above -1 to below 1. 0 (default): linear. Positive: blunt ends. Negative: thin early.
     pub taper_shape: f64,
-    /// By which share radii differ between strands at most, 0 to 1. Default 0.1.
+    /// Largest relative variation of radii between strands, 0 to 1. Default 0.1.
     pub radius_variation: f64,
-    /// How near to a body strands come before they are pushed (shx_solver_evaluate_render_pose): what would lie deeper is brought between
-    /// this and the surface, in the order of depth; above 0. Default 2e-3.
+    /// Distance from a body at which shx_solver_evaluate_render_pose starts to push strands out; above 0. Deeper
+    /// points end between it and the surface, in the order of their depth. Default 2e-3.
     pub body_clearance: f64,
-    /// Seed of all that is random. Default 0.
+    /// Random seed. Default 0.
     pub seed: u64,
-    /// 1 (default): strands are as long as their guides before they are cut short; 0: mixing may shorten them.
+    /// 1 (default): strands are as long as their guides before they
+    /// are cut short. 0: interpolation may shorten them.
     pub preserve_length: u32,
-    /// Threads that evaluate: 0 or 1 (default): the calling thread; 2 to 256: a pool, joined when the hair and its poses are gone. A host
-    /// with a task system leaves this and calls shx_render_pose_evaluate from its tasks, for some of the strands each.
+    /// Threads that evaluate strands. 0 or 1 (default): the calling thread. 2 to 256: a pool that lives
+    /// as long as the hair and its poses. With a task system, leave it at 0 and call
+    /// shx_render_pose_evaluate from your tasks, each for some of the strands.
     pub worker_count: u32,
-    /// Or the host's parallel loop.
+    /// Your parallel loop instead. Default null: none.
     pub parallel_for: shx_parallel_for_fn,
-    /// Handed to parallel_for.
+    /// User pointer of parallel_for.
     pub parallel_for_user: *mut c_void,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -131,6 +136,7 @@ unsafe impl Versioned for shx_render_settings {
     }
 }
 
+#[cfg(target_pointer_width = "64")]
 const _: () = {
     assert!(size_of::<shx_render_settings>() == 248 && offset_of!(shx_render_settings, curliness) == 16);
     assert!(offset_of!(shx_render_settings, wisp_profile) == 48 && offset_of!(shx_render_settings, seed) == 184);
@@ -150,7 +156,7 @@ impl shx_render_settings {
             } else if value > 0.0 && value.is_finite() {
                 Ok(value)
             } else {
-                Err(Error::invalid(format!("settings.{name}"), value, "0 (none is too far) or a finite number above"))
+                Err(Error::invalid(format!("settings.{name}"), value, "0 (no limit) or a finite number above 0"))
             }
         };
         let workers = workers("settings", self.worker_count, self.parallel_for, self.parallel_for_user)?;
@@ -201,38 +207,42 @@ pub(super) fn in_words_of_c(error: Error) -> Error {
     ])
 }
 
-/// Prepares a shx_render_settings. size is sizeof(shx_render_settings).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *settings with defaults. size is sizeof(shx_render_settings).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_settings_init(settings: *mut shx_render_settings, size: usize) -> shx_result {
     // SAFETY: the caller says that settings holds size bytes.
     unsafe { initialise("shx_render_settings_init", "settings", settings, size) }
 }
 
-/// Guides at one moment, as curves of the host's: from a cache, or sampled from anything. Prepare with shx_render_guides_init, then set
-/// at least guide_count and points. What is pointed to is read during the call and not kept.
+/// Guides at one moment as polylines, from a cache or any other source. Fill it with shx_render_guides_init,
+/// then set at least guide_count and points. The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_render_guides {
     /// Set by shx_render_guides_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// How many guides.
+    /// Number of guides.
     pub guide_count: usize,
-    /// Their points, one guide after the other, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is not looked at).
+    /// Points of all guides, guide by guide, root first, m: SHX_FORMAT_F32X3,
+    /// _F32X4, _F64X3, _F64X4 (a fourth number is ignored).
     pub points: shx_input,
-    /// Null (default): every guide has settings.points_per_strand points, uniform in arclength. Or guide_count numbers whose sum is
-    /// points.count, each 1 or above: guides are then sampled uniformly in arclength.
+    /// Null (default): every guide has settings.points_per_strand points, uniform in
+    /// arclength. Otherwise guide_count numbers, each 1 or above, that sum to points.count;
+    /// guides are then resampled uniformly in arclength.
     pub point_counts: *const u32,
-    /// count 0 (default), or how each follicle is turned: any frame that goes with the head (SHX_FORMAT_FRAME, of which the rotation
-    /// counts, or _F32X4, _F64X4: quaternions x, y, z, w). Without them the head's turn is taken from the roots' places together.
+    /// Orientation of each follicle: any frame that moves with the head (SHX_FORMAT_FRAME, of which only
+    /// the rotation matters, or _F32X4, _F64X4: quaternions x, y, z, w). count 0 (default): the rotation
+    /// of the head is estimated from the root positions.
     pub roots: shx_input,
-    /// count 0 (default), or the velocity of every point, m/s: SHX_FORMAT_F32X3, _F64X3.
+    /// Velocity of each point, m/s: SHX_FORMAT_F32X3, _F64X3. count 0 (default): none.
     pub velocities: shx_input,
-    /// count 0 (default), or the angular velocity of every follicle, rad/s (formats as velocities), to go with velocities.
+    /// With velocities: angular velocity of each follicle, rad/s (same formats). count 0 (default): none.
     pub root_angular_velocities: shx_input,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -263,8 +273,9 @@ const _: () = {
     assert!(offset_of!(shx_render_guides, roots) == 56 && offset_of!(shx_render_guides, reserved) == 152);
 };
 
-/// Prepares a shx_render_guides. size is sizeof(shx_render_guides).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *guides with defaults. size is sizeof(shx_render_guides).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_guides_init(guides: *mut shx_render_guides, size: usize) -> shx_result {
     // SAFETY: the caller says that guides holds size bytes.
@@ -356,31 +367,32 @@ impl OwnedGuides {
     }
 }
 
-/// What to evaluate. Fill with shx_render_view_init.
+/// Which strands to evaluate, and relative to what. Fill it with shx_render_view_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_render_view {
     /// Set by shx_render_view_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// The first of the strands. Default 0.
+    /// First strand. Default 0.
     pub first_strand: usize,
-    /// How many. Default SIZE_MAX: all from first on.
+    /// Number of strands. Default SIZE_MAX: all from first_strand on.
     pub strand_count: usize,
-    /// Subtracted from positions before they are narrowed to floats, m. Default 0.
+    /// Subtracted from positions before they are rounded to floats, m. Default 0.
     pub origin: [f64; 3],
-    /// For velocities: a pose of the same hair, in which the strands were seconds ago. Null (default): velocities come of those that the
-    /// pose's guides were set with.
+    /// For velocities: a pose of the same hair, interval seconds earlier. Null
+    /// (default): velocities follow from those of the guides.
     pub previous_pose: *const shx_render_pose,
-    /// Above 0 with before.
+    /// Time since previous_pose, s; above 0. 0 without it.
     pub interval: f64,
-    /// count 0 (default: every root goes with the roots of its guides), or where the roots are, m, item i of strand first + i:
-    /// formats as shx_render_guides.points, or SHX_FORMAT_FRAME, of which the origin counts (shx_scalp_root_frames).
+    /// Root positions, m: item i is strand first_strand + i. Formats as shx_render_guides.points, or
+    /// SHX_FORMAT_FRAME, of which only the origin matters (shx_scalp_root_frames). count 0
+    /// (default): every root follows the roots of its guides.
     pub roots: shx_input,
-    /// With before and roots: where the roots were.
+    /// With previous_pose and roots: the root positions at that time.
     pub previous_roots: shx_input,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -411,8 +423,9 @@ const _: () = {
     assert!(offset_of!(shx_render_view, reserved) == 128);
 };
 
-/// Prepares a shx_render_view. size is sizeof(shx_render_view).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *view with defaults. size is sizeof(shx_render_view).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_view_init(view: *mut shx_render_view, size: usize) -> shx_result {
     // SAFETY: the caller says that view holds size bytes.

@@ -19,12 +19,14 @@ use crate::groom::render_hair::{
 };
 use crate::workers::Workers;
 
-/// Which guides each render strand follows, and how. Made by shx_render_hair_create or shx_solver_create_render_hair, owned by the caller,
-/// freed by shx_render_hair_destroy. It never changes, so any threads may use it at the same time.
+/// The binding of render strands to guides. shx_render_hair_create, shx_solver_create_render_hair,
+/// shx_render_hair_load and shx_render_hair_without_guides make it, you own it, shx_render_hair_destroy frees
+/// it. Immutable: any number of threads may use it at once.
 pub struct shx_render_hair(Arc<RenderHair>);
 
-/// Where the guides of a shx_render_hair are at one moment. Made by shx_render_pose_create, owned by the caller, freed by
-/// shx_render_pose_destroy. Keep one for each moment that is needed at the same time (two for velocities between frames).
+/// The pose of the guides of a shx_render_hair at one moment. shx_render_pose_create makes
+/// it, you own it, shx_render_pose_destroy frees it. Keep one for each moment that you need
+/// at the same time (two for velocities between frames).
 pub struct shx_render_pose(RwLock<RenderPose>);
 
 /// # Safety
@@ -81,11 +83,13 @@ fn bind(settings: &RenderSettings, guides: &GuideSamples, ground: &Ground) -> Re
     }
 }
 
-/// Makes render hair from guides in their rest pose and the places of the render strands' roots at the same moment, m (formats as
-/// shx_render_guides.points, or SHX_FORMAT_FRAME, whose n0 is the scalp's normal; one strand for each). settings may be null: the defaults.
-/// Takes some microseconds a strand. *out_hair is yours; free it with shx_render_hair_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED (threads that could not be
-/// started). Any thread.
+/// Creates render hair from guides in their rest pose. roots has the root positions of the render strands
+/// at the same moment, m, one per strand: formats as shx_render_guides.points, or SHX_FORMAT_FRAME, whose
+/// n0 is the normal of the scalp. settings may be null (defaults). Takes some microseconds per strand. You
+/// own *out_hair; free it with shx_render_hair_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
+/// SHX_ERROR_UNSUPPORTED (threads that could not be started).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_hair_create(
     settings: *const shx_render_settings,
@@ -114,9 +118,10 @@ unsafe fn settings_from(settings: *const shx_render_settings) -> Result<RenderSe
     unsafe { read_versioned("settings", settings)?.settings() }
 }
 
-/// Makes render hair whose guides are count strands of a solver, as they are now: call it while they rest. Otherwise as
-/// shx_render_hair_create.
-/// Errors: those, and SHX_ERROR_INVALID_ID. May run beside other reading calls.
+/// Creates render hair whose guides are count strands of a solver in their current shapes: call it while they
+/// are at rest. Otherwise as shx_render_hair_create.
+/// Errors: as shx_render_hair_create; SHX_ERROR_INVALID_ID.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_create_render_hair(
     solver: *const shx_solver,
@@ -143,9 +148,11 @@ pub unsafe extern "C" fn shx_solver_create_render_hair(
     }
 }
 
-/// Writes render hair as bytes into image, which holds capacity bytes, and its size into *out_size; shx_render_hair_load makes the same hair
-/// of them, so that binding need not be done again. image null: only the size, with capacity 0.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Writes render hair to out_image, which holds capacity bytes, and its size to
+/// *out_size. shx_render_hair_load restores it without binding it again. With a null
+/// out_image and capacity 0 it only returns the size.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_hair_save(
     hair: *const shx_render_hair,
@@ -170,11 +177,12 @@ pub unsafe extern "C" fn shx_render_hair_save(
     })
 }
 
-/// Makes render hair of size bytes that shx_render_hair_save wrote: strands come out as they did, to the bit. Of settings only worker_count,
-/// parallel_for and parallel_for_user are looked at; null: the calling thread evaluates. *out_hair is yours; free it with
-/// shx_render_hair_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_SNAPSHOT (no render hair, damaged, of another
-/// version), SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
+/// Restores render hair from size bytes that shx_render_hair_save wrote. Its strands are identical to the bit.
+/// Of settings only worker_count, parallel_for and parallel_for_user are used; null: the calling thread
+/// evaluates. You own *out_hair; free it with shx_render_hair_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_SNAPSHOT (not
+/// render hair, corrupt, of another version), SHX_ERROR_UNSUPPORTED (threads that could not be started).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_hair_load(
     image: *const c_void,
@@ -194,11 +202,13 @@ pub unsafe extern "C" fn shx_render_hair_load(
     })
 }
 
-/// Makes render hair of other that has lost count guides, whose numbers (counted as at creation) are in gone: the other guides keep their order,
-/// and strands that follow none of the lost stay as they are, to the bit. *out_hair is yours; free it with shx_render_hair_destroy. Poses are
-/// of the hair that they were made of.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (guides that are not there, given twice, or all of them),
-/// SHX_ERROR_UNSUPPORTED (threads that could not be started). Any thread.
+/// Creates a copy of render hair without count of its guides, whose numbers as at creation are
+/// in removed. The other guides keep their order. Strands that follow none of the removed
+/// guides stay identical to the bit. Poses belong to the hair that they were created for. You
+/// own *out_hair; free it with shx_render_hair_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (guides that do not exist, appear twice, or are
+/// all guides), SHX_ERROR_UNSUPPORTED (threads that could not be started).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_hair_without_guides(
     hair: *const shx_render_hair,
@@ -217,7 +227,8 @@ pub unsafe extern "C" fn shx_render_hair_without_guides(
     })
 }
 
-/// Frees render hair; poses of it live on by themselves. Null is nothing to free. Any thread; nobody may use it any more.
+/// Frees render hair. Poses of it remain valid. Null is allowed.
+/// Threads: any. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_hair_destroy(hair: *mut shx_render_hair) {
     call("shx_render_hair_destroy", || {
@@ -229,9 +240,11 @@ pub unsafe extern "C" fn shx_render_hair_destroy(hair: *mut shx_render_hair) {
     });
 }
 
-/// For count strands from first on: the guide that each follows first (counted as at creation) into out_guides, and the number of its wisp
-/// about that guide, from 0, into out_wisps: for colours by lock, or to find out what hangs on a guide. Either may be null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that are not there). Any thread.
+/// For count strands from first on, writes the first guide of each (numbered as at creation) to
+/// out_guides and the number of its wisp around that guide, from 0, to out_wisps: for colours by lock, or
+/// to find the strands of a guide. Either may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (strands that do not exist).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_hair_wisps(
     hair: *const shx_render_hair,
@@ -267,8 +280,10 @@ pub unsafe extern "C" fn shx_render_hair_wisps(
     })
 }
 
-/// Makes a pose of render hair. It must be set before it is evaluated. *out_pose is yours; free it with shx_render_pose_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT. Any thread.
+/// Creates a pose of render hair. Set its guides before you evaluate it. You
+/// own *out_pose; free it with shx_render_pose_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_pose_create(hair: *const shx_render_hair, out_pose: *mut *mut shx_render_pose) -> shx_result {
     // SAFETY: the caller's handle and place for one pointer.
@@ -279,7 +294,8 @@ pub unsafe extern "C" fn shx_render_pose_create(hair: *const shx_render_hair, ou
     })
 }
 
-/// Frees a pose. Null is nothing to free. Any thread; nobody may use it any more.
+/// Frees a pose. Null is allowed.
+/// Threads: any. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_pose_destroy(pose: *mut shx_render_pose) {
     call("shx_render_pose_destroy", || {
@@ -291,9 +307,11 @@ pub unsafe extern "C" fn shx_render_pose_destroy(pose: *mut shx_render_pose) {
     });
 }
 
-/// Sets where the guides are, in the number and order of shx_render_hair_create. roots may be given if they were given there.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY (the pose is being evaluated). The
-/// pose is as it was then. Alone with the pose.
+/// Sets the guides of a pose, in the number and order of shx_render_hair_create. guides.roots is allowed only
+/// if it was given there. A failed call leaves the pose as it was.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY (the pose is being evaluated).
+/// Threads: exclusive for the pose.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_pose_set_guides(pose: *mut shx_render_pose, guides: *const shx_render_guides) -> shx_result {
     // SAFETY: the caller's handle, structure and what it points to.
@@ -305,10 +323,11 @@ pub unsafe extern "C" fn shx_render_pose_set_guides(pose: *mut shx_render_pose, 
     })
 }
 
-/// Sets where the guides are from count strands of a solver as they are now, in the number and order of shx_solver_create_render_hair;
-/// velocities: 1 where strands' velocities will be wanted, else 0.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY. The pose is as it was then. Alone with
-/// the pose; may run beside other reading calls of the solver.
+/// Sets the guides of a pose to count strands of a solver in their current shapes, in the
+/// number and order of shx_solver_create_render_hair. velocities: 1 if you will evaluate
+/// velocities, else 0. A failed call leaves the pose as it was.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY.
+/// Threads: shared for the solver, exclusive for the pose.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_render_pose(
     solver: *const shx_solver,
@@ -332,15 +351,20 @@ pub unsafe extern "C" fn shx_solver_set_render_pose(
     }
 }
 
-/// Evaluates render strands: item i * points_per_strand + j of each output is point j (0 root, last one tip) of strand view.first + i.
-/// view may be null: all strands, no origin. points, m: SHX_FORMAT_F32X3, or _F32X4 with the tapered radius. frames: SHX_FORMAT_F32X4,
-/// quaternions x, y, z, w of frames whose n0 is along the strand and whose n1 is near that of its first guide, carried along from the
-/// follicle without twist. velocities, m/s: SHX_FORMAT_F32X3. One or two of the three may be null. All arithmetic is f32 about the guides'
-/// roots. The bits do not depend on threads, nor on which strands are asked for together.
-/// Runs on the hair's own threads (settings.worker_count) or the host's (settings.parallel_for), or on the calling thread: a host may call
-/// it from several threads at a time, for other strands each.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a pose that was never set; velocities of guides that
-/// came without), SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_BUSY (the pose is being set). May run beside itself.
+/// Evaluates render strands: item i * points_per_strand + j of each output is point j (0 is the root, the last
+/// is the tip) of strand view.first_strand + i. view may be null: all strands, no origin.
+/// points, m: SHX_FORMAT_F32X3, or _F32X4 with the tapered radius.
+/// frames: SHX_FORMAT_F32X4, quaternions x, y, z, w of frames with n0 along the strand and n1 near that of its
+/// first guide, parallel-transported from the follicle.
+/// velocities, m/s: SHX_FORMAT_F32X3.
+/// One or two of the three may be null. The arithmetic is single precision relative to the guides' roots.
+/// Results are identical to the bit for any number of threads and any partition into calls. It runs on the
+/// hair's own threads (settings.worker_count), on your parallel loop (settings.parallel_for), or on the
+/// calling thread; you may also call it from several threads at once, each for other strands.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a
+/// pose that was never set, velocities of guides without velocities),
+/// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_BUSY (the pose is being set).
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_render_pose_evaluate(
     pose: *const shx_render_pose,
@@ -353,10 +377,12 @@ pub unsafe extern "C" fn shx_render_pose_evaluate(
     call("shx_render_pose_evaluate", || unsafe { evaluate(pose, view, [points, frames, velocities], |_| Vec::new()) })
 }
 
-/// shx_render_pose_evaluate, with strands kept out of a solver's bodies where these are now (those whose group or mask is 0 left out), by
-/// settings.clearance. Give heads as distance grids: a grid costs some nanoseconds a point, a mesh some microseconds. For velocities the
-/// bodies are taken to have moved as they move now. The pose may be of any solver's strands, or of curves.
-/// Errors: those of shx_render_pose_evaluate. May run beside other reading calls of the solver, and beside itself for other strands.
+/// Does the same as shx_render_pose_evaluate and keeps strands out of the current bodies of a solver, by
+/// settings.body_clearance. Bodies with groups or mask 0 are ignored. Use distance grids for heads: a grid
+/// costs some nanoseconds per point, a mesh some microseconds. For velocities, bodies are assumed to have
+/// moved as they move now. The pose need not come from this solver.
+/// Errors: as shx_render_pose_evaluate.
+/// Threads: shared for the solver and the pose.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_evaluate_render_pose(
     solver: *const shx_solver,
@@ -410,7 +436,7 @@ unsafe fn evaluate<'a>(
         let needed = count
             .checked_mul(per_strand)
             .filter(|needed| *needed <= super::types::MAX_COUNT)
-            .ok_or_else(|| Error::invalid("view.strand_count", count, "fewer strands a call"))?;
+            .ok_or_else(|| Error::invalid("view.strand_count", count, "fewer strands per call"))?;
         let sink = Outputs {
             first: def.first_strand,
             per_strand,
@@ -418,7 +444,8 @@ unsafe fn evaluate<'a>(
             frames: Writer::optional("frames", frames, &[SHX_FORMAT_F32X4], needed)?,
             velocities: Writer::optional("velocities", velocities, &[SHX_FORMAT_F32X3], needed)?,
         };
-        let roots = shx_render_view::roots_of("view.roots", &def.roots, count)?.map(|reader| Roots { reader, first: def.first_strand });
+        let roots =
+            shx_render_view::roots_of("view.roots", &def.roots, count)?.map(|reader| Roots { reader, first: def.first_strand });
         let earlier = shx_render_view::roots_of("view.previous_roots", &def.previous_roots, count)?
             .map(|reader| Roots { reader, first: def.first_strand });
         let now = |strand: usize| roots.as_ref().map_or_else(Vector3::zeros, |roots| roots.at(strand));
@@ -428,7 +455,7 @@ unsafe fn evaluate<'a>(
                 return Err(Error::invalid("view.interval", def.interval, "0 without previous_pose"));
             }
             if earlier.is_some() {
-                return Err(Error::invalid("view.previous_roots", "there", "none without previous_pose"));
+                return Err(Error::invalid("view.previous_roots", "given", "none without previous_pose"));
             }
             None
         } else {
@@ -465,9 +492,12 @@ fn named(error: Error) -> Error {
         ("before", "previous_pose"),
         ("seconds", "interval"),
     ];
-    FIELDS.iter().fold(error, |error, (ours, theirs)| {
-        if starts(&error, ours) { error.renamed(ours, &format!("view.{theirs}")) } else { error }
-    })
+    FIELDS.iter().fold(
+        error,
+        |error, (ours, theirs)| {
+            if starts(&error, ours) { error.renamed(ours, &format!("view.{theirs}")) } else { error }
+        },
+    )
 }
 
 fn starts(error: &Error, name: &str) -> bool {

@@ -10,9 +10,9 @@ use crate::groom::stability::check_margin;
 use crate::solver::id::StrandId;
 use crate::solver::{Solver, Stiffening};
 
-/// Strands are made stiffer by Young's modulus, Poisson's ratio as it is.
+/// Stiffen strands by raising Young's modulus; Poisson's ratio stays.
 pub const SHX_STIFFEN_YOUNGS_MODULUS: u32 = 1;
-/// Strands are made stiffer by both semi-axes of their section, and with them heavier.
+/// Stiffen strands by scaling both semi-axes of the cross-section, which also makes them heavier.
 pub const SHX_STIFFEN_RADIUS: u32 = 2;
 
 /// Elements of strands together.
@@ -20,10 +20,11 @@ fn total(core: &Solver, ids: &[StrandId]) -> Result<usize> {
     Ok(each(ids, |id| core.element_lengths(id).map(<[f64]>::len))?.iter().sum())
 }
 
-/// Makes the present shapes of count strands their natural ones, at any moment of a run: without weight they would rest in them,
-/// with it they sag from here. Nothing moves at once, velocities stay. What shx_solver_set_element_count remembers of the natural
-/// shapes before is forgotten.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Makes the current shapes of count strands their natural shapes, at any time during a simulation. Without
+/// gravity they would rest in them; with it they sag from there. Nothing moves at once, and velocities stay.
+/// The natural shapes that shx_solver_set_element_count remembered are replaced.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_adopt_natural_shapes(
     solver: *mut shx_solver,
@@ -34,13 +35,15 @@ pub unsafe extern "C" fn shx_solver_adopt_natural_shapes(
     unsafe { write("shx_solver_adopt_natural_shapes", solver, |core, _| core.take_natural_shapes(&strand_ids(ids, count)?)) }
 }
 
-/// Makes the present shapes of count strands those in which they rest under the solver's gravity with their roots held where they
-/// are, by natural curvatures that balance their weight in closed form. Velocities stay: what moves goes on to move, about its new
-/// rest; shx_solver_set_shapes with what shx_solver_get_shapes gave stops it. Wind, touches and constraints are not counted: a
-/// strand that leans on something is held up as if nothing were there. The rest need not be stable: shx_solver_shape_stability
-/// tells. What shx_solver_set_element_count remembers of the natural shapes before is forgotten.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a strand so limp that no finite curvatures
-/// hold it). Alone with the solver.
+/// Makes the current shapes of count strands their rest shapes under gravity, with their roots where
+/// they are (sag-free). It sets natural curvatures that balance the weight, in closed form. Velocities
+/// stay: moving strands keep moving, about their new rest shape. To stop them, call
+/// shx_solver_set_shapes with the output of shx_solver_get_shapes. Wind, contacts and constraints are
+/// ignored. The equilibrium need not be stable: see shx_solver_shape_stability. The natural shapes that
+/// shx_solver_set_element_count remembered are replaced.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a
+/// strand so limp that no finite curvatures support it).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_adopt_rest_shapes(
     solver: *mut shx_solver,
@@ -51,15 +54,18 @@ pub unsafe extern "C" fn shx_solver_adopt_rest_shapes(
     unsafe { write("shx_solver_adopt_rest_shapes", solver, |core, _| core.take_rest_shapes(&strand_ids(ids, count)?)) }
 }
 
-/// How firmly count strands would rest in their present shapes under the solver's gravity, once shx_solver_adopt_rest_shapes has
-/// made them rest shapes; changes nothing. Each output holds count values or is null:
-/// out_eigenvalues: the smallest eigenvalue of the static Hessian against the elastic stiffness, as shx_solver_settle has it: above
-/// 0 stable, 1 where gravity does nothing.
-/// out_youngs_scales: the smallest factor, 1 or above, on Young's modulus with which that eigenvalue is at least margin (0 to less
-/// than 1; at 0 a strand is put on the very border and needs a little more). The natural shape is to be chosen anew then.
-/// out_radius_scales: the same on both radii.
-/// Costs the cube of the number of elements. The work is shared among the solver's own threads; a parallel_for is not used.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+/// Computes how stable count strands would be in their current shapes under
+/// gravity, if shx_solver_adopt_rest_shapes made them rest shapes. Changes
+/// nothing. Each output holds count values or is null.
+/// out_eigenvalues: smallest eigenvalue of the static Hessian relative to the elastic stiffness, as in
+/// shx_solver_settle: stable above 0, 1 if gravity has no effect.
+/// out_youngs_scales: smallest factor (1 or above) on Young's modulus that raises the eigenvalue to
+/// margin (0 to less than 1). With margin 0 a strand ends at the limit of stability and needs
+/// slightly more. Choose the natural shape again afterwards.
+/// out_radius_scales: the same for a factor on both radii.
+/// Costs the cube of the number of elements. The work runs on the solver's own threads, not on parallel_for.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_shape_stability(
     solver: *const shx_solver,
@@ -99,13 +105,15 @@ pub unsafe extern "C" fn shx_solver_shape_stability(
     unsafe { read("shx_solver_shape_stability", solver, body) }
 }
 
-/// Makes those of count strands that would not rest stably in their present shapes as much stiffer as that takes, and no more, and takes the
-/// shapes of all of them as rest shapes (shx_solver_adopt_rest_shapes). by: SHX_STIFFEN_. margin, 0 to less than 1, is what the smallest
-/// eigenvalue of shx_solver_shape_stability is at least afterwards; at 0 a strand stands on the very border. out_scales receives count
-/// factors, 1 where nothing was changed, in the order of ids, or is null. An identifier may be given once only.
-/// Costs the cube of the number of elements. The work is shared among the solver's own threads; a parallel_for is not used.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (by, margin, an identifier given twice, a strand
-/// that no finite stiffness holds up); then nothing has changed. Alone with the solver.
+/// Stiffens those of count strands that would not be stable in their current shapes, by no more than
+/// necessary, and adopts the current shapes of all of them as rest shapes (shx_solver_adopt_rest_shapes). by
+/// is SHX_STIFFEN_. margin, 0 to less than 1, is the smallest eigenvalue of shx_solver_shape_stability
+/// afterwards; with 0 a strand ends at the limit of stability. Writes count factors in the order of ids to
+/// out_scales, 1 for unchanged strands; it may be null. Each strand may appear once. Costs the cube of the
+/// number of elements. The work runs on the solver's own threads, not on parallel_for.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (by, margin, a strand
+/// that appears twice or that no finite stiffness supports).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_stiffen_strands(
     solver: *mut shx_solver,
@@ -132,11 +140,12 @@ pub unsafe extern "C" fn shx_solver_stiffen_strands(
     }
 }
 
-/// The present curvatures of count strands (rad/m): a row of three doubles an element, strand after strand in the order of ids, into
-/// out_curvatures, which holds capacity rows (at least the strands' elements together). Kept by the host they are initial shapes for
-/// shx_solver_set_shapes; the solver itself remembers none.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. May run beside
-/// other reading calls.
+/// Writes the current curvatures of count strands, rad/m: a row of three doubles per element, strand by strand
+/// in the order of ids, to out_curvatures, which holds capacity rows: at least the total number of elements.
+/// Keep them as shapes for shx_solver_set_shapes; the solver stores none.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_shapes(
     solver: *const shx_solver,
@@ -156,10 +165,12 @@ pub unsafe extern "C" fn shx_solver_get_shapes(
     }
 }
 
-/// Puts count strands into shapes, at rest relative to their roots, all or none: row_count rows of curvatures as
-/// shx_solver_get_shapes gives them. Clears quarantines. Frozen freedoms must hold their natural value.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (row_count is not the strands' elements
-/// together, a number that is not finite, a frozen freedom). Alone with the solver.
+/// Sets the shapes of count strands, at rest relative to their roots: row_count rows of
+/// curvatures as from shx_solver_get_shapes. Releases quarantined strands. Frozen
+/// curvatures must have their natural value. All or none.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (row_count is not the
+/// total number of elements, a value that is not finite, a frozen curvature).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_shapes(
     solver: *mut shx_solver,
@@ -175,7 +186,7 @@ pub unsafe extern "C" fn shx_solver_set_shapes(
             let rows: &[[f64; 3]] = array("curvatures", "row_count", curvatures.cast::<[f64; 3]>(), row_count)?;
             let needed = total(core, &ids)?;
             if row_count != needed {
-                return Err(Error::invalid("row_count", row_count, format!("{needed}, one an element")));
+                return Err(Error::invalid("row_count", row_count, format!("{needed}, one per element")));
             }
             core.set_shapes(&ids, rows)
         })

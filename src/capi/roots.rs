@@ -5,11 +5,12 @@ use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 use super::types::{shx_input, shx_output, shx_strand_id};
 
-/// Moves the roots of count strands smoothly, in position and rotation, to the given frames (SHX_FORMAT_FRAME, one for each id)
-/// over the next over_seconds of simulated time (0 or above; 0: within the next substep). One call a frame for all roots. All or
-/// none. Strands that are not named stay on their way or still.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a number that is not finite, a quaternion
-/// whose length is not 1, over_seconds below 0). Alone with the solver.
+/// Moves the roots of count strands smoothly, in position and rotation, to the given frames (SHX_FORMAT_FRAME,
+/// one per id) over the next over_seconds of simulated time. 0: within the next substep. All or none. Call it
+/// once per frame for all roots. Other strands continue their motion or remain at rest.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (a value that is not
+/// finite, a quaternion that is not of unit length, negative over_seconds).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_root_frames(
     solver: *mut shx_solver,
@@ -26,9 +27,10 @@ pub unsafe extern "C" fn shx_solver_set_root_frames(
     }
 }
 
-/// Puts the roots of count strands at the given frames at once: the strands keep their shape and their velocity in the root's
-/// frame, and get no kick. For cuts and new takes. All or none.
-/// Errors: as shx_solver_set_root_frames. Alone with the solver.
+/// Moves the roots of count strands to the given frames at once. Strands keep their shape and their velocity
+/// relative to the root, and receive no impulse. Use it for cuts and new takes. All or none.
+/// Errors: as shx_solver_set_root_frames.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_teleport_roots(
     solver: *mut shx_solver,
@@ -44,10 +46,11 @@ pub unsafe extern "C" fn shx_solver_teleport_roots(
     }
 }
 
-/// The root frames of count strands as they are now, into frames (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions
-/// alone).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
-/// May run beside other reading calls.
+/// Writes the current root frames of count strands to frames
+/// (SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_root_frames(
     solver: *const shx_solver,

@@ -14,15 +14,15 @@ use super::wrenches::write_wrenches;
 use crate::error::{Error, Result, check_finite};
 use crate::solver::id::StrandId;
 
-/// How strands are sampled. Fill with shx_sample_def_init.
+/// How strands are sampled. Fill it with shx_sample_def_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_sample_def {
     /// Set by shx_sample_def_init.
     pub struct_size: u32,
-    /// Points a strand, uniform in arclength, root and tip included; at least 2. Default 33.
+    /// Points per strand, uniform in arclength, including root and tip; at least 2. Default 33.
     pub points_per_strand: u32,
-    /// Subtracted from positions before they are narrowed to floats, m. Default 0.
+    /// Subtracted from positions before they are rounded to floats, m. Default 0.
     pub origin: [f64; 3],
 }
 
@@ -37,23 +37,27 @@ unsafe impl Versioned for shx_sample_def {
 
 const _: () = assert!(size_of::<shx_sample_def>() == 32 && offset_of!(shx_sample_def, origin) == 8);
 
-/// Fills a definition with the defaults. size is sizeof(shx_sample_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_sample_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_sample_def_init(def: *mut shx_sample_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_sample_def_init", "def", def, size) }
 }
 
-/// Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 root, last one tip) of strand
-/// ids[i]. points: SHX_FORMAT_F32X3, _F32X4 (with the strand's radius), _F64X3, _F64X4. frames: SHX_FORMAT_FRAME, or _F32X4 and
-/// _F64X4 for the quaternions alone. velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3. One or two of the three may
-/// be null. One call a frame for everything that is drawn. Where no output holds doubles, points are worked out in single precision
-/// within an element: good to 1e-6 of the strand's length (measured: 2e-7) before they are rounded to what is written. Runs on the
-/// solver's own threads (shx_solver_def.worker_count) when there is enough to do, not on the host's task system: a host that has one
-/// calls from its tasks, for some of the strands each.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
-/// SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+/// Samples count strands uniformly: item i * points_per_strand + j of each output is point j (0 is the root,
+/// the last is the tip) of strand ids[i]. One call per frame suffices for everything you draw.
+/// points: SHX_FORMAT_F32X3, _F32X4 (with the radius of the strand), _F64X3, _F64X4.
+/// frames: SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone.
+/// velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3.
+/// One or two of the three may be null. If no output holds doubles, the library computes in single precision
+/// within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Large calls
+/// run on the solver's own threads (shx_solver_def.worker_count), never on parallel_for: with a task system,
+/// call it from your tasks, each for some of the strands.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_sample_strands(
     solver: *const shx_solver,
@@ -76,7 +80,7 @@ pub unsafe extern "C" fn shx_solver_sample_strands(
             let needed = per_strand
                 .checked_mul(count)
                 .filter(|needed| *needed <= MAX_COUNT)
-                .ok_or_else(|| Error::invalid("def.points_per_strand", per_strand, "fewer points a call"))?;
+                .ok_or_else(|| Error::invalid("def.points_per_strand", per_strand, "fewer points per call"))?;
             let origin = origin("def.origin", def.origin)?;
             let outputs = Outputs::new(points, frames, velocities, needed, origin)?;
             // All ids are looked up before the first point is written.
@@ -92,10 +96,12 @@ fn origin(argument: &str, origin: [f64; 3]) -> Result<Vector3<f64>> {
     Ok(Vector3::from(origin))
 }
 
-/// Samples one strand at count arclengths from the root (m, 0 to the strand's length, any order): item i of each output belongs to
-/// arclengths[i]. origin (three doubles, m) is subtracted from positions; null: 0. Outputs as in shx_solver_sample_strands.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (an arclength outside the strand),
-/// SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+/// Samples one strand at count arclengths from the root (m, 0 to the length of the strand, in any order): item
+/// i of each output belongs to arclengths[i]. origin (three doubles, m) is subtracted from positions; null: 0.
+/// The outputs are those of shx_solver_sample_strands.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (an
+/// arclength outside the strand), SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 /// cbindgen:ptrs-as-arrays=[[origin; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_sample_at(
@@ -132,10 +138,12 @@ pub unsafe extern "C" fn shx_solver_sample_at(
     }
 }
 
-/// What each of count strands does to its follicle as of the last step: force (N) and torque about the root's origin (N m), world
-/// axes. At rest the force is the strand's weight. SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
-/// May run beside other reading calls.
+/// Writes the wrench that each of count strands exerts on its follicle as of the last step: force (N) and
+/// torque about the root's origin (N m), in world axes. At rest the force is the weight of the strand.
+/// SHX_FORMAT_F32X3 or _F64X3; one of the two may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_root_wrenches(
     solver: *const shx_solver,

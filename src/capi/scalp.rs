@@ -15,19 +15,20 @@ use crate::error::{Error, Result};
 use crate::groom::guide_roots::GuideRoots;
 use crate::groom::scalp::{Amount, Density, Follicle, Jitter, RootRegion, Scalp, ScatterOptions};
 
-/// A triangle mesh at rest, on which follicles stand. Made by shx_scalp_create, owned by the caller, freed by shx_scalp_destroy. It never
-/// changes, so any threads may use it at the same time.
+/// A triangle mesh at rest that carries follicles. shx_scalp_create makes it, you own it, shx_scalp_destroy
+/// frees it. Immutable: any number of threads may use it at once.
 pub struct shx_scalp(Scalp);
 
-/// A place on a triangle of a scalp.
+/// A point on a triangle of a scalp.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct shx_follicle {
-    /// The triangle's number.
+    /// Index of the triangle.
     pub triangle: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
-    /// Shares of its second and third corner, 0 or above, together at most 1; the first has the rest.
+    /// Barycentric coordinates of its second and third corner, 0 or
+    /// above, sum at most 1; the first corner has the rest.
     pub barycentric: [f64; 2],
 }
 
@@ -39,26 +40,28 @@ impl shx_follicle {
     }
 }
 
-/// What a scalp is made of. Prepare with shx_scalp_def_init, then set vertices, triangles and triangle_count. What is pointed to is read
-/// during the call and not kept.
+/// Definition of a scalp. Fill it with shx_scalp_def_init, then set vertices, triangles and triangle_count.
+/// The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_scalp_def {
     /// Set by shx_scalp_def_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Vertices at rest, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is not looked at).
+    /// Vertices at rest, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is ignored).
     pub vertices: shx_input,
-    /// Three indices of vertices for each triangle, wound anticlockwise seen from outside.
+    /// Three vertex indices per triangle, counter-clockwise seen from outside.
     pub triangles: *const u32,
-    /// How many triangles.
+    /// Number of triangles.
     pub triangle_count: usize,
-    /// Null (default), or texture coordinates: u and v of the three corners of each triangle, six doubles a triangle.
+    /// Texture coordinates: u and v of the three corners of each
+    /// triangle, six doubles per triangle. Null (default): none.
     pub uvs: *const f64,
-    /// Without texture coordinates: the axis that n1 follows, as it lies on the scalp at rest; any length above zero. Default x.
+    /// Without texture coordinates: the direction that n1 follows along the
+    /// scalp at rest; any length above zero. Default x.
     pub reference_axis: [f64; 3],
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -86,32 +89,36 @@ const _: () = {
     assert!(offset_of!(shx_scalp_def, uvs) == 56 && offset_of!(shx_scalp_def, reserved) == 88);
 };
 
-/// How follicles are scattered. Fill with shx_scatter_def_init, then set count or spacing.
+/// How to scatter follicles. Fill it with shx_scatter_def_init, then set count or spacing.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_scatter_def {
     /// Set by shx_scatter_def_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// So many follicles, as far from each other as they come; 0 (default): by spacing. Up to 10000000.
+    /// Number of follicles, spread as far apart as possible; up to 10000000. 0 (default): use spacing.
     pub count: usize,
-    /// No two nearer to each other than this, m, along the scalp; where the density is less than the largest, farther. 0 (default): by count.
+    /// Minimum distance between follicles along the scalp, m; larger where the
+    /// density is below its maximum. 0 (default): use count.
     pub spacing: f64,
-    /// Null (default: even), or relative densities, 0 or above: one for each vertex, or of a picture over the texture coordinates.
+    /// Relative densities, 0 or above: one per vertex, or an image over
+    /// the texture coordinates. Null (default): uniform.
     pub density: *const f64,
-    /// Of a picture: pixels of a row; 0 (default): a density for each vertex.
+    /// Image: pixels per row. 0 (default): one density per vertex.
     pub density_width: usize,
-    /// Of a picture: rows, from v = 0 on.
+    /// Image: rows, starting at v = 0.
     pub density_height: usize,
-    /// Seed. Default 0.
+    /// Random seed. Default 0.
     pub seed: u64,
-    /// count 0 (default: anywhere), or the roots of guides, m: only where they cover the scalp, by how far they are apart, so that faces, ears
-    /// and necks stay bare. Formats as shx_scalp_def.vertices. Multiplied with the density.
+    /// Roots of guides, m: follicles only where guides cover the scalp, judged by their spacing, so
+    /// that faces, ears and necks stay bare. It multiplies the density. Formats as
+    /// shx_scalp_def.vertices. count 0 (default): everywhere.
     pub guide_roots: shx_input,
-    /// With guide_roots: instead as near as this to one of them, m. 0 (default): what they cover.
+    /// With guide_roots: follicles only within this distance of a guide root,
+    /// m. 0 (default): the region that the guides cover.
     pub max_guide_distance: f64,
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -142,16 +149,18 @@ const _: () = {
     assert!(offset_of!(shx_scatter_def, seed) == 48 && offset_of!(shx_scatter_def, reserved) == 96);
 };
 
-/// Prepares a shx_scalp_def. size is sizeof(shx_scalp_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_scalp_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_def_init(def: *mut shx_scalp_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_scalp_def_init", "def", def, size) }
 }
 
-/// Prepares a shx_scatter_def. size is sizeof(shx_scatter_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_scatter_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scatter_def_init(def: *mut shx_scatter_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
@@ -173,8 +182,9 @@ unsafe fn places(argument: &str, vertices: *const shx_input) -> Result<Vec<Vecto
     Ok((0..reader.count()).map(|index| reader.point(index).into()).collect())
 }
 
-/// Makes a scalp. *out_scalp is yours; free it with shx_scalp_destroy.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+/// Creates a scalp. You own *out_scalp; free it with shx_scalp_destroy.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_create(def: *const shx_scalp_def, out_scalp: *mut *mut shx_scalp) -> shx_result {
     // SAFETY: the caller's structure, what it points to, and place for one pointer.
@@ -199,7 +209,8 @@ pub unsafe extern "C" fn shx_scalp_create(def: *const shx_scalp_def, out_scalp: 
     })
 }
 
-/// Frees a scalp. Null is nothing to free. Any thread; nobody may use it any more.
+/// Frees a scalp. Null is allowed.
+/// Threads: any. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_destroy(scalp: *mut shx_scalp) {
     call("shx_scalp_destroy", || {
@@ -211,12 +222,15 @@ pub unsafe extern "C" fn shx_scalp_destroy(scalp: *mut shx_scalp) {
     });
 }
 
-/// Scatters follicles over a scalp at rest, evenly ("blue noise") or as densely as a map says, into out_follicles, which holds capacity items.
-/// The same def gives the same follicles. *out_count: how many there are. out_follicles may be null, to learn that alone.
-/// *out_min_distance (or null): the least distance of two of them along the scalp, m (where the density is the largest; elsewhere times the
-/// root of its share of that); infinity where there are none near each other. Takes some 20 microseconds a follicle, 30 of a
-/// hundred and fifty thousand or with a spacing.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Scatters follicles over a scalp at rest with blue noise, uniformly or by density, into out_follicles, which
+/// holds capacity items, and writes their number to *out_count. With null out_follicles it only returns the
+/// number. The same definition gives the same follicles. *out_min_distance (may be null) is the minimum
+/// distance of two follicles along the scalp, m, where the density has its maximum (elsewhere it scales with
+/// one over the root of the relative density); infinity if no two are close to each other. Takes some 20
+/// microseconds per follicle; 30 from 150,000 on or with a spacing.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_scatter(
     scalp: *const shx_scalp,
@@ -259,7 +273,8 @@ pub unsafe extern "C" fn shx_scalp_scatter(
             places.check_room(needed)?;
         }
         let options = ScatterOptions { amount, density, seed: def.seed };
-        let made = scalp.scatter(&options).map_err(|error| error.with_fields(&[("within", "max_guide_distance")]).inside("def"))?;
+        let made =
+            scalp.scatter(&options).map_err(|error| error.with_fields(&[("within", "max_guide_distance")]).inside("def"))?;
         if let Some(places) = follicles {
             places.write(&made.follicles.iter().map(shx_follicle::new).collect::<Vec<_>>())?;
         }
@@ -277,14 +292,19 @@ pub unsafe extern "C" fn shx_scalp_scatter(
 /// What the definition points to is there.
 unsafe fn root_region(def: &shx_scatter_def) -> Result<Option<Density>> {
     if def.guide_roots.count == 0 && def.guide_roots.data.is_null() {
-        return if def.max_guide_distance == 0.0 { Ok(None) } else { Err(Error::invalid("def.max_guide_distance", def.max_guide_distance, "0 without guide_roots")) };
+        return if def.max_guide_distance == 0.0 {
+            Ok(None)
+        } else {
+            Err(Error::invalid("def.max_guide_distance", def.max_guide_distance, "0 without guide_roots"))
+        };
     }
     // SAFETY: the same.
     let roots = GuideRoots::new(unsafe { places("def.guide_roots", &raw const def.guide_roots)? });
     let roots = roots.map_err(|error| error.renamed("roots", "def.guide_roots"))?;
     let region = if def.max_guide_distance == 0.0 {
         let spacing = roots.spacing();
-        let one = || Error::invalid("def.max_guide_distance", 0, "a distance, m: guides that are all at one place are no distance apart");
+        let one =
+            || Error::invalid("def.max_guide_distance", 0, "above 0: all guide roots are at one point, so they have no spacing");
         RootRegion::Covered(spacing.ok_or_else(one)?)
     } else {
         RootRegion::Within(def.max_guide_distance)
@@ -292,10 +312,12 @@ unsafe fn root_region(def: &shx_scatter_def) -> Result<Option<Density>> {
     Ok(Some(Density::Roots(roots, region)))
 }
 
-/// The follicles at count texture coordinates (uvs: u and v, two doubles each) into out_follicles, which holds count items. Each is first
-/// offset at random by up to jitter in u and in v (0: not; where that would leave the scalp, by less), by the seed: rows show in hair.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (a scalp without texture coordinates, coordinates at which there is no
-/// triangle). Any thread.
+/// Finds the follicles at count texture coordinates (uvs: u and v, two doubles each) and writes count items to
+/// out_follicles. Each is first offset randomly, by up to jitter in u and v and less at the edge of the scalp,
+/// since regular rows are visible in hair; 0: no offset. seed is the random seed.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (a scalp without
+/// texture coordinates, coordinates without a triangle).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_follicles_at_uvs(
     scalp: *const shx_scalp,
@@ -315,12 +337,14 @@ pub unsafe extern "C" fn shx_scalp_follicles_at_uvs(
     })
 }
 
-/// The frames of count follicles on the scalp as it is now. vertices: as many as at rest, in their order, m (null: at rest). frames:
-/// SHX_FORMAT_FRAME, as shx_solver_set_root_frames and shx_render_view.roots take them: n0 the scalp's normal, n1 the direction in which u
-/// grows (or that of shx_scalp_def.reference). A guide whose root is not along the normal has its own rotation in this frame, which the
-/// host puts behind it.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (another number of vertices, follicles that are not on the scalp),
-/// SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Writes the frames of count follicles on the deformed scalp to frames (SHX_FORMAT_FRAME), as
+/// shx_solver_set_root_frames and shx_render_view.roots take them. vertices: current vertices, as
+/// many as at rest and in their order, m; null: at rest. n0 is the normal of the scalp, n1 the
+/// direction of increasing u (or of shx_scalp_def.reference_axis). If a guide does not leave along
+/// the normal, multiply the frame by its own rotation.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (another number of vertices, follicles that
+/// are not on the scalp), SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_scalp_root_frames(
     scalp: *const shx_scalp,

@@ -11,16 +11,16 @@ use crate::study::presets::Preset;
 use crate::study::settings::{HairShape, Settings};
 use crate::study::suggestion::{Scenes, suggest_settings};
 
-/// To see what happens while working: the motion's kind is right, its course is not.
+/// For interactive work: the character of the motion is right, its course is not.
 pub const SHX_PRESET_PREVIEW: u32 = 1;
-/// Where the eye should not find the difference.
+/// For final animation: errors should not be visible.
 pub const SHX_PRESET_BALANCED: u32 = 2;
-/// Where numbers are to be read off.
+/// For measurements.
 pub const SHX_PRESET_ACCURATE: u32 = 3;
 
-/// Settings that were chosen for a kind of hair, and what they were measured to err and to cost. Prepare with shx_settings_init. Put
-/// integrator, max_iterations, max_subdivisions and the three tolerances into a shx_solver_def, element_count into a
-/// shx_strand_def, and step each frame in substeps.
+/// Settings for a type of hair, with their measured error and cost. Fill it with shx_settings_init. Copy
+/// integrator, max_iterations, max_subdivisions and the three tolerances to a shx_solver_def, and
+/// element_count to a shx_strand_def; step each frame in substeps.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_settings {
@@ -28,25 +28,26 @@ pub struct shx_settings {
     pub struct_size: u32,
     /// SHX_INTEGRATOR_.
     pub integrator: u32,
-    /// Newton's iterations a substep at most.
+    /// Maximum number of Newton iterations per substep.
     pub max_iterations: u32,
-    /// Substeps of a frame. Roots that move are best given substep by substep.
+    /// Substeps per frame. For best accuracy, set moving roots for each substep.
     pub substeps: u32,
-    /// Helical elements of a strand.
+    /// Helical elements per strand.
     pub element_count: u32,
-    /// How often a strand's substep may be halved.
+    /// How many times a strand's substep may be halved.
     pub max_subdivisions: u32,
-    /// Newton's tolerance, rad.
+    /// Tolerance of Newton's method, rad.
     pub tolerance: f64,
-    /// The error that a substep may add before it is halved, in units of the strand's length; 0: not looked at.
+    /// Error that a substep may add before it is halved, as a
+    /// fraction of the length of the strand; 0: not estimated.
     pub error_tolerance: f64,
-    /// Root mean square distance of the strand's points from where they should be, in units of its length, over two seconds in the
-    /// worst of the measured scenes. Negative: hair of that kind was not measured.
+    /// RMS position error as a fraction of the length of the strand, over two seconds in the worst of the
+    /// measured scenes. Negative: such hair was not measured.
     pub rms_error: f64,
-    /// Processor time a strand and simulated second in the dearest of them, microseconds, one thread, on the machine of
-    /// docs/tradeoff.md. Negative: not measured.
+    /// Processor time per strand and simulated second in the most expensive of those scenes, microseconds, one
+    /// thread, on the machine of docs/tradeoff.md. Negative: not measured.
     pub cost: f64,
-    /// What integrals along an element may err by.
+    /// Allowed relative error of the integrals along an element.
     pub quadrature_tolerance: f64,
 }
 
@@ -95,18 +96,20 @@ impl shx_settings {
     }
 }
 
-/// Fills settings with the solver's defaults and no elements. size is sizeof(shx_settings).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *settings with the defaults of the solver and no elements. size is sizeof(shx_settings).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settings_init(settings: *mut shx_settings, size: usize) -> shx_result {
     // SAFETY: the caller says that settings holds size bytes.
     unsafe { initialise("shx_settings_init", "settings", settings, size) }
 }
 
-/// The settings of a preset (SHX_PRESET_) for hair of that curvature (natural curvature and twist together, sqrt(k0^2 + k1^2 + k2^2),
-/// rad/m; zero or above; a curl of radius r and step d has 1/sqrt(r^2 + (d/(2 pi))^2)) and length (m, above zero), and frames of
-/// frame_time seconds (above zero).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+/// Returns the settings of a preset (SHX_PRESET_) for hair of the given curvature and length (m, above zero)
+/// and frames of frame_time seconds (above zero). curvature combines natural curvature and twist, sqrt(k0^2 +
+/// k1^2 + k2^2), rad/m, zero or above; a curl of radius r and pitch p has 1/sqrt(r^2 + (p/(2 pi))^2).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settings_from_preset(
     preset: u32,
@@ -125,13 +128,13 @@ pub unsafe extern "C" fn shx_settings_from_preset(
     })
 }
 
-/// The cheapest settings that were measured to err by no more than target_error (root mean square distance of the strand's points
-/// from where they should be, in units of its length; above zero; an error in metres is to be divided by the length) in every one of
-/// scenes (SHX_SCENE_ bits, at least one: what the hair is to go through), for hair of that curvature and length and frames of
-/// frame_time seconds, all as for shx_settings_from_preset. Measured was hair of the four types of docs/tradeoff.md, which says what
-/// the answer is worth for other hair.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a target_error below what the finest
-/// settings reached, which the error's text says, and a curvature above all that were measured). Any thread.
+/// Returns the cheapest settings whose measured error was at most target_error in all measured scenes: RMS
+/// position error as a fraction of the strand's length, above zero (divide an error in metres by the
+/// length). Hair and frame_time are as in shx_settings_from_preset. Four types of hair were measured;
+/// docs/tradeoff.md says what the result means for others.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a target_error
+/// below that of the finest settings, which the message gives, and a curvature above all that were measured).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settings_suggest(
     target_error: f64,

@@ -15,21 +15,21 @@ use crate::error::{Error, Result};
 use crate::solver::Solver;
 use crate::step::equilibrium::{Equilibrium, EquilibriumOptions};
 
-/// How shx_solver_settle searches. Fill with shx_settle_def_init, then change what you need.
+/// Options of shx_solver_settle. Fill it with shx_settle_def_init, then change what you need.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_settle_def {
     /// Set by shx_settle_def_init.
     pub struct_size: u32,
-    /// Steps of the search at most, 1 to 100000. Default 300.
+    /// Maximum number of steps of the search, 1 to 100000. Default 300.
     pub max_steps: u32,
-    /// At rest when no moment is out of balance by more than this, relative to rho S |g| L^2 plus 1e-4 (1/L + the largest natural
-    /// curvature) times the largest stiffness; above zero. Default 1e-10.
+    /// A strand is at rest when no moment is out of balance by more than this, relative to rho S |g| L^2 plus
+    /// 1e-4 (1/L + the largest natural curvature) times the largest stiffness; above zero. Default 1e-10.
     pub tolerance: f64,
-    /// 1 (default): find the smallest eigenvalue and leave states that are not stable; costs the cube of the number of elements.
-    /// 0: where symmetry holds a strand on an unstable state it stays there.
+    /// 1 (default): compute the smallest eigenvalue and leave unstable states. Costs the cube of the number of
+    /// elements. 0: a strand that symmetry holds in an unstable state remains there.
     pub check_stability: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
 }
 
@@ -49,25 +49,25 @@ unsafe impl Versioned for shx_settle_def {
     }
 }
 
-/// How the searches of a shx_solver_settle ended, all its strands together. Fill with shx_settle_report_init once; each call
-/// overwrites it.
+/// Report of shx_solver_settle for all of its strands. Fill it with
+/// shx_settle_report_init once; each call overwrites it.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_settle_report {
     /// Set by shx_settle_report_init.
     pub struct_size: u32,
-    /// Strands whose search ended before its tolerance, or in a state that is not stable. They are left, at rest, in the best shape
-    /// that was found.
+    /// Number of strands that did not reach the tolerance, or ended in an unstable state.
+    /// They are at rest in the best shape that was found.
     pub unconverged: u32,
-    /// Strands among them whose smallest eigenvalue is below zero (beyond rounding).
+    /// Number of those whose smallest eigenvalue is negative beyond rounding.
     pub unstable: u32,
-    /// Unstable states that were left on the way.
+    /// Number of unstable states that the searches left.
     pub saddles: u32,
-    /// Newton iterations of all strands.
+    /// Total number of Newton iterations.
     pub iterations: u64,
-    /// Largest residual of a strand, relative as shx_settle_def.tolerance says.
+    /// Largest residual of a strand, relative as in shx_settle_def.tolerance.
     pub max_residual: f64,
-    /// Smallest eigenvalue of a strand (see shx_solver_settle); not a number without check_stability or without strands.
+    /// Smallest eigenvalue of a strand (see shx_solver_settle). NaN without check_stability or without strands.
     pub smallest_eigenvalue: f64,
     /// Wall-clock time of the call, s.
     pub seconds: f64,
@@ -129,16 +129,18 @@ impl shx_settle_report {
     }
 }
 
-/// Fills a definition with the defaults. size is sizeof(shx_settle_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_settle_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settle_def_init(def: *mut shx_settle_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_settle_def_init", "def", def, size) }
 }
 
-/// Prepares a report. size is sizeof(shx_settle_report).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *report with defaults. size is sizeof(shx_settle_report).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settle_report_init(report: *mut shx_settle_report, size: usize) -> shx_result {
     // SAFETY: the caller says that report holds size bytes.
@@ -150,7 +152,7 @@ fn tell(log: &LogSink, report: &shx_settle_report, count: usize) {
         log.message(
             SHX_LOG_WARN,
             format_args!(
-                "shx_solver_settle: {} of {count} strands found no stable rest ({} unstable), residual up to {:e}",
+                "shx_solver_settle: {} of {count} strands found no stable equilibrium ({} unstable), residual up to {:e}",
                 report.unconverged, report.unstable, report.max_residual
             ),
         );
@@ -158,23 +160,26 @@ fn tell(log: &LogSink, report: &shx_settle_report, count: usize) {
     log.message(
         SHX_LOG_DEBUG,
         format_args!(
-            "shx_solver_settle: {count} strands, {} iterations, {} saddles left, {:.6} s",
+            "shx_solver_settle: {count} strands, {} iterations, {} saddles, {:.6} s",
             report.iterations, report.saddles, report.seconds
         ),
     );
 }
 
-/// Puts count strands at rest in their static equilibrium under the solver's gravity, each searched for downhill from its present
-/// shape with its root held where it is; wind is not felt, roots on their way stop. Clears a quarantine. def may be null (all
-/// defaults), report may be null. Each output holds count values or is null:
-/// out_status: SHX_STRAND_CONVERGED, or SHX_STRAND_UNCONVERGED for a strand that found no stable rest; it is left, at rest, in the best shape found.
-/// out_eigenvalues: the smallest eigenvalue of the static Hessian against the elastic stiffness: 1 where gravity does nothing (a
-/// little more for strands that it holds everywhere), 0 at the border of stability, below it unstable; not a number without
-/// check_stability.
-/// out_residuals: the largest moment out of balance, relative as shx_settle_def.tolerance says.
-/// Where several stable states exist, the one found is not promised to be the lowest. The work is shared among the solver's own
-/// threads; a parallel_for is not used.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Moves count strands to their static equilibrium under gravity and leaves them at rest. The
+/// search descends from the current shape with the root fixed at its current frame. Wind is
+/// ignored, moving roots stop, quarantined strands are released. def may be null (defaults), report
+/// may be null. Each output holds count values or is null.
+/// out_status: SHX_STRAND_CONVERGED, or SHX_STRAND_UNCONVERGED if no stable equilibrium was found; the strand
+/// is then at rest in the best shape that was found.
+/// out_eigenvalues: smallest eigenvalue of the static Hessian relative to the elastic stiffness. 1:
+/// gravity has no effect (slightly more if it stabilises the whole strand). 0: the limit of
+/// stability. Negative: unstable. NaN without check_stability.
+/// out_residuals: largest moment out of balance, relative as in shx_settle_def.tolerance.
+/// If several stable states exist, the result need not be the lowest. The work runs
+/// on the solver's own threads, not on parallel_for.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_settle(
     solver: *mut shx_solver,
@@ -213,7 +218,12 @@ pub unsafe extern "C" fn shx_solver_settle(
         let told = shx_settle_report::of(&found, started.elapsed().as_secs_f64());
         tell(log, &told, count);
         if let Some(status) = status {
-            status.write(&found.iter().map(|f| if f.converged { SHX_STRAND_CONVERGED } else { SHX_STRAND_UNCONVERGED }).collect::<Vec<_>>())?;
+            status.write(
+                &found
+                    .iter()
+                    .map(|f| if f.converged { SHX_STRAND_CONVERGED } else { SHX_STRAND_UNCONVERGED })
+                    .collect::<Vec<_>>(),
+            )?;
         }
         if let Some(eigenvalues) = eigenvalues {
             eigenvalues.write(&found.iter().map(|f| f.smallest_eigenvalue.unwrap_or(f64::NAN)).collect::<Vec<_>>())?;

@@ -14,10 +14,11 @@ unsafe fn curvature_rows<'a>(argument: &str, rows: *const f64, count: usize) -> 
     unsafe { array(argument, "count", rows.cast::<[f64; 3]>(), count) }
 }
 
-/// Sets the natural curvatures of a strand: count rows (twist, k1, k2), rad/m, one an element. The strand moves towards them from
-/// the next step on; frozen freedoms follow at once.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not the strand's number of
-/// elements, a number that is not finite). Alone with the solver.
+/// Sets the natural curvatures of a strand: count rows, one per element, rad/m. The strand moves towards them
+/// from the next step on; frozen curvatures follow at once.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not
+/// the number of elements, a value that is not finite).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_natural_curvatures(
     solver: *mut shx_solver,
@@ -33,8 +34,10 @@ pub unsafe extern "C" fn shx_solver_set_natural_curvatures(
     }
 }
 
-/// The natural curvatures of a strand into curvatures, which holds count rows (at least the strand's number of elements).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+/// Writes the natural curvatures of a strand, rad/m, to out_curvatures, which
+/// holds count rows: at least the number of elements.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_natural_curvatures(
     solver: *const shx_solver,
@@ -51,9 +54,10 @@ pub unsafe extern "C" fn shx_solver_get_natural_curvatures(
     }
 }
 
-/// The present curvatures of a strand (rad/m) and their rates (rad/(m s)) into memory for count rows each (at least the strand's
-/// number of elements). One of the two may be null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+/// Writes the current curvatures of a strand (rad/m) and their rates (rad/(m s)). Both outputs hold count
+/// rows, at least the number of elements; one of them may be null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_curvatures(
     solver: *const shx_solver,
@@ -84,10 +88,11 @@ pub unsafe extern "C" fn shx_solver_get_curvatures(
     unsafe { read("shx_solver_get_curvatures", solver, body) }
 }
 
-/// Sets the present curvatures of a strand (count rows, rad/m) and their rates (count rows, rad/(m s); null: 0). Frozen freedoms
-/// must hold their natural value, and rate 0.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not the strand's number of
-/// elements, a number that is not finite, a frozen freedom). Alone with the solver.
+/// Sets the current curvatures of a strand (count rows, rad/m) and their rates (count rows, rad/(m s); null:
+/// 0). Frozen curvatures must have their natural value and rate 0.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (count is not the number
+/// of elements, a value that is not finite, a frozen curvature).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_curvatures(
     solver: *mut shx_solver,

@@ -13,11 +13,12 @@ use crate::error::Result;
 use crate::solver::Solver;
 use crate::solver::definition::Workers;
 
-/// Makes a solver. def may be null: all defaults. *out_solver is yours; free it with shx_solver_destroy. The callbacks and user
-/// pointers of the definition must stay valid until then.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value out of range),
-/// SHX_ERROR_UNSUPPORTED (an integrator or a precision that is not in this version, threads that could not be started).
-/// Any thread; a solver belongs to no thread.
+/// Creates a solver. def may be null: all defaults. You own *out_solver; free it with shx_solver_destroy. The
+/// callbacks and user pointers of def must remain valid until then.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (a value
+/// out of range), SHX_ERROR_UNSUPPORTED (a combination or an instruction set that is not
+/// available, or threads that could not be started).
+/// Threads: any. A solver is not bound to the thread that created it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_create(def: *const shx_solver_def, out_solver: *mut *mut shx_solver) -> shx_result {
     call("shx_solver_create", || {
@@ -42,9 +43,9 @@ pub unsafe extern "C" fn shx_solver_create(def: *const shx_solver_def, out_solve
     })
 }
 
-/// Frees a solver and joins its threads. Null is nothing to free. Called from one of the solver's own callbacks, or while another
-/// thread uses it, it frees nothing and leaves SHX_ERROR_BUSY's text in shx_last_error.
-/// Any thread; the handle must not be used any more.
+/// Frees a solver and joins its threads. Null is allowed. If a callback of the solver calls it, or another
+/// thread is using the solver, it frees nothing, and shx_last_error has the message of SHX_ERROR_BUSY.
+/// Threads: exclusive. The handle must not be used afterwards.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_destroy(solver: *mut shx_solver) {
     // SAFETY: the caller's handle, null or alive.
@@ -58,7 +59,8 @@ fn vector(argument: &str, numbers: *const f64) -> Result<Vector3<f64>> {
 }
 
 /// Sets gravity, m/s^2, from the next step on.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite). Alone with the solver.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite).
+/// Threads: exclusive.
 /// cbindgen:ptrs-as-arrays=[[gravity; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_gravity(solver: *mut shx_solver, gravity: *const f64) -> shx_result {
@@ -66,8 +68,9 @@ pub unsafe extern "C" fn shx_solver_set_gravity(solver: *mut shx_solver, gravity
     unsafe { write("shx_solver_set_gravity", solver, |core, _| core.set_gravity(vector("gravity", gravity)?)) }
 }
 
-/// Sets the uniform wind, m/s, from the next step on. Only strands with an air_drag feel it.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite). Alone with the solver.
+/// Sets the uniform wind, m/s, from the next step on. It acts on strands that have air_drag.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite).
+/// Threads: exclusive.
 /// cbindgen:ptrs-as-arrays=[[wind; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_set_wind(solver: *mut shx_solver, wind: *const f64) -> shx_result {
@@ -75,10 +78,12 @@ pub unsafe extern "C" fn shx_solver_set_wind(solver: *mut shx_solver, wind: *con
     unsafe { write("shx_solver_set_wind", solver, |core, _| core.set_wind(vector("wind", wind)?)) }
 }
 
-/// Bytes of memory that the solver holds, all its strands, bodies and constraints included, as it asked the allocator for them. Not in it:
-/// what the allocator adds of its own, the stacks of the solver's threads, each thread's scratch memory for a step, which grows with the
-/// longest strand and not with their number, and that of strands which touch or are held, which does. Looks at every strand.
-/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+/// Returns the number of bytes that the solver has allocated, including all strands, bodies and
+/// constraints. It excludes allocator overhead, thread stacks, and the scratch memory of each thread;
+/// that grows with the longest strand, and with the number of strands in contact or with constraints.
+/// Takes time proportional to the number of strands.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_memory_usage(solver: *const shx_solver, out_bytes: *mut u64) -> shx_result {
     // SAFETY: the caller's handle, null or alive, and place for one number.

@@ -16,66 +16,70 @@ use crate::math::lanes::InstructionSet;
 use crate::solver::definition::SolverOptions;
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
 
-/// The papers' linearly implicit step: one linear solve a step, gravity, drag and velocity products explicit. Fast, for calm
-/// scenes only.
+/// Linearly implicit step (Bertails et al. 2006): one linear solve per step; gravity, drag and velocity
+/// products are explicit. Fast, for calm scenes only.
 pub const SHX_INTEGRATOR_LINEARLY_IMPLICIT: u32 = 1;
-/// Implicit Euler by Newton's method on the incremental potential. First order: it damps, and forgives anything.
+/// Implicit Euler: Newton's method minimises the incremental
+/// potential. First order, strongly damped, the most robust.
 pub const SHX_INTEGRATOR_IMPLICIT_EULER: u32 = 2;
-/// Two-step backward differences: second order in the step for the price of implicit Euler. The default.
+/// BDF2: two-step backward differences, second order in the
+/// step size, as cheap as implicit Euler. The default.
 pub const SHX_INTEGRATOR_SECOND_ORDER: u32 = 3;
-/// Order 5 with error control, in steps of its own: meets reference_tolerance. Slow: to measure the others by.
-/// Free strands only: shx_solver_step refuses it where strands may touch something or constraints hold them.
+/// Radau IIA, order 5, with its own error control: meets reference_tolerance. Slow: use
+/// it to measure the other integrators. Free strands only: shx_solver_step fails if
+/// strands can come into contact or have constraints.
 pub const SHX_INTEGRATOR_REFERENCE: u32 = 4;
 
-/// Elimination from tip to root: cost proportional to the number of elements. The default.
+/// Elimination from tip to root. Cost is proportional to the number of elements. The default.
 pub const SHX_LINEAR_SOLVER_LINEAR_TIME: u32 = 1;
-/// The dense matrix by Cholesky's factorisation. Dense solvers are references to test against, and slow for many elements.
+/// Dense matrix, Cholesky factorisation. The dense solvers are
+/// references for tests, and slow for many elements.
 pub const SHX_LINEAR_SOLVER_DENSE_CHOLESKY: u32 = 2;
-/// The dense matrix by conjugate gradients.
+/// Dense matrix, conjugate gradients.
 pub const SHX_LINEAR_SOLVER_DENSE_CG: u32 = 3;
-/// The dense matrix by singular values; the step report carries the largest condition number.
+/// Dense matrix, singular value decomposition. The step report has the largest condition number.
 pub const SHX_LINEAR_SOLVER_DENSE_SVD: u32 = 4;
 
 /// Double precision. The default.
 pub const SHX_PRECISION_F64: u32 = 1;
-/// Single precision: twice as many strands side by side. For substeps of 1/240 s or longer and up to 200 elements a strand, where it is
-/// within 1e-3 of a strand's length of double precision after seconds of a walk, and mostly within 1e-4. Shorter substeps make it worse, not
-/// better: what rounding makes at each of them adds up. Measured over stiffness, curl, elements and substeps in docs/lanes.md. With
-/// SHX_LINEAR_SOLVER_LINEAR_TIME only, and not with SHX_INTEGRATOR_REFERENCE.
+/// Single precision: twice as many strands in each vector register. Use it for substeps of 1/240 s or longer
+/// and up to 200 elements per strand. After seconds of walking it stays within 1e-3 of a strand's length of
+/// double precision, mostly within 1e-4 (docs/lanes.md). Shorter substeps accumulate more rounding error.
+/// Requires SHX_LINEAR_SOLVER_LINEAR_TIME; SHX_INTEGRATOR_REFERENCE does not support it.
 pub const SHX_PRECISION_F32: u32 = 2;
 
-/// The best vector instructions that the machine has. The default.
+/// The best vector instructions of this machine. The default.
 pub const SHX_INSTRUCTION_SET_BEST: u32 = 0;
-/// None: strands go one by one.
+/// No vector instructions: one strand at a time.
 pub const SHX_INSTRUCTION_SET_SCALAR: u32 = 1;
-/// What every machine of the kind has: SSE2 on x86-64, NEON on AArch64.
+/// What every machine of the architecture has: SSE2 on x86-64, NEON on AArch64.
 pub const SHX_INSTRUCTION_SET_BASELINE: u32 = 2;
 /// AVX2.
 pub const SHX_INSTRUCTION_SET_AVX2: u32 = 3;
 /// AVX-512 (F, BW, DQ, VL).
 pub const SHX_INSTRUCTION_SET_AVX512: u32 = 4;
 
-/// What a solver is made from. Fill with shx_solver_def_init, then change what you need.
+/// Definition of a solver. Fill it with shx_solver_def_init, then change what you need.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_solver_def {
     /// Set by shx_solver_def_init.
     pub struct_size: u32,
-    /// Threads, at most 256. 0 or 1: the calling thread (default). More: the calling thread and a private pool of the
-    /// others, made with the solver and joined by shx_solver_destroy. With parallel_for: how many threads the host's tasks
-    /// run on, for information. The result's bits do not depend on it.
+    /// Number of threads, at most 256. 0 or 1 (default): the calling thread. More: the calling thread and a
+    /// private pool of the others, which lives as long as the solver. With parallel_for: the number of threads
+    /// your tasks run on, for information. Results are identical to the bit for any number.
     pub worker_count: u32,
-    /// Gravity, m/s^2. Default (0, 0, -9.81): z is up. Where y is up: (0, -9.81, 0).
+    /// Gravity, m/s^2. Default (0, 0, -9.81): z is up. With y up: (0, -9.81, 0).
     pub gravity: [f64; 3],
-    /// Uniform wind, m/s; felt by strands with an air_drag. Default 0.
+    /// Uniform wind, m/s. It acts on strands that have air_drag. Default 0.
     pub wind: [f64; 3],
-    /// The host's task system; null (default): none.
+    /// Your task system. Default null: none.
     pub parallel_for: shx_parallel_for_fn,
-    /// Handed to parallel_for.
+    /// User pointer of parallel_for.
     pub parallel_for_user: *mut c_void,
-    /// Receives messages; null (default): silent.
+    /// Receives messages. Default null: none.
     pub log: shx_log_fn,
-    /// Handed to log.
+    /// User pointer of log.
     pub log_user: *mut c_void,
     /// Messages up to this level go to log: SHX_LOG_ERROR to SHX_LOG_DEBUG. Default SHX_LOG_WARN.
     pub log_level: u32,
@@ -85,36 +89,40 @@ pub struct shx_solver_def {
     pub linear_solver: u32,
     /// SHX_PRECISION_. Default SHX_PRECISION_F64.
     pub precision: u32,
-    /// Newton's iterations a substep at most, 1 to 10000. Default 50. A strand that needs more is reported as unconverged.
+    /// Maximum number of Newton iterations per substep, 1 to 10000. Default 50. A
+    /// strand that needs more is reported as unconverged.
     pub max_iterations: u32,
-    /// 1 (default): Newton's matrix is the exact Hessian, tension included. 0: Gauss-Newton, for comparison.
+    /// 1 (default): Newton's method uses the exact Hessian, tension included. 0: Gauss-Newton, for comparison.
     pub exact_hessian: u32,
-    /// Converged when no element is estimated to be further than this from where the iteration would end, rad; above zero.
-    /// Default 1e-6.
+    /// Newton's method has converged when no element is estimated to be farther than this
+    /// from the solution, rad; above zero. Default 1e-6.
     pub tolerance: f64,
-    /// How often a strand's substep may be halved where it does not converge, turns non-finite or errs by more than error_tolerance;
-    /// only that strand takes it in parts. Strands that touches hold do so, with those that hang together with them, where the hard models
-    /// leave them deep; twenty of them and fewer whenever they do not converge. More than twenty take halves only. 0 to 10; default
-    /// 3; 0: never. Implicit Euler and second order only.
+    /// How many times a strand's substep may be halved, 0 to 10, if it does not converge, becomes non-finite
+    /// or exceeds error_tolerance. Only that strand is subdivided. Default 3; 0: never. Strands in contact
+    /// are subdivided with their whole island: where SHX_CONTACT_COULOMB leaves surfaces too deep in each
+    /// other, and islands of up to 20 strands whenever they do not converge; larger islands are halved once
+    /// only. Applies to implicit Euler and second order.
     pub max_subdivisions: u32,
-    /// SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST. Results are the same to the bit with all of them; one that the machine
-    /// lacks is SHX_ERROR_UNSUPPORTED.
+    /// SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST. Results are identical to the bit for all of them.
+    /// One that the machine does not have is SHX_ERROR_UNSUPPORTED.
     pub instruction_set: u32,
-    /// The error that a substep, or a part of it, may add to a point's position before it is halved, in units of the strand's length.
-    /// 0 (default): errors are not looked at, and cost nothing. Where the halvings do not suffice the report's max_error tells.
+    /// Largest error that a substep, or a piece of a subdivided one, may add to the position of a point before
+    /// it is halved, as a fraction of the length of the strand. 0 (default): errors are not estimated, which
+    /// costs nothing. If max_subdivisions does not suffice, max_local_error in the report shows it.
     pub error_tolerance: f64,
-    /// 0.
-    pub reserved: [u64; 2],
-    /// SHX_INTEGRATOR_REFERENCE only: error allowed in positions, in units of a strand's length, for each second of simulated time:
-    /// 1e-12 to 1e-2. Default 1e-8.
+    /// SHX_INTEGRATOR_REFERENCE only: allowed position error per second of simulated time, as a fraction of the
+    /// length of the strand: 1e-12 to 1e-2. Default 1e-8.
     pub reference_tolerance: f64,
-    /// What the integrals along an element (inertia, drag, weight) may err by, relative: 1e-12 to 1e-2. Default 1e-4. It decides how
-    /// many quadrature points elements get by how far they turn, and with that time and memory.
+    /// Allowed relative error of the integrals along an element (inertia, drag, weight): 1e-12 to 1e-2. Default
+    /// 1e-4. It determines the number of quadrature points, and with it time and memory.
     pub quadrature_tolerance: f64,
-    /// A root that is sent to a place by a velocity change of more than this in a second, m/s^2, and by more than a quarter of its strand's length,
-    /// jumps: its strand goes along with it as it is, in one step, and swings from there; bodies that jump with it stand still for it.
-    /// The report's carried counts such strands. Above zero, or INFINITY: none jumps. Default 200.
+    /// A root jumps if reaching its target needs more than this acceleration, m/s^2, and moves it by more than
+    /// a quarter of the strand's length. The strand then moves rigidly with its root in one step and continues
+    /// from there; bodies that jump along do not sweep it. The report counts such strands in jumped_roots.
+    /// Above zero; INFINITY: no root jumps. Default 200.
     pub jump_acceleration: f64,
+    /// Must be 0.
+    pub reserved: [u64; 2],
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, pointers and nullable functions only.
@@ -142,10 +150,10 @@ unsafe impl Versioned for shx_solver_def {
             max_subdivisions: options.step.max_subdivisions,
             instruction_set: SHX_INSTRUCTION_SET_BEST,
             error_tolerance: options.step.error_tolerance,
-            reserved: [0; 2],
             reference_tolerance: options.step.reference_tolerance,
             quadrature_tolerance: options.step.quadrature_tolerance,
             jump_acceleration: options.jump_acceleration,
+            reserved: [0; 2],
         }
     }
 }
@@ -228,8 +236,9 @@ impl shx_solver_def {
     }
 }
 
-/// Fills a definition with the defaults. size is sizeof(shx_solver_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_solver_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_def_init(def: *mut shx_solver_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.

@@ -13,31 +13,35 @@ use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::groom::spline::{Spline, SplineEnds, SplineKind};
 
-/// Uniform Catmull-Rom: the curve goes through the control points; the first and the last only give directions.
+/// Uniform Catmull-Rom spline: interpolates the control
+/// points; the first and the last one only give directions.
 pub const SHX_SPLINE_CATMULL_ROM: u32 = 1;
 /// Uniform cubic B-spline.
 pub const SHX_SPLINE_BSPLINE: u32 = 2;
-/// Cubic Bezier spans that share their end points: 3 k + 1 control points.
+/// Cubic Bezier spans with shared end points: 3 k + 1 control points.
 pub const SHX_SPLINE_BEZIER: u32 = 3;
 
-/// A span for every four successive control points, and no more.
+/// One span for every four consecutive control points.
 pub const SHX_SPLINE_ENDS_OPEN: u32 = 1;
-/// The curve begins at the first control point and ends at the last: one is added beyond both, straight on.
+/// The curve starts at the first control point and ends at
+/// the last: one point is extrapolated beyond each end.
 pub const SHX_SPLINE_ENDS_PINNED: u32 = 2;
 
-/// A cubic curve and how finely to sample it. Fill with shx_spline_def_init, then set at least controls.
+/// A cubic spline to sample. Fill it with shx_spline_def_init, then set at least controls.
+/// The library reads the arrays during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_spline_def {
     /// Set by shx_spline_def_init.
     pub struct_size: u32,
-    /// SHX_SPLINE_CATMULL_ROM (default), SHX_SPLINE_BSPLINE or SHX_SPLINE_BEZIER.
+    /// SHX_SPLINE_CATMULL_ROM (default), _BSPLINE or _BEZIER.
     pub kind: u32,
-    /// SHX_SPLINE_ENDS_. Default SHX_SPLINE_ENDS_PINNED. A Bezier curve ignores it.
+    /// SHX_SPLINE_ENDS_. Default SHX_SPLINE_ENDS_PINNED. No effect on Bezier splines.
     pub ends: u32,
     /// Points per span, 1 to 1024. Default 8.
     pub points_per_span: u32,
-    /// Control points: at least 4, or 2 with pinned ends (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is ignored).
+    /// Control points: at least 4, or 2 with pinned ends (SHX_FORMAT_F32X3,
+    /// _F32X4, _F64X3, _F64X4; a fourth number is ignored).
     pub controls: shx_input,
 }
 
@@ -59,8 +63,9 @@ unsafe impl Versioned for shx_spline_def {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(size_of::<shx_spline_def>() == 48 && offset_of!(shx_spline_def, controls) == 16);
 
-/// Fills a definition with the defaults. size is sizeof(shx_spline_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_spline_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_spline_def_init(def: *mut shx_spline_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
@@ -72,12 +77,13 @@ fn in_words_of_c(error: Error) -> Error {
     error.with_fields(&[("per_span", "points_per_span")]).inside("def")
 }
 
-/// Makes points of a cubic curve: per_span (1 to 1024) a span and one more, evenly spaced in its parameter, and the arclength of each,
-/// which is the curve's own. kind is SHX_SPLINE_, ends is SHX_SPLINE_ENDS_ (Bezier: either). controls holds at least 4 control points,
-/// pinned at least 2 (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is not looked at). How many points there are goes to
-/// out_count; to ask for it alone give null for points and out_arclengths. points: SHX_FORMAT_F32X3, _F64X3; out_arclengths (null: not
-/// wanted) holds as many doubles as there are points. Give both to shx_fit_strands.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. Any thread.
+/// Samples a cubic spline: points_per_span points per span and one more, evenly spaced in the parameter, and
+/// the arclength of each along the spline itself. Writes their number to *out_count; with null points and null
+/// out_arclengths it only returns that. points: SHX_FORMAT_F32X3, _F64X3. out_arclengths holds as many doubles
+/// as there are points, or is null. Pass both to shx_fit_strands.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_spline_points(
     def: *const shx_spline_def,
@@ -92,7 +98,9 @@ pub unsafe extern "C" fn shx_spline_points(
             SHX_SPLINE_CATMULL_ROM => SplineKind::CatmullRom,
             SHX_SPLINE_BSPLINE => SplineKind::BSpline,
             SHX_SPLINE_BEZIER => SplineKind::Bezier,
-            other => return Err(Error::invalid("def.kind", other, "SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_BSPLINE or SHX_SPLINE_BEZIER")),
+            other => {
+                return Err(Error::invalid("def.kind", other, "SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_BSPLINE or SHX_SPLINE_BEZIER"));
+            }
         };
         let ends = match def.ends {
             SHX_SPLINE_ENDS_OPEN => SplineEnds::Open,
@@ -100,8 +108,9 @@ pub unsafe extern "C" fn shx_spline_points(
             other => return Err(Error::invalid("def.ends", other, "one of SHX_SPLINE_ENDS_")),
         };
         // SAFETY: the caller's points and place for a number.
-        let (reader, out_count) =
-            unsafe { (Reader::new("def.controls", &raw const def.controls, POINT_FORMATS)?, Place::new("out_count", out_count)?) };
+        let (reader, out_count) = unsafe {
+            (Reader::new("def.controls", &raw const def.controls, POINT_FORMATS)?, Place::new("out_count", out_count)?)
+        };
         let spline = Spline::new(kind, ends, reader.count()).map_err(|error| error.inside("def"))?;
         let controls: Vec<Vector3<f64>> = (0..reader.count()).map(|index| reader.point(index).into()).collect();
         let (made, arclengths) = spline.points(&controls, def.points_per_span as usize).map_err(in_words_of_c)?;

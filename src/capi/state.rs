@@ -6,10 +6,12 @@ use super::buffers::{Place, Places, array};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver, write};
 
-/// Writes an image of everything that a step depends on (strands, roots, states, bodies, constraints, gravity, wind, options; not
-/// callbacks and threads) into image, which holds capacity bytes, and its size into *out_size. image null: only the size, with capacity 0.
-/// The image is for this version of the library on machines of the same byte order.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+/// Writes a snapshot of everything that a step depends on (strands, roots, states, bodies, constraints,
+/// gravity, wind, options; not callbacks and threads) to out_image, which holds capacity bytes, and its size
+/// to *out_size. With a null out_image and capacity 0 it only returns the size. Snapshots are for this version
+/// of the library on machines of the same byte order.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_snapshot(
     solver: *const shx_solver,
@@ -35,9 +37,10 @@ pub unsafe extern "C" fn shx_solver_snapshot(
     }
 }
 
-/// Puts a solver into the state of an image of size bytes. Ids are those that were valid when it was taken. Stepping on gives the
-/// same bits as it did then.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_SNAPSHOT (not an image, damaged, of another version). Alone with the solver.
+/// Restores a solver from a snapshot of size bytes. The ids that were valid when it was taken are valid again.
+/// Further steps give the same bits as they did then.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_SNAPSHOT (not a snapshot, corrupt, of another version).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_restore(solver: *mut shx_solver, image: *const c_void, size: usize) -> shx_result {
     // SAFETY: the caller's handle and size bytes.
@@ -50,8 +53,9 @@ pub unsafe extern "C" fn shx_solver_restore(solver: *mut shx_solver, image: *con
     }
 }
 
-/// A hash of everything that a step depends on: equal states give equal hashes.
-/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+/// Returns a hash of everything that a step depends on. Equal states have equal hashes.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_state_hash(solver: *const shx_solver, out_hash: *mut u64) -> shx_result {
     // SAFETY: the caller's handle and place for one number.

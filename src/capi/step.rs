@@ -15,71 +15,75 @@ use crate::solver::definition::Workers;
 use crate::solver::report::StepReport;
 use crate::step::options::LinearSolver;
 
-/// What a step tells, all its substeps together. Fill with shx_step_report_init once; each step overwrites it.
+/// Report of a step, accumulated over all of its substeps. Fill it with
+/// shx_step_report_init once; each step overwrites it.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_step_report {
     /// Set by shx_step_report_init.
     pub struct_size: u32,
-    /// Strand-substeps rolled back because a state turned non-finite, or touches or constraints drove it astray and found no end.
-    /// shx_solver_strand_status tells which strands.
+    /// Number of strand-substeps that were rolled back because the state became non-finite, or contacts or
+    /// constraints made it diverge. shx_solver_strand_status identifies the strands.
     pub quarantined: u32,
-    /// Strand-substeps whose iteration ended before it reached the tolerance.
+    /// Number of strand-substeps in which Newton's method did not reach the tolerance.
     pub unconverged: u32,
-    /// Most Newton iterations that a strand took in a substep.
+    /// Largest number of Newton iterations of a strand in a substep.
     pub max_iterations: u32,
-    /// How far an element of any strand may still be from where its iteration would end, rad.
+    /// Largest estimated distance of an element from the
+    /// solution, rad: compare it with shx_solver_def.tolerance.
     pub max_residual: f64,
     /// Kinetic energy of all strands after the step, J.
     pub kinetic_energy: f64,
     /// Elastic energy, J.
     pub elastic_energy: f64,
-    /// Energy of gravity, measured from the world's origin, J.
+    /// Gravitational energy relative to the world origin, J.
     pub gravity_energy: f64,
     /// Wall-clock time of the call, s.
     pub seconds: f64,
-    /// Substeps taken.
+    /// Number of substeps taken.
     pub substeps: u32,
-    /// Strand-substeps that were taken in parts: see max_subdivisions of shx_solver_def.
+    /// Number of strand-substeps that were subdivided: see shx_solver_def.max_subdivisions.
     pub subdivided: u32,
-    /// Mean Newton iterations a strand and substep.
+    /// Mean number of Newton iterations per strand and substep.
     pub mean_iterations: f64,
-    /// Largest condition number met; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
+    /// Largest condition number; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.
     pub max_condition: f64,
-    /// The most that a strand's substep, or a part of it, added to the error of a point's position, in units of the strand's length
-    /// (0 where the solver has no error_tolerance).
+    /// Largest error that a strand's substep, or a piece of it, added to the position of a point, as a fraction
+    /// of the strand's length. 0 without error_tolerance.
     pub max_local_error: f64,
-    /// Contacts that carried a force at the end of the last substep.
+    /// Number of contacts with non-zero force at the end of the last substep.
     pub contacts: u32,
-    /// Searches that found contacts which the one at a substep's start had not.
+    /// Number of searches during a substep that found contacts which its first search had missed.
     pub contact_searches: u32,
-    /// Newton iterations of those strands that touch or are held together that took most.
+    /// Largest number of Newton iterations of an island: a set of strands that contacts or constraints couple.
     pub max_contact_iterations: u32,
-    /// Such sets of strands whose iteration ended elsewhere than it should.
+    /// Number of islands that did not converge.
     pub unconverged_islands: u32,
-    /// Sweeps of the contact problem's solver, all of them together.
+    /// Total number of sweeps of the contact solver.
     pub contact_sweeps: u64,
-    /// Largest residual of the laws of contact and friction: see residual of shx_contact_options.
+    /// Largest residual of the contact and friction laws: see shx_contact_options.residual.
     pub max_contact_residual: f64,
-    /// How deep surfaces were in each other at the end of a substep at most, m.
+    /// Largest penetration depth at the end of a substep, m.
     pub max_penetration: f64,
-    /// The largest distance of a constraint from holding at the end of a substep, m.
+    /// Largest constraint error at the end of a substep, m.
     pub max_constraint_error: f64,
-    /// Strands whose root was in a body by more than the contact options' tolerance at the end of the last substep, and not exempt: it is where
-    /// the host put it, and no force parts the two. max_penetration has how deep.
+    /// Number of strands whose root is deeper in a body than the contact tolerance at the end of
+    /// the last substep, and not exempt. Roots are where you put them, so no contact force can
+    /// separate the two. max_penetration includes their depth.
     pub roots_inside_bodies: u64,
-    /// Why the step was ended before all strands were at their end: SHX_STOP_. SHX_STOP_NONE if it was not.
+    /// Why the step stopped before it was complete: SHX_STOP_. SHX_STOP_NONE if it was not stopped.
     pub stop_reason: u32,
-    /// Strand-substeps that were left for that: part of unconverged.
+    /// Number of strand-substeps left unfinished because the step was stopped; unconverged includes them.
     pub unfinished: u32,
-    /// Work on strands in contact or held by constraints, all substeps together, in the units of shx_step_limits.
+    /// Total work on strands in contact or with constraints, in the units of shx_step_limits.
     pub work: u64,
-    /// Strands whose root jumped, and that went along with it as they were: see jump_acceleration of shx_solver_def.
+    /// Number of strands that moved rigidly with a root that jumped: see shx_solver_def.jump_acceleration.
     pub jumped_roots: u32,
-    /// The most parts that a substep was taken in, since a body went far among strands in it; 1: none was. See max_subdivisions of shx_solver_def.
+    /// Largest number of pieces into which a whole substep was subdivided because a body moved far among
+    /// strands; 1 if none was. See shx_solver_def.max_subdivisions.
     pub fast_body_pieces: u32,
-    /// Contacts whose force is told as no more than hair can do: what takes the strand its own length in the substep and bends its elements by a radian; twice
-    /// that where all laws hold.
+    /// Number of contacts whose reported force was capped at what hair can exert: what moves the strand by its
+    /// own length within the substep and bends its elements by a radian; twice that where all contact laws hold.
     pub capped_contact_forces: u64,
 }
 
@@ -133,8 +137,9 @@ impl shx_step_report {
     }
 }
 
-/// Prepares a report. size is sizeof(shx_step_report).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *report with defaults. size is sizeof(shx_step_report).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_step_report_init(report: *mut shx_step_report, size: usize) -> shx_result {
     // SAFETY: the caller says that report holds size bytes.
@@ -156,7 +161,7 @@ fn tell(log: &LogSink, report: &StepReport) {
     if report.quarantined > 0 {
         log.message(
             SHX_LOG_WARN,
-            format_args!("shx_solver_step: {} strand-substeps rolled back (non-finite or astray)", report.quarantined),
+            format_args!("shx_solver_step: {} strand-substeps rolled back (non-finite or diverged)", report.quarantined),
         );
     }
     if report.unconverged > 0 {
@@ -172,7 +177,7 @@ fn tell(log: &LogSink, report: &StepReport) {
         log.message(
             SHX_LOG_WARN,
             format_args!(
-                "shx_solver_step: contact of {} sets of strands unconverged, penetration up to {:e} m, constraints off by up to {:e} m",
+                "shx_solver_step: {} islands unconverged, penetration up to {:e} m, constraint error up to {:e} m",
                 report.contact.unconverged, report.contact.penetration, report.contact.constraint_error
             ),
         );
@@ -181,7 +186,7 @@ fn tell(log: &LogSink, report: &StepReport) {
         log.message(
             SHX_LOG_WARN,
             format_args!(
-                "shx_solver_step: the roots of {} strands are in a body, where no force parts them (see exempt_length)",
+                "shx_solver_step: the roots of {} strands are inside a body, where no force can separate them (see exempt_length)",
                 report.contact.roots_inside
             ),
         );
@@ -195,12 +200,13 @@ fn tell(log: &LogSink, report: &StepReport) {
     );
 }
 
-/// Moves time on by dt seconds (above zero) in substeps equal parts (at least 1; each a full solve). report may be null.
-/// A strand whose state turns non-finite, or goes astray in touches or constraints without end, is rolled back and marked; the step goes on, and the report and the strand's status say
-/// so. Same input, same bits, whatever the number of threads.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps), SHX_ERROR_UNSUPPORTED
-/// (SHX_INTEGRATOR_REFERENCE where strands may touch something or constraints hold them: it steps free strands only).
-/// Alone with the solver.
+/// Advances time by dt seconds (above zero) in the given number of equal substeps (at least 1); each is a full
+/// solve. report may be null. A strand whose state becomes non-finite, or that contacts or constraints make
+/// diverge, is rolled back and quarantined; the other strands go on, and the report and
+/// shx_solver_strand_status say so. The same input gives the same bits for any number of threads.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps),
+/// SHX_ERROR_UNSUPPORTED (SHX_INTEGRATOR_REFERENCE with contact or constraints: it steps free strands only).
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_step(
     solver: *mut shx_solver,
@@ -214,12 +220,15 @@ pub unsafe extern "C" fn shx_solver_step(
     }
 }
 
-/// The same within limits: a budget of work, which gives the same bits on every machine; a budget of seconds, whose bits are the clock's; a flag by which
-/// another thread cancels the step. What has not converged by then stays where the iteration has left it; strands for which none was done, and all that touch
-/// something where the step was cancelled, keep their shape and go along with their roots. Every strand is whole and finite, roots and bodies are where they were sent,
-/// and the report says what was left and why. SHX_OK is returned whichever limit ended it.
-/// Errors: as shx_solver_step; SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (options). Alone with the solver; *cancel may be written
-/// by any thread meanwhile.
+/// Does the same as shx_solver_step within limits: on work (identical bits on every machine), on time
+/// (results depend on the clock), or by a flag that another thread sets. When a limit is reached, strands
+/// that have not converged keep their last iterate. Strands without any iterate, and all strands in
+/// contact if the step is cancelled, keep their shape and move with their roots. All states remain
+/// finite, roots and bodies reach their targets, and the report says what is unfinished and why. The
+/// function returns SHX_OK whichever limit stopped it.
+/// Errors: as shx_solver_step; SHX_ERROR_NULL_ARGUMENT,
+/// SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (limits).
+/// Threads: exclusive; any thread may write *cancel meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_step_with_limits(
     solver: *mut shx_solver,

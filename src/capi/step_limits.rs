@@ -8,31 +8,34 @@ use super::versioned::{Versioned, initialise};
 use crate::error::{Result, check_not_negative};
 use crate::meter::StepLimits;
 
-/// The step went to its end.
+/// The step ran to completion.
 pub const SHX_STOP_NONE: u32 = 0;
-/// Its work was spent.
+/// The step reached max_work.
 pub const SHX_STOP_WORK: u32 = 1;
-/// Its time was up.
+/// The step reached max_seconds.
 pub const SHX_STOP_TIME: u32 = 2;
-/// It was cancelled.
+/// The step was cancelled.
 pub const SHX_STOP_CANCELLED: u32 = 3;
 
-/// What a step may cost. Fill with shx_step_limits_init.
+/// Limits on the cost of a step. Fill it with shx_step_limits_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_step_limits {
     /// Set by shx_step_limits_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Most work on strands in contact or held by constraints, in each substep, in units that each take about a microsecond of one core: counted, not measured, so
-    /// that the result is the same to the bit on every machine and for any number of threads. 0 (default): as much as keeps a host going whatever happens, a
-    /// quarter of a second of one core or so for 2280 elements and for fewer, in proportion for more.
+    /// Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of
+    /// one core. Work is counted, not timed, so results are identical to the bit on every machine and for any
+    /// number of threads. 0 (default): a limit that keeps an application responsive, about a quarter of a second
+    /// of one core for up to 2280 elements and proportionally more beyond.
     pub max_work: u64,
-    /// Seconds that the call may take; the result's bits are then the clock's. 0 (default): any. A step's end takes a while after the last iteration, which is
-    /// learned from step to step and reserved.
+    /// Maximum duration of the call, s. Results then depend on the clock. 0 (default): no
+    /// limit. A step needs some time to finish after its last iteration; the solver
+    /// learns how much from earlier steps and reserves it.
     pub max_seconds: f64,
-    /// Null (default), or a number that another thread sets to anything but 0 to cancel the step. It is looked at many times a millisecond.
+    /// Null (default), or a flag that another thread sets to a non-zero value to cancel
+    /// the step. It is polled many times per millisecond.
     pub cancel: *const u32,
 }
 
@@ -70,8 +73,9 @@ impl shx_step_limits {
     }
 }
 
-/// Fills options with the defaults. size is sizeof(shx_step_limits).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *limits with defaults. size is sizeof(shx_step_limits).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_step_limits_init(limits: *mut shx_step_limits, size: usize) -> shx_result {
     // SAFETY: the caller says that options holds size bytes.

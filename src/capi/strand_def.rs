@@ -15,31 +15,32 @@ use crate::rod::freedoms::Freedoms;
 use crate::rod::material::Material;
 use crate::solver::definition::{MAX_ELEMENTS, StrandDef};
 
-/// The strand may twist.
+/// The strand can twist.
 pub const SHX_DOF_TWIST: u32 = 1;
-/// The strand may bend about n1.
+/// The strand can bend about n1.
 pub const SHX_DOF_BEND1: u32 = 2;
-/// The strand may bend about n2.
+/// The strand can bend about n2.
 pub const SHX_DOF_BEND2: u32 = 4;
 
 /// How far given element lengths may differ from the given length, relative.
 const LENGTH_TOLERANCE: f64 = 1e-9;
 
-/// What a strand is made from. Fill with shx_strand_def_init, then set at least element_count and length (or element_lengths).
-/// Arrays that it points to are read during the call and not kept. Rows of curvatures are (twist, curvature about n1, curvature
-/// about n2) in rad/m, one row an element, from root to tip.
+/// Definition of a strand. Fill it with shx_strand_def_init, then set at least element_count and length (or
+/// element_lengths). The library reads the arrays during the call only. Curvature arrays have one row per
+/// element, from root to tip: twist, curvature about n1, curvature about n2, rad/m.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_strand_def {
     /// Set by shx_strand_def_init.
     pub struct_size: u32,
-    /// Helical elements, 1 to 100000. Default 0: set it. Five is a good start for straight hair; a coil needs four a turn.
+    /// Number of helical elements, 1 to 100000. Default 0: set it.
+    /// Five suit straight hair; coils need four per turn.
     pub element_count: u32,
-    /// Length, m; above zero. With element_lengths: their sum, or 0 to have it summed.
+    /// Length, m; above zero. With element_lengths: their sum, or 0.
     pub length: f64,
-    /// element_count lengths from root to tip, m, each above zero; null (default): equal.
+    /// element_count lengths from root to tip, m, each above zero. Null (default): all equal.
     pub element_lengths: *const f64,
-    /// Semi-axes of the section along n1 and n2, m; above zero. Default 50e-6, 50e-6.
+    /// Semi-axes of the cross-section along n1 and n2, m; above zero. Default 50e-6, 50e-6.
     pub radius: [f64; 2],
     /// Density, kg/m^3; above zero. Default 1300.
     pub density: f64,
@@ -47,32 +48,34 @@ pub struct shx_strand_def {
     pub youngs_modulus: f64,
     /// Poisson's ratio; above -1, at most 0.5. Default 0.48.
     pub poisson_ratio: f64,
-    /// Internal friction gamma, kg m^3/s; zero or above. Default 0; hair 5e-11 to 5e-10.
+    /// Internal friction gamma, kg m^3/s; zero or above. Default 0; hair has 5e-11 to 5e-10.
     pub internal_friction: f64,
-    /// Kelvin-Voigt time mu, s; zero or above. Default 0.
+    /// Kelvin-Voigt damping time mu, s; zero or above. Default 0.
     pub viscosity: f64,
-    /// Air drag nu, kg/(m s); zero or above. Default 0; hair 5e-6 (disciplined) to 5e-5 (fuzzy).
+    /// Air drag nu, kg/(m s); zero or above. Default 0; hair has 5e-6 (disciplined) to 5e-5 (fuzzy).
     pub air_drag: f64,
-    /// Which curvatures may change: SHX_DOF_ bits. One that is left out is held at its natural value and costs nothing.
-    /// Default all three.
+    /// Degrees of freedom: SHX_DOF_ bits. A curvature without its bit stays frozen at its
+    /// natural value and costs nothing. Default: all three.
     pub dofs: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Pose of the follicle in the world; n0 is where the strand leaves. Default: at the origin, leaving along x.
+    /// Frame of the follicle in world space; the strand leaves along n0. Default: at the origin, along x.
     pub root: shx_frame,
-    /// Natural curvatures, element_count rows; null (default): straight.
+    /// Natural curvatures, element_count rows. Null (default): straight.
     pub natural_curvatures: *const f64,
-    /// A number of the host's, kept and never looked at. Default 0.
+    /// Your own number; the library does not use it. Default 0.
     pub user_data: u64,
-    /// Curvatures at the start, element_count rows; null (default): the natural ones. Frozen ones must hold their natural value.
+    /// Initial curvatures, element_count rows. Null (default): the natural ones.
+    /// Frozen curvatures must have their natural value.
     pub initial_curvatures: *const f64,
-    /// Rates of the curvatures at the start, rad/(m s), element_count rows; null (default): 0. Frozen ones must be 0.
+    /// Initial rates of the curvatures, rad/(m s), element_count rows. Null
+    /// (default): 0. Rates of frozen curvatures must be 0.
     pub initial_rates: *const f64,
-    /// Velocity of the root at the start, m/s; the strand starts by moving rigidly with its root. Default 0.
+    /// Initial velocity of the root, m/s. The strand starts by moving rigidly with its root. Default 0.
     pub root_velocity: [f64; 3],
-    /// Angular velocity of the root at the start, world axes, rad/s. Default 0.
+    /// Initial angular velocity of the root in world axes, rad/s. Default 0.
     pub root_angular_velocity: [f64; 3],
-    /// 0.
+    /// Must be 0.
     pub reserved: [u64; 4],
 }
 
@@ -214,8 +217,9 @@ impl shx_strand_def {
     }
 }
 
-/// Fills a definition with the defaults. size is sizeof(shx_strand_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_strand_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_strand_def_init(def: *mut shx_strand_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.

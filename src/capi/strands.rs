@@ -20,7 +20,7 @@ fn warn_of_coarse(log: &LogSink, definitions: &[StrandDef]) {
             SHX_LOG_WARN,
             format_args!(
                 "shx_solver_add_strands: {} of {} strands have elements that turn by more than pi/2, up to {:.2} rad (defs[{}], \
-                 where {} elements would do): they move too stiffly",
+                 which needs {} elements): they move too stiffly",
                 coarse.len(),
                 definitions.len(),
                 worst.turn,
@@ -31,12 +31,14 @@ fn warn_of_coarse(log: &LogSink, definitions: &[StrandDef]) {
     }
 }
 
-/// Adds count strands, all or none. Definition i begins i * def_stride bytes after the first (def_stride: sizeof(shx_strand_def)).
-/// out_ids receives count ids, in the order of the definitions. Strands with elements that turn by more than pi/2 in the shape that they
-/// start with are added all the same, and one message of level SHX_LOG_WARN says how many: a helix cannot bend its own axis, and
-/// tight coils need about four elements a turn (shx_solver_strand_turning_angles, shx_suggest_elements).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the text names "defs[3].length"),
-/// SHX_ERROR_OUT_OF_MEMORY. Alone with the solver.
+/// Adds count strands, all or none. Definition i starts i * def_stride bytes after the first; def_stride is
+/// usually sizeof(shx_strand_def). Writes count ids to out_ids, in the order of the definitions. If elements
+/// turn by more than pi/2 in their initial shape, the strands are added and one SHX_LOG_WARN message gives
+/// their number: a helix cannot bend its own axis, so tight coils need about four elements per turn
+/// (shx_solver_strand_turning_angles, shx_suggest_elements).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the message
+/// names, say, "defs[3].length"), SHX_ERROR_OUT_OF_MEMORY.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_add_strands(
     solver: *mut shx_solver,
@@ -58,8 +60,9 @@ pub unsafe extern "C" fn shx_solver_add_strands(
     }
 }
 
-/// Removes count strands, all or none. Their ids are stale from then on.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Removes count strands, all or none. Their ids become invalid.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_remove_strands(
     solver: *mut shx_solver,
@@ -70,8 +73,9 @@ pub unsafe extern "C" fn shx_solver_remove_strands(
     unsafe { write("shx_solver_remove_strands", solver, |core, _| core.remove_strands(&strand_ids(ids, count)?)) }
 }
 
-/// Whether an id names a strand of this solver. False for the null id, a removed strand, another solver's strand, a null or
-/// poisoned solver (shx_last_error then has the text). May run beside other reading calls.
+/// Returns whether id names a strand of this solver. False for the null id, a removed strand, a strand of
+/// another solver, and a null or poisoned solver (shx_last_error then has the message).
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_has_strand(solver: *const shx_solver, id: shx_strand_id) -> bool {
     let mut found = false;
@@ -85,8 +89,9 @@ pub unsafe extern "C" fn shx_solver_has_strand(solver: *const shx_solver, id: sh
     result == SHX_OK && found
 }
 
-/// How many strands there are.
-/// Errors: SHX_ERROR_NULL_ARGUMENT. May run beside other reading calls.
+/// Returns the number of strands.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_strand_count(solver: *const shx_solver, out_count: *mut usize) -> shx_result {
     // SAFETY: the caller's handle and place for one number.
@@ -98,8 +103,9 @@ pub unsafe extern "C" fn shx_solver_strand_count(solver: *const shx_solver, out_
     }
 }
 
-/// The ids of all strands, in the order they were added, into out_ids, which holds capacity ids.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (ask shx_solver_strand_count). May run beside other reading calls.
+/// Writes the ids of all strands, in the order in which they were added, to out_ids, which holds capacity ids.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL (see shx_solver_strand_count).
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_strand_ids(
     solver: *const shx_solver,
@@ -116,8 +122,9 @@ pub unsafe extern "C" fn shx_solver_strand_ids(
     }
 }
 
-/// How many elements a strand has.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+/// Returns the number of elements of a strand.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_element_count(
     solver: *const shx_solver,
@@ -134,8 +141,10 @@ pub unsafe extern "C" fn shx_solver_get_element_count(
     }
 }
 
-/// The lengths of a strand's elements from root to tip, m, into out_lengths, which holds capacity numbers.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL. May run beside other reading calls.
+/// Writes the lengths of a strand's elements from root to
+/// tip, m, to out_lengths, which holds capacity numbers.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_element_lengths(
     solver: *const shx_solver,
@@ -152,8 +161,9 @@ pub unsafe extern "C" fn shx_solver_get_element_lengths(
     }
 }
 
-/// The number that shx_strand_def.user_data gave to a strand.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID. May run beside other reading calls.
+/// Returns shx_strand_def.user_data of a strand.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_get_user_data(
     solver: *const shx_solver,
@@ -170,20 +180,23 @@ pub unsafe extern "C" fn shx_solver_get_user_data(
     }
 }
 
-/// How a strand came out of its last step: SHX_STRAND_CONVERGED, SHX_STRAND_UNCONVERGED or SHX_STRAND_QUARANTINED.
+/// Status of a strand after a step or after shx_solver_settle: SHX_STRAND_.
 pub type shx_strand_status = i32;
 
-/// The step converged.
+/// The strand converged.
 pub const SHX_STRAND_CONVERGED: i32 = 0;
-/// Newton's method stopped before it reached the tolerance: at its iteration limit, or where it could not descend further. The state is
-/// usable.
+/// The solver stopped before it reached the tolerance: it ran out of iterations
+/// or could not descend further. The state is usable.
 pub const SHX_STRAND_UNCONVERGED: i32 = 1;
-/// The state became non-finite, or contacts or constraints made it diverge. The strand was rolled back to the start of the step.
+/// The state became non-finite, or contacts or constraints made it diverge. The strand was rolled back to the
+/// start of the step and moves rigidly with its root. The solver retries it; if that fails for a tenth of a
+/// second, the strand returns to its natural shape by itself.
 pub const SHX_STRAND_QUARANTINED: i32 = 2;
 
-/// How each of count strands fared in the last step: SHX_STRAND_CONVERGED, SHX_STRAND_UNCONVERGED or SHX_STRAND_QUARANTINED (rolled back to the step's
-/// start; shx_solver_reset_strands mends it), into out_status.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+/// Writes the status of count strands after the last step to out_status.
+/// shx_solver_reset_strands releases quarantined strands.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_strand_status(
     solver: *const shx_solver,
@@ -206,8 +219,9 @@ pub unsafe extern "C" fn shx_solver_strand_status(
     }
 }
 
-/// Newton's iterations of each of count strands in the last substep, into out_iterations.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+/// Writes the number of Newton iterations of count strands in the last substep to out_iterations.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_strand_iterations(
     solver: *const shx_solver,
@@ -224,11 +238,13 @@ pub unsafe extern "C" fn shx_solver_strand_iterations(
     }
 }
 
-/// With how many quadrature points the elements of each of count strands are integrated, into out_points, and what inertia, drag and
-/// weight of the most turned element then err by in the present shape, relative, into out_errors: at most the solver's
-/// quadrature_tolerance, unless an element has turned further than any rule is for (about 200 rad), or since the last step began. 1e-12
-/// stands for that or less, infinity for more than 1e-2.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+/// Writes the number of quadrature points per element of count strands to out_points. Writes to
+/// out_errors the relative error of inertia, drag and weight of the element that turns most in the
+/// current shape: 1e-12 stands for that or less, infinity for more than 1e-2. The error is at most the
+/// solver's quadrature_tolerance, unless an element turns more than any rule supports (about 200 rad) or
+/// has turned further since the start of the last step.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_strand_quadrature(
     solver: *const shx_solver,
@@ -249,9 +265,10 @@ pub unsafe extern "C" fn shx_solver_strand_quadrature(
     }
 }
 
-/// The largest angle by which an element of each of count strands turns, in its natural or its present shape, rad, into out_turns.
-/// Above pi/2 a strand moves too stiffly: give it more elements.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+/// Writes the largest angle by which an element of each of count strands turns, in its natural or its current
+/// shape, rad, to out_turns. A strand above pi/2 moves too stiffly: give it more elements.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_strand_turning_angles(
     solver: *const shx_solver,
@@ -268,9 +285,10 @@ pub unsafe extern "C" fn shx_solver_strand_turning_angles(
     }
 }
 
-/// Energies of each of count strands, J: kinetic, elastic, and of gravity measured from the world's origin. Each output holds
-/// count numbers or is null.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. May run beside other reading calls.
+/// Writes the energies of count strands, J: kinetic, elastic, and gravitational relative to the world
+/// origin. Each output holds count numbers or is null.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_strand_energies(
     solver: *const shx_solver,
@@ -301,8 +319,10 @@ pub unsafe extern "C" fn shx_solver_strand_energies(
     }
 }
 
-/// Puts count strands back to their natural curvatures, at rest relative to their roots, and clears a quarantine. All or none.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT. Alone with the solver.
+/// Resets count strands to their natural curvatures, at rest relative to their
+/// roots, and releases them from quarantine. All or none.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_reset_strands(
     solver: *mut shx_solver,

@@ -15,25 +15,25 @@ use crate::error::Result;
 use crate::math::frame::Frame;
 use crate::study::elements::{Demand, RootMotion, Suggestion, suggest_elements};
 
-/// What shx_suggest_elements is asked for. Fill with shx_suggest_def_init, then change what you need.
+/// Options of shx_suggest_elements. Fill it with shx_suggest_def_init, then change what you need.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_suggest_def {
     /// Set by shx_suggest_def_init.
     pub struct_size: u32,
-    /// Elements at most, 1 to 1000. Default 100.
+    /// Maximum number of elements, 1 to 1000. Default 100.
     pub max_elements: u32,
-    /// The error allowed, m; above zero. At rest: of the point that is farthest off. In motion: root mean square over time and
-    /// arclength. Default 1e-3.
+    /// Allowed error, m; above zero. At rest: of the point with the largest error. In
+    /// motion: RMS over time and arclength. Default 1e-3.
     pub tolerance: f64,
     /// Gravity, m/s^2. Default (0, 0, -9.81).
     pub gravity: [f64; 3],
-    /// A motion of the root to be judged by: motion_count poses, motion_interval seconds apart. The strand starts at rest in the
-    /// first, and a step is taken to each of the others. Null (default): judged at rest only.
+    /// Motion of the root: motion_count frames, motion_interval seconds apart. The strand starts at rest in the
+    /// first and takes a step to each of the others. Null (default): only the error at rest counts.
     pub motion: *const shx_frame,
-    /// Poses of motion: 0 (default), or 2 or more.
+    /// Number of frames of motion: 0 (default), or at least 2.
     pub motion_count: u64,
-    /// Seconds from one pose to the next; 1e-9 or more. Default 1/60.
+    /// Time between frames of motion, s; 1e-9 or more. Default 1/60.
     pub motion_interval: f64,
 }
 
@@ -55,23 +55,23 @@ unsafe impl Versioned for shx_suggest_def {
     }
 }
 
-/// What shx_suggest_elements found. Prepare with shx_suggestion_init.
+/// Result of shx_suggest_elements. Fill it with shx_suggestion_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_suggestion {
     /// Set by shx_suggestion_init.
     pub struct_size: u32,
-    /// The least number of elements that meets the tolerance, or the most allowed.
+    /// Smallest number of elements that meets the tolerance, or max_elements.
     pub element_count: u32,
-    /// 1 if it meets the tolerance and no element turns by more than pi/2, 0 otherwise.
+    /// 1 if it meets the tolerance and no element turns by more than pi/2, else 0.
     pub meets_tolerance: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
-    /// Estimated error at rest of the point that is farthest off, m.
+    /// Estimated error at rest of the point with the largest error, m.
     pub rest_error: f64,
-    /// Estimated root mean square error over the motion, m; not a number without one, or where the error at rest was too large.
+    /// Estimated RMS error over the motion, m. NaN without a motion, or if the error at rest was too large.
     pub motion_error: f64,
-    /// The largest angle by which an element turns in the natural shape or at rest, rad.
+    /// Largest angle by which an element turns in the natural shape or at rest, rad.
     pub max_turning_angle: f64,
 }
 
@@ -118,27 +118,32 @@ impl shx_suggest_def {
     }
 }
 
-/// Fills a definition with the defaults. size is sizeof(shx_suggest_def).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *def with defaults. size is sizeof(shx_suggest_def).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_suggest_def_init(def: *mut shx_suggest_def, size: usize) -> shx_result {
     // SAFETY: the caller says that def holds size bytes.
     unsafe { initialise("shx_suggest_def_init", "def", def, size) }
 }
 
-/// Prepares a shx_suggestion. size is sizeof(shx_suggestion).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *suggestion with defaults. size is sizeof(shx_suggestion).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_suggestion_init(suggestion: *mut shx_suggestion, size: usize) -> shx_result {
     // SAFETY: the caller says that suggestion holds size bytes.
     unsafe { initialise("shx_suggestion_init", "suggestion", suggestion, size) }
 }
 
-/// The least number of elements for which a strand meets a tolerance, into *out_suggestion. demand may be null: all defaults. The
-/// natural curvatures of strand, on any number of elements, stand for a continuous shape: give them as finely as you have them, or one
-/// element for a uniform curl. The error is measured by settling the strand on N and on four times as many elements (and, with a motion, by
-/// simulating it on N and 2N); elements that turn by more than pi/2 are not considered. Some tens of milliseconds at rest.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also: the strand finds no rest). Any thread.
+/// Finds the smallest number of elements with which a strand meets a tolerance. demand may be null (defaults).
+/// The natural curvatures of strand, on any number of elements, represent a continuous shape: give them as
+/// finely as you have them, or one element for a uniform curl. The error is measured by settling the strand on
+/// N and on 4 N elements and, with a motion, by simulating it on N and 2 N; elements that turn by more than
+/// pi/2 are not considered. Takes some tens of milliseconds at rest.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE,
+/// SHX_ERROR_INVALID_ARGUMENT (also a strand that finds no equilibrium).
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_suggest_elements(
     strand: *const shx_strand_def,

@@ -4,77 +4,80 @@
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
 
-/// Names a strand of one solver: a slot and a generation. Zero bits is the null id. The id of a removed strand never names
-/// another one.
+/// Names a strand of one solver. Zero bits is the null id. The
+/// id of a removed strand never names another strand.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct shx_strand_id {
-    /// For comparing, hashing and storing; the value means nothing else.
+    /// Compare, hash or store it; the value has no other meaning.
     pub bits: u64,
 }
 
-/// Names a body of one solver, as shx_strand_id names a strand; never the same bits as a strand's or a constraint's.
+/// Names a body of one solver, as shx_strand_id names a strand. It
+/// never has the same bits as a strand or a constraint.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct shx_body_id {
-    /// For comparing, hashing and storing; the value means nothing else.
+    /// Compare, hash or store it; the value has no other meaning.
     pub bits: u64,
 }
 
-/// Names a constraint of one solver, as shx_strand_id names a strand; never the same bits as a strand's or a body's.
+/// Names a constraint of one solver, as shx_strand_id names a strand.
+/// It never has the same bits as a strand or a body.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct shx_constraint_id {
-    /// For comparing, hashing and storing; the value means nothing else.
+    /// Compare, hash or store it; the value has no other meaning.
     pub bits: u64,
 }
 
-/// A right-handed pose in the world: where a root or a cross-section sits and how it is turned.
+/// A right-handed frame in world space: position and orientation of a root, a cross-section or a body.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct shx_frame {
     /// Position, m.
     pub origin: [f64; 3],
-    /// Unit quaternion x, y, z, w (length 1 within 1e-5). It turns the axes into n0, n1, n2: n0 is the strand's tangent, n1 and
-    /// n2 are the axes of its section.
+    /// Unit quaternion x, y, z, w; its length may differ from 1 by up to 1e-5. It rotates the coordinate axes
+    /// into n0, n1, n2: n0 is the tangent of the strand, n1 and n2 are the axes of its cross-section.
     pub rotation: [f64; 4],
 }
 
-/// Items that the library reads from the caller's memory during a call.
+/// An array in your memory that the library reads during a call.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_input {
-    /// The first item. Any alignment. May be null when count is 0.
+    /// First item, any alignment. May be null if count is 0.
     pub data: *const c_void,
-    /// Bytes from one item to the next; 0: packed. At least the size of an item.
+    /// Bytes from one item to the next, at least the size of an item. 0: tightly packed.
     pub stride: usize,
-    /// How many items there are.
+    /// Number of items.
     pub count: usize,
-    /// What an item is: SHX_FORMAT_.
+    /// Format of an item: SHX_FORMAT_.
     pub format: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
 }
 
-/// Room for items that the library writes into the caller's memory during a call. Bytes between items are left alone.
+/// An array in your memory that the library writes during a call. Bytes between items are left unchanged.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_output {
-    /// The first item. Any alignment.
+    /// First item, any alignment.
     pub data: *mut c_void,
-    /// Bytes from one item to the next; 0: packed. At least the size of an item.
+    /// Bytes from one item to the next, at least the size of an item. 0: tightly packed.
     pub stride: usize,
-    /// How many items there is room for; fewer than needed is SHX_ERROR_BUFFER_TOO_SMALL.
+    /// Number of items that fit. If more are needed, the call fails with SHX_ERROR_BUFFER_TOO_SMALL.
     pub count: usize,
-    /// What an item is: SHX_FORMAT_.
+    /// Format of an item: SHX_FORMAT_.
     pub format: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved: u32,
 }
 
 /// Three floats: x, y, z.
 pub const SHX_FORMAT_F32X3: u32 = 1;
-/// Four floats: x, y, z and the strand's radius (points; the curve vertex of Embree and Cycles), or a quaternion x, y, z, w (frames).
+/// Four floats. Points: x, y, z and the radius of the strand, as Embree and Cycles
+/// take curve vertices. Frames: a quaternion x, y, z, w.
 pub const SHX_FORMAT_F32X4: u32 = 2;
 /// Three doubles: x, y, z.
 pub const SHX_FORMAT_F64X3: u32 = 3;

@@ -2,15 +2,15 @@
 
 use std::ffi::c_char;
 
-/// Major version: incompatible changes once it is 1 or more.
+/// Major version. From 1 on it changes with every incompatible release.
 pub const SHX_VERSION_MAJOR: u32 = 0;
 /// Minor version: additions.
 pub const SHX_VERSION_MINOR: u32 = 1;
-/// Patch version: corrections.
+/// Patch version: fixes.
 pub const SHX_VERSION_PATCH: u32 = 0;
-/// The version of this header as one number that grows: major << 24 | minor << 16 | patch << 8.
+/// Version of this header as one increasing number: major << 24 | minor << 16 | patch << 8.
 pub const SHX_VERSION: u32 = (SHX_VERSION_MAJOR << 24) | (SHX_VERSION_MINOR << 16) | (SHX_VERSION_PATCH << 8);
-/// The binary interface that this header describes. It changes only when a program built against an older one could break.
+/// Binary interface of this header. It changes only when a program built against an older header could break.
 pub const SHX_ABI_VERSION: u32 = 2;
 
 const PLATFORM: &str = if cfg!(target_os = "linux") {
@@ -67,19 +67,24 @@ static BUILD_INFO: [u8; BUILD_INFO_LENGTH] = {
     append(text, start, CHECKS)
 };
 
-/// The version of the library that runs, in the form of SHX_VERSION. Any thread.
+/// Returns the version of the loaded library, in the form of SHX_VERSION.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn shx_version() -> u32 {
     SHX_VERSION
 }
 
-/// The binary interface of the library that runs. A program checks at its start that it equals SHX_ABI_VERSION. Any thread.
+/// Returns the binary interface of the loaded library. Compare
+/// it with SHX_ABI_VERSION when your program starts.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn shx_abi_version() -> u32 {
     SHX_ABI_VERSION
 }
 
-/// One line for bug reports: name, version, machine, system, checks. Static: do not free it. Any thread.
+/// Returns one line for bug reports: name, version, CPU,
+/// operating system, checks. Static text: do not free it.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub extern "C" fn shx_build_info() -> *const c_char {
     BUILD_INFO.as_ptr().cast()

@@ -85,7 +85,11 @@ pub(crate) unsafe fn definitions<T: Versioned, D>(
         return Err(Error::NullArgument { argument: "defs".into() });
     }
     if stride == 0 || count.checked_mul(stride).is_none_or(|bytes| bytes > isize::MAX as usize) {
-        return Err(Error::invalid("def_stride", stride, format!("sizeof({name}), or the stride of a structure that holds one")));
+        return Err(Error::invalid(
+            "def_stride",
+            stride,
+            format!("sizeof({name}), or the size of your structure that contains one"),
+        ));
     }
     let one = |index: usize, argument: &str| {
         let def = defs.wrapping_byte_add(index * stride);

@@ -10,17 +10,18 @@ use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::groom::wisp::Wisp;
 
-/// The hairs that a guide of a groom stands for, which lie and move together. Fill with shx_wisp_init.
+/// A wisp: the hairs that one guide represents, which lie and move together. Fill it with shx_wisp_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_wisp {
     /// Set by shx_wisp_init.
     pub struct_size: u32,
-    /// 0.
+    /// Must be 0.
     pub reserved0: u32,
-    /// Hairs; 1 to 1e6. Default 200.
+    /// Number of hairs, 1 to 1e6. Default 200.
     pub hairs: f64,
-    /// How firmly they hold to each other and to their style: 0 (bare hair, free to slide) to 1 (lacquered). Default 0.6.
+    /// How firmly the hairs hold together and keep their style: 0 (bare hair
+    /// that slides freely) to 1 (lacquered). Default 0.6.
     pub hold: f64,
 }
 
@@ -47,21 +48,26 @@ impl shx_wisp {
     }
 }
 
-/// Fills a wisp with the defaults. size is sizeof(shx_wisp).
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE. Any thread.
+/// Fills *wisp with defaults. size is sizeof(shx_wisp).
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_wisp_init(wisp: *mut shx_wisp, size: usize) -> shx_result {
     // SAFETY: the caller says that wisp holds size bytes.
     unsafe { initialise("shx_wisp_init", "wisp", wisp, size) }
 }
 
-/// The material of the rod that moves as a wisp of such hairs does, into out_material, which shx_material_init has filled. Its section is that of
-/// all hairs without air between them; for its weight it is hairs^hold times as stiff as one hair; friction within it goes with stiffness (and 0.1 hold seconds of viscosity on top), air
-/// drag with the number of hairs (a bundle of n fibres bends with n EI where they slide and n^2 EI where they are bonded: Bathe et al. 2008,
-/// Heussinger et al. 2007). Beside it, each a place for one value or null:
-/// out_radius: within which the hairs lie, m: for shx_strand_contact's wisp_radius.
-/// out_margin: for shx_solver_stiffen_strands, so that the wisp rests as drawn: 0.9 hold. 0 where hold is 0: bare hair rests where it can.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT. Any thread.
+/// Computes the material of a rod that moves as a wisp of such hairs does, and writes it to
+/// out_material, which shx_material_init has filled. Its cross-section is that of all hairs without air
+/// between them. Relative to its weight it is hairs^hold times as stiff as one hair. Internal friction
+/// scales with stiffness, plus 0.1 hold seconds of viscosity; air drag scales with the number of hairs.
+/// (A bundle of n fibres bends with n EI if they slide and n^2 EI if they are bonded: Bathe et al. 2008,
+/// Heussinger et al. 2007.) The other outputs may be null.
+/// out_radius: radius within which the hairs lie, m; use it as shx_strand_contact.wisp_radius.
+/// out_margin: margin for shx_solver_stiffen_strands with which the wisp rests as drawn: 0.9 hold.
+/// With hold 0 it is 0: bare hair rests where it can.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_wisp_material(
     wisp: *const shx_wisp,

@@ -59,7 +59,7 @@ static void rest(shx_solver *solver, shx_strand_id strand, shx_body_id id) {
   for (size_t i = 0; i < count; i++) {
     const shx_contact *contact = &list[i].contact;
     EXPECT(contact->strand.bits == strand.bits && contact->partner == SHX_PARTNER_BODY && contact->body.bits == id.bits);
-    EXPECT(contact->other.bits == 0 && contact->arclength > 0 && contact->arclength <= 0.1);
+    EXPECT(contact->other_strand.bits == 0 && contact->arclength > 0 && contact->arclength <= 0.1);
     EXPECT(fabs(hypot(hypot(contact->normal[0], contact->normal[1]), contact->normal[2]) - 1) < 1e-12);
     EXPECT(contact->gap > -1e-5 && fabs(contact->position[2]) < 0.2);
     for (int axis = 0; axis < 3; axis++)

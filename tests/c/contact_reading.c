@@ -98,7 +98,7 @@ static void wrenches(void) {
     EXPECT(apart(here, touch->position) < 1e-9);
     if (touch->partner == SHX_PARTNER_BODY) {
       const int which = touch->body.bits == ids[1].bits;
-      EXPECT(touch->body.bits == ids[which].bits && touch->other.bits == 0);
+      EXPECT(touch->body.bits == ids[which].bits && touch->other_strand.bits == 0);
       double surface[3], arm[3], reaction[3];
       for (int axis = 0; axis < 3; axis++) {
         surface[axis] = touch->position[axis] - touch->normal[axis] * (touch->gap + contact.radius);
@@ -113,8 +113,8 @@ static void wrenches(void) {
     } else {
       double other[3];
       EXPECT(touch->partner == SHX_PARTNER_STRAND && touch->body.bits == 0);
-      EXPECT(touch->strand.bits == strands[0].bits && touch->other.bits == strands[1].bits);
-      point_at(solver, touch->other, touch->other_arclength, other);
+      EXPECT(touch->strand.bits == strands[0].bits && touch->other_strand.bits == strands[1].bits);
+      point_at(solver, touch->other_strand, touch->other_arclength, other);
       for (int axis = 0; axis < 3; axis++)
         other[axis] += touch->normal[axis] * (touch->gap + 2 * contact.wisp_radius);
       EXPECT(apart(other, touch->position) < 1e-6);

@@ -87,7 +87,7 @@ int main(void) {
   /* Without the eigenvalue the upright strand stays where symmetry holds it. */
   shx_settle_def settle;
   shx_settle_report report;
-  shx_result status[3];
+  shx_strand_status status[3];
   double eigenvalues[3], residuals[3], tip[3];
   EXPECT(shx_settle_def_init(&settle, sizeof settle) == SHX_OK);
   EXPECT(shx_settle_report_init(&report, sizeof report) == SHX_OK);

@@ -84,9 +84,13 @@ fn what_is_saved_is_read_with_all_that_goes_along() {
             VELOCITIES.as_flattened().iter().map(|value| *value as f32).collect::<Vec<_>>()
         );
         assert_eq!(numbers(curves, SHX_CURVE_ATTRIBUTE_PINNED), [1.0, 0.0, 1.0, 0.0, 0.0]);
-        for what in
-            [SHX_CURVE_ATTRIBUTE_TRANSPARENCY, SHX_CURVE_ATTRIBUTE_COLOR, SHX_CURVE_ATTRIBUTE_STRAND_THICKNESS, SHX_CURVE_ATTRIBUTE_STRAND_UV, SHX_CURVE_ATTRIBUTE_ARCLENGTH]
-        {
+        for what in [
+            SHX_CURVE_ATTRIBUTE_TRANSPARENCY,
+            SHX_CURVE_ATTRIBUTE_COLOR,
+            SHX_CURVE_ATTRIBUTE_STRAND_THICKNESS,
+            SHX_CURVE_ATTRIBUTE_STRAND_UV,
+            SHX_CURVE_ATTRIBUTE_ARCLENGTH,
+        ] {
             assert!(numbers(curves, what).is_empty());
         }
         let (mut metres, mut up) = (0.0, 0);

@@ -77,7 +77,9 @@ impl<'a> Item<'a> {
     fn place_in(&self, source: &str) -> Option<usize> {
         ["pub const ", "pub struct ", "pub type ", "fn "].iter().find_map(|keyword| {
             let definition = format!("{keyword}{}", self.name);
-            let ends = |at: &usize| !source[at + definition.len()..].starts_with(|letter: char| letter.is_alphanumeric() || letter == '_');
+            let ends = |at: &usize| {
+                !source[at + definition.len()..].starts_with(|letter: char| letter.is_alphanumeric() || letter == '_')
+            };
             source.match_indices(&definition).map(|(at, _)| at).find(ends)
         })
     }
@@ -130,6 +132,8 @@ fn tidy(header: &str) -> String {
             tidied.push_str(&wrapped(&declaration.replace("struct shx_", "shx_").replace("( ", "(")));
         } else if let Some((define, code)) = line.split_once(" -").filter(|_| line.starts_with("#define SHX_")) {
             tidied.push_str(&format!("{define} (-{code})"));
+        } else if line.starts_with("typedef void (*") {
+            tidied.push_str(&wrapped(line));
         } else if line.starts_with("typedef struct") {
             tidied.push_str(line);
         } else {
@@ -251,8 +255,12 @@ fn every_declared_item_has_a_comment() {
         if line.starts_with("SHX_API ") {
             let comment: Vec<&str> = lines[..number].iter().rev().take_while(|line| line.starts_with("//")).copied().collect();
             let text = comment.join(" ");
-            let threads = ["Any thread", "May run beside", "Alone with"].iter().any(|rule| text.contains(rule));
+            let threads = ["any", "shared", "exclusive"].iter().any(|rule| text.contains(&format!("// Threads: {rule}")));
             assert!(threads, "line {}: {line}: its comment has no thread rule", number + 1);
+            let changes = line.contains("(shx_solver *solver") && !text.contains("Threads: exclusive");
+            assert!(!changes, "line {}: {line} takes a solver that is not const, but not exclusively", number + 1);
+            let reads = line.contains("(const shx_solver *solver") && !text.contains("Threads: shared");
+            assert!(!reads, "line {}: {line} takes a const solver, but is not shared", number + 1);
             let fallible = line.contains(" shx_result shx_");
             assert!(!fallible || text.contains("Errors:"), "line {}: {line}: its comment has no errors", number + 1);
         }

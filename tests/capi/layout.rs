@@ -10,19 +10,22 @@ use superhelix::capi::{
     contact::{shx_contact_options, shx_strand_contact},
     contacts::shx_contact,
     curve_data::shx_curve_data,
+    distance_grid::shx_distance_grid_def,
     fit::shx_polyline_fit,
     fit_curves::{shx_fit_input, shx_fit_options, shx_fitted_strand},
     friction_fit::{shx_fitted_coefficient, shx_friction_fit_def, shx_friction_fit_report},
-    hair_type::{shx_hair_type, shx_hair_strand, shx_hair_sliders},
+    hair_type::{shx_hair_sliders, shx_hair_strand, shx_hair_strands_def, shx_hair_type},
     materials::shx_material,
     pose_def::{shx_brush, shx_element_change, shx_pose_options},
+    push_out::shx_push_out_def,
     render_def::{shx_render_guides, shx_render_settings, shx_render_view},
     sampling::shx_sample_def,
     scalp::{shx_follicle, shx_scalp_def, shx_scatter_def},
     settings::shx_settings,
     settle::{shx_settle_def, shx_settle_report},
-    solver::shx_step_report,
     solver_def::shx_solver_def,
+    spline::shx_spline_def,
+    step::shx_step_report,
     step_limits::shx_step_limits,
     strand_def::shx_strand_def,
     suggest::{shx_suggest_def, shx_suggestion},
@@ -49,50 +52,54 @@ macro_rules! layouts {
 #[test]
 fn every_size_and_offset_is_as_published() {
     let expected = layouts! {
-        shx_solver_def: 176 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reserved: 136, reference_tolerance: 152, quadrature_tolerance: 160, jump_acceleration: 168 }
+        shx_solver_def: 176 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reference_tolerance: 136, quadrature_tolerance: 144, jump_acceleration: 152, reserved: 160 }
         shx_frame: 56 { origin: 0, rotation: 24 }
-        shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, freedoms: 88, reserved0: 92, root: 96, natural: 152, user_data: 160, initial: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
-        shx_step_report: 176 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_error: 80, contacts: 88, contact_searches: 92, contact_iterations: 96, contact_unconverged: 100, contact_sweeps: 104, contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside: 136, stopped: 144, left: 148, work: 152, carried: 160, parts: 164, forces_capped: 168 }
-        shx_step_limits: 32 { struct_size: 0, reserved0: 4, work: 8, seconds: 16, cancel: 24 }
+        shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, dofs: 88, reserved0: 92, root: 96, natural_curvatures: 152, user_data: 160, initial_curvatures: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
+        shx_step_report: 176 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_local_error: 80, contacts: 88, contact_searches: 92, max_contact_iterations: 96, unconverged_islands: 100, contact_sweeps: 104, max_contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside_bodies: 136, stop_reason: 144, unfinished: 148, work: 152, jumped_roots: 160, fast_body_pieces: 164, capped_contact_forces: 168 }
+        shx_step_limits: 32 { struct_size: 0, reserved0: 4, max_work: 8, max_seconds: 16, cancel: 24 }
         shx_strand_id: 8 { bits: 0 }
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
-        shx_settings: 64 { struct_size: 0, integrator: 4, max_iterations: 8, substeps: 12, element_count: 16, max_subdivisions: 20, tolerance: 24, error_tolerance: 32, error: 40, cost: 48, quadrature_tolerance: 56 }
+        shx_settings: 64 { struct_size: 0, integrator: 4, max_iterations: 8, substeps: 12, element_count: 16, max_subdivisions: 20, tolerance: 24, error_tolerance: 32, rms_error: 40, cost: 48, quadrature_tolerance: 56 }
         shx_settle_def: 24 { struct_size: 0, max_steps: 4, tolerance: 8, check_stability: 16, reserved: 20 }
         shx_settle_report: 48 { struct_size: 0, unconverged: 4, unstable: 8, saddles: 12, iterations: 16, max_residual: 24, smallest_eigenvalue: 32, seconds: 40 }
         shx_suggest_def: 64 { struct_size: 0, max_elements: 4, tolerance: 8, gravity: 16, motion: 40, motion_count: 48, motion_interval: 56 }
-        shx_suggestion: 40 { struct_size: 0, element_count: 4, met: 8, reserved: 12, rest_error: 16, motion_error: 24, turn: 32 }
+        shx_suggestion: 40 { struct_size: 0, element_count: 4, meets_tolerance: 8, reserved: 12, rest_error: 16, motion_error: 24, max_turning_angle: 32 }
         shx_polyline_fit: 88 { struct_size: 0, reserved: 4, root: 8, length: 64, rms_error: 72, max_error: 80 }
-        shx_fit_options: 120 { struct_size: 0, element_count: 4, tolerance: 8, lengths: 16, twist: 20, least_length: 24, good: 32, noise: 40, frame_weight: 48, starts: 56, worker_count: 60, parallel_for: 64, parallel_for_user: 72, reserved: 80, good_largest: 112 }
+        shx_fit_options: 120 { struct_size: 0, element_count: 4, tolerance: 8, length_mode: 16, twist: 20, min_length_ratio: 24, target_rms_error: 32, target_max_error: 40, noise: 48, frame_weight: 56, max_starts: 64, worker_count: 68, parallel_for: 72, parallel_for_user: 80, reserved: 88 }
         shx_fit_input: 168 { struct_size: 0, reserved0: 4, curve_count: 8, points: 16, point_counts: 48, arclengths: 56, widths: 64, frames: 72, roots: 104, reserved: 136 }
-        shx_fitted_strand: 112 { status: 0, element_count: 4, root: 8, length: 64, rms_error: 72, max_error: 80, max_distance: 88, frame_error: 96, radius: 104 }
+        shx_fitted_strand: 112 { result: 0, element_count: 4, root: 8, length: 64, rms_error: 72, max_error: 80, max_distance: 88, frame_error: 96, radius: 104 }
         shx_friction_fit_def: 256 { struct_size: 0, observable: 4, coefficients: 8, start: 12, direction: 16, internal_friction_range: 40, viscosity_range: 56, air_drag_range: 72, internal_friction_guess: 88, viscosity_guess: 96, air_drag_guess: 104, lead_in: 112, discard: 120, time_step: 128, grid_points: 136, fit_offset: 140, max_iterations: 144, reserved0: 148, oscillation_amplitude: 152, oscillation_frequency: 160, oscillation_phase: 168, oscillation_direction: 176, root_times: 200, root_frames: 208, root_count: 216, reserved: 224 }
-        shx_fitted_coefficient: 48 { verdict: 0, reserved: 4, value: 8, standard_error: 16, step_shift: 24, excluded_below: 32, excluded_above: 40 }
+        shx_fitted_coefficient: 48 { status: 0, reserved: 4, value: 8, standard_error: 16, step_sensitivity: 24, excluded_below: 32, excluded_above: 40 }
         shx_friction_fit_report: 200 { struct_size: 0, converged: 4, internal_friction: 8, viscosity: 56, air_drag: 104, rms_residual: 152, noise: 160, residual_correlation: 168, offset: 176, simulations: 184, unconverged: 188, first_compared: 192, compared: 196 }
         shx_body_id: 8 { bits: 0 }
         shx_constraint_id: 8 { bits: 0 }
-        shx_body_def: 312 { struct_size: 0, shape: 4, pose: 8, radius: 64, a: 72, b: 96, semi_axes: 120, half_edges: 144, normal: 168, vertices: 192, triangles: 224, triangle_count: 232, sides: 240, reserved0: 244, depth: 248, grid: 256, grid_size: 264, thickness: 272, friction: 280, viscous_friction: 288, group: 296, mask: 300, shape_of: 304 }
-        shx_contact_options: 72 { struct_size: 0, model: 4, hair: 8, max_iterations: 12, max_sweeps: 16, reserved0: 20, stiffness: 24, damping: 32, regularisation_depth: 40, tolerance: 48, residual: 56, separation_speed: 64 }
+        shx_body_def: 312 { struct_size: 0, shape: 4, pose: 8, radius: 64, a: 72, b: 96, semi_axes: 120, half_extents: 144, normal: 168, vertices: 192, triangles: 224, triangle_count: 232, sides: 240, reserved0: 244, depth: 248, grid: 256, grid_size: 264, thickness: 272, friction_scale: 280, viscous_friction_scale: 288, groups: 296, mask: 300, shape_of: 304 }
+        shx_contact_options: 72 { struct_size: 0, model: 4, hair_contact: 8, max_iterations: 12, max_sweeps: 16, reserved0: 20, stiffness: 24, damping: 32, regularisation_depth: 40, tolerance: 48, residual: 56, separation_speed: 64 }
         shx_strand_contact: 88 { struct_size: 0, groups: 4, mask: 8, reserved0: 12, radius: 16, wisp_radius: 24, friction_along: 32, friction_against: 40, hair_friction_along: 48, hair_friction_against: 56, viscous_friction_along: 64, viscous_friction_against: 72, exempt_length: 80 }
-        shx_contact: 152 { strand: 0, arclength: 8, partner: 16, feature: 20, body: 24, other: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }
-        shx_constraint_def: 120 { struct_size: 0, hold: 4, strand: 8, arclength: 16, other: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112 }
+        shx_contact: 152 { strand: 0, arclength: 8, partner: 16, triangle: 20, body: 24, other_strand: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }
+        shx_constraint_def: 120 { struct_size: 0, kind: 4, strand: 8, arclength: 16, other_strand: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112 }
         shx_constraint_state: 72 { status: 0, reserved: 4, arclength: 8, error: 16, force: 24, torque: 48 }
-        shx_hair_type: 176 { struct_size: 0, curl: 4, mean_radius: 8, ellipticity: 16, helix_radius: 24, helix_step: 32, youngs_modulus: 40, poisson_ratio: 48, density: 56, internal_friction: 64, air_drag: 72, friction: 80, variation_between: 88, variation_along: 96, variation_thickness: 104, frizz: 112, variation_period: 120, root_turn: 128, seed: 136, reserved: 144 }
+        shx_hair_type: 176 { struct_size: 0, curl: 4, mean_radius: 8, ellipticity: 16, helix_radius: 24, helix_pitch: 32, youngs_modulus: 40, poisson_ratio: 48, density: 56, internal_friction: 64, air_drag: 72, friction: 80, variation_between: 88, variation_along: 96, variation_thickness: 104, frizz: 112, variation_period: 120, root_turn: 128, seed: 136, reserved: 144 }
         shx_hair_sliders: 64 { struct_size: 0, reserved0: 4, curliness: 8, stiffness: 16, discipline: 24, weight: 32, combing_ease: 40, reserved: 48 }
         shx_hair_strand: 88 { radius: 0, density: 16, youngs_modulus: 24, poisson_ratio: 32, internal_friction: 40, viscosity: 48, air_drag: 56, root_turn: 64, friction_along: 72, friction_against: 80 }
-        shx_curve_data: 184 { struct_size: 0, up: 4, strand_count: 8, point_counts: 16, points: 24, velocities: 56, thickness: 88, transparency: 96, colors: 104, held: 112, strand_thickness: 120, strand_uvs: 128, metres_per_unit: 136, tfx_version: 144, reserved0: 148, reserved: 152 }
-        shx_pose_options: 80 { struct_size: 0, keep_tip_direction: 4, keep_out: 8, reserved0: 12, natural_pull: 16, clearance: 24, movable: 32, movable_count: 40, reserved: 48 }
-        shx_brush: 88 { struct_size: 0, reserved0: 4, centre: 8, radius: 32, falloff: 40, movement: 48, reserved: 72 }
-        shx_element_change: 48 { struct_size: 0, element: 4, twist: 8, bend: 16, stretch: 32, keep_curvature: 40, reserved: 44 }
+        shx_curve_data: 184 { struct_size: 0, up_axis: 4, strand_count: 8, point_counts: 16, points: 24, velocities: 56, thickness: 88, transparency: 96, colors: 104, pinned: 112, strand_thickness: 120, strand_uvs: 128, metres_per_unit: 136, tfx_version: 144, reserved0: 148, reserved: 152 }
+        shx_pose_options: 80 { struct_size: 0, keep_tip_direction: 4, avoid_bodies: 8, reserved0: 12, natural_pull: 16, clearance: 24, movable: 32, movable_count: 40, reserved: 48 }
+        shx_brush: 88 { struct_size: 0, reserved0: 4, centre: 8, radius: 32, falloff: 40, displacement: 48, reserved: 72 }
+        shx_element_change: 48 { struct_size: 0, element: 4, twist: 8, bend: 16, length_scale: 32, keep_curvature: 40, reserved: 44 }
         shx_material: 72 { struct_size: 0, reserved0: 4, radius: 8, density: 24, youngs_modulus: 32, poisson_ratio: 40, internal_friction: 48, viscosity: 56, air_drag: 64 }
         shx_wisp: 24 { struct_size: 0, reserved0: 4, hairs: 8, hold: 16 }
-        shx_render_settings: 256 { struct_size: 0, points_per_strand: 4, space: 8, guides_per_strand: 12, curliness: 16, measure_curliness: 24, wisps_per_guide: 28, max_tip_distance: 32, max_tip_ratio: 40, wisp_profile: 48, frizz: 72, frizz_waves: 80, radius: 88, tip_radius: 96, taper_from: 104, radius_variation: 112, seed: 120, worker_count: 128, reserved0: 132, parallel_for: 136, parallel_for_user: 144, reserved: 152, length_variation: 184, flatness: 192, clump_noise: 200, clump_noise_waves: 208, flyaways: 216, flyaway_distance: 224, taper_shape: 232, clearance: 240, preserve_length: 248, reserved1: 252 }
+        shx_render_settings: 248 { struct_size: 0, points_per_strand: 4, interpolation: 8, guides_per_strand: 12, curliness: 16, measure_curliness: 24, wisps_per_guide: 28, max_tip_distance: 32, max_tip_ratio: 40, wisp_profile: 48, wisp_flatness: 72, wisp_noise: 80, wisp_noise_waves: 88, frizz: 96, frizz_waves: 104, flyaway_fraction: 112, flyaway_distance: 120, length_variation: 128, radius: 136, tip_radius: 144, taper_start: 152, taper_shape: 160, radius_variation: 168, body_clearance: 176, seed: 184, preserve_length: 192, worker_count: 196, parallel_for: 200, parallel_for_user: 208, reserved: 216 }
         shx_render_guides: 184 { struct_size: 0, reserved0: 4, guide_count: 8, points: 16, point_counts: 48, roots: 56, velocities: 88, root_angular_velocities: 120, reserved: 152 }
-        shx_render_view: 160 { struct_size: 0, reserved0: 4, first: 8, count: 16, origin: 24, before: 48, seconds: 56, roots: 64, roots_before: 96, reserved: 128 }
-        shx_follicle: 24 { triangle: 0, reserved: 4, shares: 8 }
-        shx_scalp_def: 120 { struct_size: 0, reserved0: 4, vertices: 8, triangles: 40, triangle_count: 48, uvs: 56, reference: 64, reserved: 88 }
-        shx_scatter_def: 128 { struct_size: 0, reserved0: 4, count: 8, spacing: 16, density: 24, density_width: 32, density_height: 40, seed: 48, reserved: 56, guide_roots: 88, within: 120 }
+        shx_render_view: 160 { struct_size: 0, reserved0: 4, first_strand: 8, strand_count: 16, origin: 24, previous_pose: 48, interval: 56, roots: 64, previous_roots: 96, reserved: 128 }
+        shx_follicle: 24 { triangle: 0, reserved: 4, barycentric: 8 }
+        shx_scalp_def: 120 { struct_size: 0, reserved0: 4, vertices: 8, triangles: 40, triangle_count: 48, uvs: 56, reference_axis: 64, reserved: 88 }
+        shx_scatter_def: 128 { struct_size: 0, reserved0: 4, count: 8, spacing: 16, density: 24, density_width: 32, density_height: 40, seed: 48, guide_roots: 56, max_guide_distance: 88, reserved: 96 }
+        shx_distance_grid_def: 72 { struct_size: 0, reserved0: 4, vertices: 8, triangles: 40, triangle_count: 48, cell: 56, band: 64 }
+        shx_hair_strands_def: 56 { struct_size: 0, reserved0: 4, hair_type: 8, sliders: 16, first_strand: 24, strand_count: 32, element_counts: 40, element_lengths: 48 }
+        shx_push_out_def: 40 { struct_size: 0, reserved0: 4, body: 8, clearance: 16, point_counts: 24, curve_count: 32 }
+        shx_spline_def: 48 { struct_size: 0, kind: 4, ends: 8, points_per_span: 12, controls: 16 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

@@ -99,7 +99,7 @@ fn plain() -> shx_render_settings {
     shx_render_settings {
         points_per_strand: POINTS as u32,
         curliness: 0.0,
-        flyaways: 0.0,
+        flyaway_fraction: 0.0,
         length_variation: 0.0,
         preserve_length: 0,
         ..filled(shx_render_settings_init)
@@ -108,7 +108,14 @@ fn plain() -> shx_render_settings {
 
 fn settings(space: u32) -> shx_render_settings {
     let base = filled(shx_render_settings_init);
-    shx_render_settings { points_per_strand: POINTS as u32, space, curliness: 0.4, frizz: 0.002, wisps_per_guide: 2, ..base }
+    shx_render_settings {
+        points_per_strand: POINTS as u32,
+        interpolation: space,
+        curliness: 0.4,
+        frizz: 0.002,
+        wisps_per_guide: 2,
+        ..base
+    }
 }
 
 fn guides(points: &[[f64; 3]]) -> shx_render_guides {
@@ -153,7 +160,7 @@ fn whoever_works_writes_the_same_bits_into_any_stride() {
             for (index, part) in parts.chunks_mut(250 * POINTS).enumerate() {
                 let pose = &pose;
                 scope.spawn(move || {
-                    let view = shx_render_view { first: 250 * index, count: 250, ..filled(shx_render_view_init) };
+                    let view = shx_render_view { first_strand: 250 * index, strand_count: 250, ..filled(shx_render_view_init) };
                     let place = output(part, 250 * POINTS, SHX_FORMAT_F32X4);
                     // SAFETY: a living pose and memory of the size that is stated.
                     unsafe { assert_eq!(shx_render_pose_evaluate(pose.0, &view, &place, null(), null()), SHX_OK) };

@@ -36,7 +36,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_curve_data_write", "path", "in no folder", SHX_ERROR_FILE, |s| save(s, |_| ()));
     case!(cases, "shx_curve_data_write", "data", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curve_data_write(c"x.usda".as_ptr(), null()));
     case!(cases, "shx_curve_data_write", "data", "size 0", SHX_ERROR_STRUCT_SIZE, |s| save(s, |data| data.struct_size = 0));
-    case!(cases, "shx_curve_data_write", "data", "up", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.up = 3));
+    case!(cases, "shx_curve_data_write", "data", "up", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.up_axis = 3));
     case!(cases, "shx_curve_data_write", "data", "tfx_version", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.tfx_version = 5));
     case!(cases, "shx_curve_data_write", "data", "reserved0", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.reserved0 = 1));
     case!(cases, "shx_curve_data_write", "data", "reserved", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| data.reserved[3] = 1));
@@ -61,13 +61,13 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_curve_data_write", "data", "strand_uvs NaN", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| { static BAD: [f32; 4] = [f32::NAN; 4]; data.strand_uvs = BAD.as_ptr(); }));
     case!(cases, "shx_curve_data_write", "data", "strand_uvs not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| save(s, |data| { static BAD: [f32; 5] = [0.0; 5]; data.strand_uvs = BAD.as_ptr().cast::<u8>().wrapping_add(1).cast(); }));
     case!(cases, "shx_curves_attribute", "curves", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_attribute(null(), 1, s.out(), 9, s.out2()));
-    case!(cases, "shx_curves_attribute", "what", "0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_attribute(s.curves, 0, s.out(), 9, s.out2()));
-    case!(cases, "shx_curves_attribute", "what", "9", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_attribute(s.curves, 9, s.out(), 9, s.out2()));
-    case!(cases, "shx_curves_attribute", "what", "u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_attribute(s.curves, u32::MAX, s.out(), 9, s.out2()));
-    case!(cases, "shx_curves_attribute", "out_numbers", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_attribute(s.curves, 1, null_mut(), 9, s.out2()));
+    case!(cases, "shx_curves_attribute", "attribute", "0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_attribute(s.curves, 0, s.out(), 9, s.out2()));
+    case!(cases, "shx_curves_attribute", "attribute", "9", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_attribute(s.curves, 9, s.out(), 9, s.out2()));
+    case!(cases, "shx_curves_attribute", "attribute", "u32::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_attribute(s.curves, u32::MAX, s.out(), 9, s.out2()));
+    case!(cases, "shx_curves_attribute", "out_values", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_attribute(s.curves, 1, null_mut(), 9, s.out2()));
     case!(cases, "shx_curves_attribute", "out_count", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_attribute(s.curves, 1, s.out(), 9, null_mut()));
     case!(cases, "shx_curves_attribute", "capacity", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_curves_attribute(s.curves, 1, s.out(), usize::MAX, s.out2()));
     case!(cases, "shx_curves_units", "curves", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_units(null(), s.out(), s.out2()));
-    case!(cases, "shx_curves_units", "out_metres", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_units(s.curves, null_mut(), s.out2()));
-    case!(cases, "shx_curves_units", "out_up", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_units(s.curves, s.out(), null_mut()));
+    case!(cases, "shx_curves_units", "out_metres_per_unit", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_units(s.curves, null_mut(), s.out2()));
+    case!(cases, "shx_curves_units", "out_up_axis", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_curves_units(s.curves, s.out(), null_mut()));
 }

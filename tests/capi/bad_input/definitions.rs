@@ -32,7 +32,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_step_report_init", "size", "size_of::<shx_step_report>() + 4", SHX_ERROR_STRUCT_SIZE, |s| shx_step_report_init(s.out(), size_of::<shx_step_report>() + 4));
     case!(cases, "shx_step_report_init", "size", "1 << 20", SHX_ERROR_STRUCT_SIZE, |s| shx_step_report_init(s.out(), 1 << 20));
     case!(cases, "shx_step_report_init", "size", "usize::MAX", SHX_ERROR_STRUCT_SIZE, |s| shx_step_report_init(s.out(), usize::MAX));
-    case!(cases, "shx_step_limits_init", "options", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_step_limits_init(null_mut(), size_of::<shx_step_limits>()));
+    case!(cases, "shx_step_limits_init", "limits", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_step_limits_init(null_mut(), size_of::<shx_step_limits>()));
     case!(cases, "shx_step_limits_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_step_limits_init(s.out(), 0));
     case!(cases, "shx_step_limits_init", "size", "4", SHX_ERROR_STRUCT_SIZE, |s| shx_step_limits_init(s.out(), 4));
     case!(cases, "shx_step_limits_init", "size", "size_of::<shx_step_limits>() + 1", SHX_ERROR_STRUCT_SIZE, |s| shx_step_limits_init(s.out(), size_of::<shx_step_limits>() + 1));

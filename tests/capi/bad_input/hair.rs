@@ -50,13 +50,14 @@ unsafe fn generate(
 }
 
 /// Two strands of one and of two elements.
-fn make(s: &mut Scene, change: impl FnOnce(&mut shx_hair_type, &mut shx_hair_sliders, &mut [u32; 2], &mut [f64; 3])) -> shx_result {
+fn make(
+    s: &mut Scene,
+    change: impl FnOnce(&mut shx_hair_type, &mut shx_hair_sliders, &mut [u32; 2], &mut [f64; 3]),
+) -> shx_result {
     let (mut hair, mut sliders, mut counts, mut lengths) = (hair(), sliders(), [1, 2], [0.1; 3]);
     change(&mut hair, &mut sliders, &mut counts, &mut lengths);
     // SAFETY: all that is pointed to is there.
-    unsafe {
-        generate(&raw const hair, &raw const sliders, 0, 2, counts.as_ptr(), lengths.as_ptr(), s.out(), 0, s.out2(), 3)
-    }
+    unsafe { generate(&raw const hair, &raw const sliders, 0, 2, counts.as_ptr(), lengths.as_ptr(), s.out(), 0, s.out2(), 3) }
 }
 
 #[rustfmt::skip] // a table: one line a case

@@ -34,13 +34,13 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_get_natural_curvatures", "id", "zero", SHX_ERROR_INVALID_ID, |s| shx_solver_get_natural_curvatures(s.solver, shx_strand_id { bits: 0 }, s.out(), 3));
     case!(cases, "shx_solver_get_natural_curvatures", "id", "stale", SHX_ERROR_INVALID_ID, |s| shx_solver_get_natural_curvatures(s.solver, s.stale[0], s.out(), 3));
     case!(cases, "shx_solver_get_natural_curvatures", "id", "foreign", SHX_ERROR_INVALID_ID, |s| shx_solver_get_natural_curvatures(s.solver, s.foreign[0], s.out(), 3));
-    case!(cases, "shx_solver_get_natural_curvatures", "curvatures", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_natural_curvatures(s.solver, s.ids[0], null_mut(), 3));
+    case!(cases, "shx_solver_get_natural_curvatures", "out_curvatures", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_natural_curvatures(s.solver, s.ids[0], null_mut(), 3));
     case!(cases, "shx_solver_get_natural_curvatures", "count", "2", SHX_ERROR_BUFFER_TOO_SMALL, |s| shx_solver_get_natural_curvatures(s.solver, s.ids[0], s.out(), 2));
     case!(cases, "shx_solver_get_curvatures", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_curvatures(null(), s.ids[0], s.out(), s.out2(), 3));
     case!(cases, "shx_solver_get_curvatures", "id", "zero", SHX_ERROR_INVALID_ID, |s| shx_solver_get_curvatures(s.solver, shx_strand_id { bits: 0 }, s.out(), s.out2(), 3));
     case!(cases, "shx_solver_get_curvatures", "id", "stale", SHX_ERROR_INVALID_ID, |s| shx_solver_get_curvatures(s.solver, s.stale[0], s.out(), s.out2(), 3));
     case!(cases, "shx_solver_get_curvatures", "id", "foreign", SHX_ERROR_INVALID_ID, |s| shx_solver_get_curvatures(s.solver, s.foreign[0], s.out(), s.out2(), 3));
-    case!(cases, "shx_solver_get_curvatures", "curvatures", "both null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_curvatures(s.solver, s.ids[0], null_mut(), null_mut(), 3));
-    case!(cases, "shx_solver_get_curvatures", "rates", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_get_curvatures(s.solver, s.ids[0], null_mut(), s.out::<u8>().wrapping_add(1).cast(), 3));
+    case!(cases, "shx_solver_get_curvatures", "out_curvatures", "both null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_curvatures(s.solver, s.ids[0], null_mut(), null_mut(), 3));
+    case!(cases, "shx_solver_get_curvatures", "out_rates", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_get_curvatures(s.solver, s.ids[0], null_mut(), s.out::<u8>().wrapping_add(1).cast(), 3));
     case!(cases, "shx_solver_get_curvatures", "count", "2", SHX_ERROR_BUFFER_TOO_SMALL, |s| shx_solver_get_curvatures(s.solver, s.ids[0], s.out(), s.out2(), 2));
 }

@@ -2,8 +2,13 @@
 
 use super::*;
 
-const STEP_OPTIONS: shx_step_limits =
-    shx_step_limits { struct_size: size_of::<shx_step_limits>() as u32, reserved0: 0, work: 0, seconds: 0.0, cancel: null() };
+const STEP_LIMITS: shx_step_limits = shx_step_limits {
+    struct_size: size_of::<shx_step_limits>() as u32,
+    reserved0: 0,
+    max_work: 0,
+    max_seconds: 0.0,
+    cancel: null(),
+};
 
 #[rustfmt::skip] // a table: one line a case
 pub fn cases(cases: &mut Vec<Case>) {
@@ -111,18 +116,18 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_step", "report", "struct_size 12", SHX_ERROR_STRUCT_SIZE, |s| { s.out::<u32>().write(12); let result = shx_solver_step(s.solver, 0.1, 1, s.out()); s.out::<u32>().write(u32::from_ne_bytes([UNTOUCHED; 4])); result });
     case!(cases, "shx_solver_step", "report", "struct_size 81", SHX_ERROR_STRUCT_SIZE, |s| { s.out::<u32>().write(81); let result = shx_solver_step(s.solver, 0.1, 1, s.out()); s.out::<u32>().write(u32::from_ne_bytes([UNTOUCHED; 4])); result });
     case!(cases, "shx_solver_step", "report", "struct_size u32::MAX", SHX_ERROR_STRUCT_SIZE, |s| { s.out::<u32>().write(u32::MAX); let result = shx_solver_step(s.solver, 0.1, 1, s.out()); s.out::<u32>().write(u32::from_ne_bytes([UNTOUCHED; 4])); result });
-    case!(cases, "shx_solver_step_with_limits", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_step_with_limits(null_mut(), 0.1, 1, &STEP_OPTIONS, null_mut()));
-    case!(cases, "shx_solver_step_with_limits", "dt", "f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, f64::NAN, 1, &STEP_OPTIONS, null_mut()));
-    case!(cases, "shx_solver_step_with_limits", "dt", "0.0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, 0.0, 1, &STEP_OPTIONS, null_mut()));
-    case!(cases, "shx_solver_step_with_limits", "dt", "-1.0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, -1.0, 1, &STEP_OPTIONS, null_mut()));
-    case!(cases, "shx_solver_step_with_limits", "substeps", "0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, 0.1, 0, &STEP_OPTIONS, null_mut()));
-    case!(cases, "shx_solver_step_with_limits", "options", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, 0.1, 1, null(), null_mut()));
-    case!(cases, "shx_solver_step_with_limits", "options", "seconds f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut options = STEP_OPTIONS; options.seconds = f64::NAN; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
-    case!(cases, "shx_solver_step_with_limits", "options", "seconds -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut options = STEP_OPTIONS; options.seconds = -1.0; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
-    case!(cases, "shx_solver_step_with_limits", "options", "seconds f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut options = STEP_OPTIONS; options.seconds = f64::INFINITY; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
-    case!(cases, "shx_solver_step_with_limits", "options", "reserved0 1", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut options = STEP_OPTIONS; options.reserved0 = 1; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
-    case!(cases, "shx_solver_step_with_limits", "options", "struct_size 0", SHX_ERROR_STRUCT_SIZE, |s| { let mut options = STEP_OPTIONS; options.struct_size = 0; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
-    case!(cases, "shx_solver_step_with_limits", "report", "struct_size 12", SHX_ERROR_STRUCT_SIZE, |s| { s.out::<u32>().write(12); let result = shx_solver_step_with_limits(s.solver, 0.1, 1, &STEP_OPTIONS, s.out()); s.out::<u32>().write(u32::from_ne_bytes([UNTOUCHED; 4])); result });
+    case!(cases, "shx_solver_step_with_limits", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_step_with_limits(null_mut(), 0.1, 1, &STEP_LIMITS, null_mut()));
+    case!(cases, "shx_solver_step_with_limits", "dt", "f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, f64::NAN, 1, &STEP_LIMITS, null_mut()));
+    case!(cases, "shx_solver_step_with_limits", "dt", "0.0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, 0.0, 1, &STEP_LIMITS, null_mut()));
+    case!(cases, "shx_solver_step_with_limits", "dt", "-1.0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, -1.0, 1, &STEP_LIMITS, null_mut()));
+    case!(cases, "shx_solver_step_with_limits", "substeps", "0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, 0.1, 0, &STEP_LIMITS, null_mut()));
+    case!(cases, "shx_solver_step_with_limits", "limits", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_step_with_limits(s.solver, 0.1, 1, null(), null_mut()));
+    case!(cases, "shx_solver_step_with_limits", "limits", "seconds f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut options = STEP_LIMITS; options.max_seconds = f64::NAN; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
+    case!(cases, "shx_solver_step_with_limits", "limits", "seconds -1.0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut options = STEP_LIMITS; options.max_seconds = -1.0; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
+    case!(cases, "shx_solver_step_with_limits", "limits", "seconds f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut options = STEP_LIMITS; options.max_seconds = f64::INFINITY; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
+    case!(cases, "shx_solver_step_with_limits", "limits", "reserved0 1", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut options = STEP_LIMITS; options.reserved0 = 1; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
+    case!(cases, "shx_solver_step_with_limits", "limits", "struct_size 0", SHX_ERROR_STRUCT_SIZE, |s| { let mut options = STEP_LIMITS; options.struct_size = 0; shx_solver_step_with_limits(s.solver, 0.1, 1, &raw const options, null_mut()) });
+    case!(cases, "shx_solver_step_with_limits", "report", "struct_size 12", SHX_ERROR_STRUCT_SIZE, |s| { s.out::<u32>().write(12); let result = shx_solver_step_with_limits(s.solver, 0.1, 1, &STEP_LIMITS, s.out()); s.out::<u32>().write(u32::from_ne_bytes([UNTOUCHED; 4])); result });
     case!(cases, "shx_solver_memory_usage", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_memory_usage(null(), s.out()));
     case!(cases, "shx_solver_memory_usage", "out_bytes", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_memory_usage(s.solver, null_mut()));
     case!(cases, "shx_solver_memory_usage", "out_bytes", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_memory_usage(s.solver, s.out::<u8>().wrapping_add(3).cast()));
@@ -133,7 +138,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_state_hash", "out_hash", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_state_hash(s.solver, null_mut()));
     case!(cases, "shx_solver_state_hash", "out_hash", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_state_hash(s.solver, s.out::<u8>().wrapping_add(3).cast()));
     case!(cases, "shx_solver_snapshot", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_snapshot(null(), s.out(), 8192, s.out2()));
-    case!(cases, "shx_solver_snapshot", "image", "null with a capacity", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_snapshot(s.solver, null_mut(), 8192, s.out2()));
+    case!(cases, "shx_solver_snapshot", "out_image", "null with a capacity", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_snapshot(s.solver, null_mut(), 8192, s.out2()));
     case!(cases, "shx_solver_snapshot", "capacity", "1", SHX_ERROR_BUFFER_TOO_SMALL, |s| shx_solver_snapshot(s.solver, s.out(), 1, s.out2()));
     case!(cases, "shx_solver_snapshot", "capacity", "0", SHX_ERROR_BUFFER_TOO_SMALL, |s| shx_solver_snapshot(s.solver, s.out(), 0, s.out2()));
     case!(cases, "shx_solver_snapshot", "capacity", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_snapshot(s.solver, s.out(), usize::MAX, s.out2()));
