@@ -140,9 +140,9 @@ def enumerations() -> str:
     text = ""
     for enumeration in API["enumerations"]:
         prefix = enumeration["name"]
-        text += "  [Flags]\n" if enumeration["flags"] else ""
+        flags = "  [Flags]\n" if enumeration["flags"] else ""
         kind = "int" if prefix in SIGNED else "uint"
-        text += f"  /// <summary>{prefix} of the C interface.</summary>\n  public enum {enumeration_name(prefix)} : {kind}\n  {{\n"
+        text += f"  /// <summary>{prefix} of the C interface.</summary>\n{flags}  public enum {enumeration_name(prefix)} : {kind}\n  {{\n"
         for member in enumeration["members"]:
             name = pascal(member.removeprefix(prefix).lower())
             text += summary(constants[member]["doc"], "    ") + f"    {name} = {constants[member]['value']},\n"
@@ -223,7 +223,7 @@ def pinning(struct: str) -> str:
     text = ""
     for field in STRUCTS[struct]["fields"]:
         if field["type"]["name"] == "shx_input":
-            text += f"      raw.{pascal(field['name'])} = pins.Add({pascal(field['name'])});\n"
+            text += f"      raw.{pascal(field['name'])} = pins.AddItems({pascal(field['name'])});\n"
     for count, arrays in ARRAYS.get(struct, {}).items():
         holder = "raw." + ".".join(pascal(part) if i == 0 else part for i, part in enumerate(count.split(".")))
         field = next(f for f in STRUCTS[struct]["fields"] if f["name"] == count.split(".")[0])
@@ -276,7 +276,8 @@ def parameter(function: dict, parameter: dict) -> str:
 
 
 def native() -> str:
-    text = "  internal static unsafe partial class Native\n  {\n"
+    abi = next(constant["value"] for constant in API["constants"] if constant["name"] == "SHX_ABI_VERSION")
+    text = f"  internal static unsafe partial class Native\n  {{\n    internal const uint AbiVersion = {abi};\n\n"
     for function in API["functions"]:
         returned = function["returns"]
         kind = "IntPtr" if returned["pointer"] else SCALARS[returned["name"]]
@@ -293,8 +294,12 @@ def handles() -> str:
         text += f"""  /// <summary>Owns a {name}: frees it when it is disposed, or when nothing names it any more.</summary>
   public sealed class {pascal(name)}Handle : SafeHandle
   {{
-    internal {pascal(name)}Handle(IntPtr raw) : base(IntPtr.Zero, true)
+    // Callbacks that the library may call as long as this lives.
+    internal readonly Hooks Hooks;
+
+    internal {pascal(name)}Handle(IntPtr raw, Hooks hooks) : base(IntPtr.Zero, true)
     {{
+      Hooks = hooks;
       SetHandle(raw);
     }}
 
@@ -308,6 +313,8 @@ def handles() -> str:
     protected override bool ReleaseHandle()
     {{
       Native.{destroy}(handle);
+      if (Hooks != null)
+        Hooks.Dispose();
       return true;
     }}
   }}

@@ -1,0 +1,3 @@
+//! Temporary.
+#[path = "capi/header.rs"]
+mod header;
