@@ -1,3 +1,0 @@
-//! Temporary.
-#[path = "capi/header.rs"]
-mod header;
