@@ -15,9 +15,10 @@ The model (also the shape of api.json):
     handles     name, doc, section, destroy                  (opaque types; destroy is the function that frees one, or null)
     callbacks   name, returns, parameters, doc, section
     structs     name, doc, section, size, alignment, versioned (begins with struct_size), init (the function that fills it, or null),
-                fields: name, type, array (0: none), offset, size, doc
+                fields: name, type, array (0: none), offset, size, doc, enumeration (whose constants it holds, or null),
+                boolean (it holds 0 or 1)
     functions   name, returns, parameters (name, type, array), doc, section, handle (type of the first parameter, if a handle),
-                threads ("any", "reading" or "exclusive")
+                threads ("any", "shared" or "exclusive")
 A type is {"name", "const", "pointer"}: const is about what is pointed to (or the value itself), pointer is 0, 1 or 2.
 """
 
@@ -145,6 +146,8 @@ class Field:
     doc: str
     offset: int = 0
     size: int = 0
+    enumeration: str | None = None
+    boolean: bool = False
 
 
 @dataclass
@@ -288,7 +291,7 @@ class Parser:
         elif match := re.fullmatch(r"#define (SHX_\w+) (.+)", line):
             known = {constant.name: constant.value for constant in self.api.constants}
             self.api.constants.append(Constant(match[1], evaluate(match[2], known), self.take_doc(), self.section))
-        elif line.startswith("#") or line in ('extern "C" {', '}  // extern "C"'):
+        elif line.startswith("#") or re.fullmatch(r'extern "C" {|}\s*// extern "C"', line):
             self.comment = []
         elif match := re.fullmatch(r"typedef struct (\w+) (\w+);", line):
             self.declared[match[2]] = (self.take_doc(), self.section)
@@ -353,13 +356,17 @@ def complete(api: Api) -> None:
         first = function.parameters[0].type if function.parameters else None
         if first is not None and first.pointer == 1 and first.name in handles:
             function.handle = first.name
-        doc = " ".join(function.doc.split())
-        if "Alone with" in doc:
-            function.threads = "exclusive"
-        elif "May run beside" in doc:
-            function.threads = "reading"
+        function.threads = thread_rule(function)
     check_names(api)
     enumerate_constants(api)
+
+
+def thread_rule(function: Function) -> str:
+    """The rule that the line "Threads: ..." states for the function's handle."""
+    rule = re.search(r"^Threads: (any|shared|exclusive)\b", function.doc, re.MULTILINE)
+    if rule is None:
+        raise HeaderError(f"{function.name} states no thread rule")
+    return rule[1]
 
 
 def lay_out(api: Api) -> None:
@@ -373,11 +380,7 @@ def lay_out(api: Api) -> None:
     # Structures may hold others that the header has later.
     waiting = list(api.structs)
     while waiting:
-        ready = [
-            struct
-            for struct in waiting
-            if all(field.type.pointer or field.type.name in sizes for field in struct.fields)
-        ]
+        ready = [struct for struct in waiting if all(field.type.pointer or field.type.name in sizes for field in struct.fields)]
         if not ready:
             raise HeaderError(f"types that are nowhere defined: {[struct.name for struct in waiting]}")
         for struct in ready:
@@ -403,7 +406,8 @@ def check_names(api: Api) -> None:
         raise HeaderError(f"defined twice: {sorted(doubles)}")
     known = {*names, *SCALARS, "void"}
     used = {member.type.name for struct in api.structs for member in struct.fields}
-    for function in [*api.functions, *api.callbacks]:
+    callables: list[Function | Callback] = [*api.functions, *api.callbacks]
+    for function in callables:
         used |= {function.returns.name, *(parameter.type.name for parameter in function.parameters)}
     if used - known:
         raise HeaderError(f"types that are nowhere defined: {sorted(used - known)}")
@@ -414,7 +418,19 @@ def enumerate_constants(api: Api) -> None:
     docs = [item.doc for group in (api.aliases, api.callbacks, api.structs, api.functions) for item in group]
     docs += [member.doc for struct in api.structs for member in struct.fields]
     text = " ".join(" ".join(docs).split())
-    prefixes = sorted(set(re.findall(r"\bSHX_[A-Z0-9_]*_(?![A-Za-z0-9_])", text)), key=len, reverse=True)
+    found = set(re.findall(r"\bSHX_[A-Z0-9_]*_(?![A-Za-z0-9_])", text))
+    flags = {prefix for prefix in found if f"{prefix} bits" in text}
+    # "SHX_FRICTION_INTERNAL, _VISCOSITY and _AIR_DRAG bits"
+    constants = {constant.name for constant in api.constants}
+    for match in re.finditer(r"\b(SHX_\w+)(?: \(default\))?((?:,? (?:or |and )?_[A-Z0-9_]+)+)( bits)?", text):
+        names = re.findall(r"_([A-Z0-9_]+)", match[2])
+        parts = match[1].split("_")
+        whole = ["_".join(parts[:length]) + "_" for length in range(len(parts) - 1, 1, -1)]
+        prefix = next((prefix for prefix in whole if all(prefix + name in constants for name in names)), None)
+        if prefix is not None:
+            found.add(prefix)
+            flags |= {prefix} if match[3] else set()
+    prefixes = sorted(found, key=len, reverse=True)
     members: dict[str, list[str]] = {prefix: [] for prefix in prefixes}
     for constant in api.constants:
         constant.enumeration = next((prefix for prefix in prefixes if constant.name.startswith(prefix)), None)
@@ -422,8 +438,23 @@ def enumerate_constants(api: Api) -> None:
             members[constant.enumeration].append(constant.name)
     for prefix in dict.fromkeys(constant.enumeration for constant in api.constants):
         if prefix is not None:
-            flags = f"{prefix} bits" in text
-            api.enumerations.append(Enumeration(prefix, flags, members[prefix]))
+            api.enumerations.append(Enumeration(prefix, prefix in flags, members[prefix]))
+    describe_fields(api)
+
+
+def describe_fields(api: Api) -> None:
+    """Finds out which fields hold an enumeration's constants, or 0 and 1: their comments say so."""
+    by_name = {constant.name: constant.enumeration for constant in api.constants}
+    by_name |= {enumeration.name: enumeration.name for enumeration in api.enumerations}
+    for struct in api.structs:
+        for member in struct.fields:
+            if member.type != Type("uint32_t") or member.array or member.name.startswith(("struct_size", "reserved")):
+                continue
+            doc = " ".join(member.doc.split())
+            # A comment that begins with constants, or has one as its default, is about them.
+            words = re.findall(r"(?:^|: |default )(SHX_\w+)", doc, re.IGNORECASE)
+            member.enumeration = next((by_name[word] for word in words if by_name.get(word)), None)
+            member.boolean = bool(re.match(r"1(?: \(default\)| if\b|:)|.*\b1: [^.]*\. (?:.*[^\d])?0\b|.*\b0: .*\b1\b:", doc)) and not member.enumeration
 
 
 def parse(path: Path = HEADER) -> Api:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sees to it that the tools named on the command line are there: installs what is missing by apt-get when run by root on Debian or
-# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|figures ...
+# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|python|figures ...
 set -euo pipefail
 
 missing=()
@@ -24,10 +24,14 @@ for part in "$@"; do
       # valgrind looks for the C library's symbols when it starts.
       command -v valgrind >/dev/null 2>&1 || missing+=(valgrind libc6-dbg)
       ;;
-    figures)
+    figures | python)
       need python3 python3
       if command -v python3 >/dev/null 2>&1; then
         python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3-venv)
+        if [ "$part" = python ] && ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 10))'; then
+          echo "setup.sh: Python 3.10 or later is needed, and python3 is $(python3 --version)" >&2
+          exit 1
+        fi
       fi
       ;;
     *)

@@ -1,0 +1,81 @@
+"""superhelix: a hair engine. Strands are Super-Helices: inextensible rods of helical elements, simulated robustly at large time steps.
+
+Units are SI (m, kg, s, N, Pa), curvature and twist in rad/m, axes right-handed. Gravity is (0, 0, -9.81) unless you say otherwise. A frame
+is a row of seven float64: origin, and unit quaternion x, y, z, w (superhelix.frames makes them). Points go in and out as numpy arrays, float32
+or float64, without copies. Errors are SuperhelixError and its subclasses, with the library's text. docs/python.md is the guide.
+"""
+
+from __future__ import annotations
+
+from superhelix import enums, errors, frames, groom, records
+from superhelix._callbacks import Run, log_to_logging, parallel_for_on
+from superhelix._library import abi_version, build_info, version
+from superhelix.bodies import BodyDef, bake_distance_grid
+from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, write_curves
+from superhelix.enums import *  # noqa: F403
+from superhelix.errors import *  # noqa: F403
+from superhelix.fit import Fit, fit_polyline, fit_strands, sag_free_curvatures, spline_points
+from superhelix.friction import fit_friction
+from superhelix.groom import Groom, interpolate, simulate
+from superhelix.hair import hair_strands, hair_type, wisp_material
+from superhelix.ids import BodyId, BodyIds, ConstraintId, ConstraintIds, StrandId, StrandIds
+from superhelix.records import *  # noqa: F403
+from superhelix.render import RenderGuides, RenderHair, RenderPose
+from superhelix.scalp import Scalp
+from superhelix.settings import preset_settings, suggest_elements, suggest_settings
+from superhelix.solver import Cancel, Solver
+from superhelix.strand_defs import StrandDefs
+
+__version__ = version()
+
+__all__ = [
+    "BodyDef",
+    "BodyId",
+    "BodyIds",
+    "Cancel",
+    "ConstraintId",
+    "ConstraintIds",
+    "CurveCache",
+    "CurveCacheWriter",
+    "CurveData",
+    "Curves",
+    "Fit",
+    "Groom",
+    "RenderGuides",
+    "RenderHair",
+    "RenderPose",
+    "Run",
+    "Scalp",
+    "Solver",
+    "StrandDefs",
+    "StrandId",
+    "StrandIds",
+    "abi_version",
+    "bake_distance_grid",
+    "build_info",
+    "enums",
+    "errors",
+    "fit_friction",
+    "fit_polyline",
+    "fit_strands",
+    "frames",
+    "groom",
+    "hair_strands",
+    "hair_type",
+    "interpolate",
+    "log_to_logging",
+    "parallel_for_on",
+    "preset_settings",
+    "records",
+    "sag_free_curvatures",
+    "simulate",
+    "spline_points",
+    "suggest_elements",
+    "suggest_settings",
+    "version",
+    "wisp_material",
+    "write_curves",
+    *enums.__all__,
+    *errors.__all__,
+    *records.__all__,
+]

@@ -1,0 +1,446 @@
+"""Grooms in a few lines: fitted, made wisps that rest as drawn, carried by a moving head, cached, and drawn as render hair.
+
+It does what the command line's simulate and interpolate do; everything that it makes (the solver, the ids, the fit) is there to work on with.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from superhelix import frames as turned
+from superhelix._buffers import column, frame_rows
+from superhelix.bodies import BodyDef
+from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, Path
+from superhelix.enums import CurveAttribute, StrandStatus, UpAxis
+from superhelix.fit import Fit, fit_strands
+from superhelix.hair import wisp_material
+from superhelix.ids import BodyId, StrandIds
+from superhelix.records import ContactOptions, FitOptions, Material, RenderSettings, Settings, StepReport, StrandContact, Wisp
+from superhelix.render import RenderGuides, RenderHair
+from superhelix.scalp import Scalp
+from superhelix.solver import Solver
+from superhelix.strand_defs import StrandDefs
+
+Numbers = npt.NDArray[np.float64]
+
+#: A head's motion: the head's frame (origin, m, and quaternion x, y, z, w) at a time, s.
+Motion = Callable[[float], npt.ArrayLike]
+
+_MOST_ELEMENTS = 100
+_REFITS = 12
+
+
+@dataclass
+class Groom:
+    """Curves of a groom, root first: points (m, one curve after the other), how many each has, and which axis points up."""
+
+    points: Numbers
+    point_counts: npt.NDArray[np.uint32]
+    up_axis: UpAxis = UpAxis.Z
+    metres_per_unit: float = 1.0
+    arclengths: Numbers | None = None
+
+    def __post_init__(self) -> None:
+        rows = np.asarray(self.points, dtype=np.float64)
+        if rows.ndim == 3 and self.point_counts is None:
+            self.point_counts = np.full(rows.shape[0], rows.shape[1], dtype=np.uint32)
+        self.point_counts = column("point_counts", self.point_counts, np.uint32)
+        self.points = column("points", rows, np.float64, int(self.point_counts.sum()), 3)
+
+    @classmethod
+    def from_curves(cls, points: npt.ArrayLike, point_counts: npt.ArrayLike | None = None, up_axis: UpAxis = UpAxis.Z) -> Groom:
+        """A groom of curves in metres: (curves, points, 3), or with point_counts (points, 3)."""
+        return cls(points, point_counts, up_axis)  # type: ignore[arg-type]
+
+    @classmethod
+    def read(cls, path: Path, *, scale: float | None = None, up_axis: UpAxis | None = None, every: int = 1) -> Groom:
+        """Reads a groom file. scale: metres a file unit; None: what the file says, else 1, refused where hair of that size could not be. up_axis:
+        None: what the file says, else y. every: 2 takes every second strand, and so on.
+        """
+        if every < 1:
+            raise ValueError(f"every: {every}; at least 1 expected")
+        with Curves(path) as curves:
+            units, counts = curves.units(), curves.point_counts()
+            metres = scale if scale is not None else (units.metres or 1.0)
+            rows = curves.points(metres, dtype=np.float64)
+            along = curves.attribute(CurveAttribute.ARCLENGTH)
+        lengths = np.array([np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() for curve in np.split(rows, np.cumsum(counts)[:-1])])
+        median = float(np.median(lengths)) if len(lengths) else 0.0
+        if scale is None and not units.metres and not 0.005 <= median <= 1.2:
+            raise ValueError(f"scale: {path} does not state its unit, and its median strand is {median:.3g} units long: give metres a unit")
+        keep = np.zeros(len(counts), dtype=bool)
+        keep[::every] = True
+        mask = np.repeat(keep, counts)
+        up = up_axis if up_axis is not None else (units.up_axis or UpAxis.Y)
+        return cls(rows[mask], counts[keep], up, metres, None if along is None else along[mask].astype(np.float64) * metres)
+
+    @property
+    def gravity(self) -> tuple[float, float, float]:
+        """Gravity, m/s^2, against the axis that points up."""
+        return (0.0, -9.81, 0.0) if self.up_axis == UpAxis.Y else (0.0, 0.0, -9.81)
+
+    @property
+    def roots(self) -> Numbers:
+        """The first point of each curve, m."""
+        starts = np.concatenate([[0], np.cumsum(self.point_counts)[:-1]]).astype(np.int64)
+        return self.points[starts]
+
+    def __len__(self) -> int:
+        return len(self.point_counts)
+
+
+def _largest_turns(fit: Fit) -> Numbers:
+    """The largest angle by which an element of each strand turns, rad."""
+    angles = fit.element_lengths * np.linalg.norm(fit.curvatures, axis=2)
+    return np.asarray(angles.max(axis=1))
+
+
+def _fit_with(points: Numbers, counts: npt.NDArray[np.uint32], along: Numbers | None, elements: int, workers: int) -> Fit:
+    options = FitOptions(element_count=elements, worker_count=workers)
+    return fit_strands(points, counts, options, arclengths=along)
+
+
+def fit_groom(groom: Groom, element_count: int = 10, *, refine: bool = True, worker_count: int = 1) -> Fit:
+    """Fits a strand to each curve. refine: strands with an element that turns by more than a quarter turn are fitted again by more, up to 100."""
+    fit = _fit_with(groom.points, groom.point_counts, groom.arclengths, element_count, worker_count)
+    ends = np.cumsum(groom.point_counts).astype(np.int64)
+    limits = np.minimum(4 * groom.point_counts.astype(np.int64), _MOST_ELEMENTS)
+    for _ in range(_REFITS if refine else 0):
+        counts, turns = fit.strands.element_count.astype(np.int64), _largest_turns(fit)
+        coarse = np.flatnonzero(fit.fitted & (turns > np.pi / 2) & (counts < limits))
+        if not len(coarse):
+            break
+        wanted = np.ceil(counts[coarse] * turns[coarse] / (np.pi / 2)).astype(np.int64)
+        wanted = np.clip(wanted, counts[coarse] + 1, limits[coarse])
+        for elements in np.unique(wanted).tolist():
+            chosen = coarse[wanted == elements]
+            rows = np.concatenate([np.arange(ends[strand] - groom.point_counts[strand], ends[strand]) for strand in chosen])
+            along = None if groom.arclengths is None else groom.arclengths[rows]
+            again = _fit_with(groom.points[rows], groom.point_counts[chosen], along, elements, worker_count)
+            _replace(fit, chosen, again)
+    return fit
+
+
+def _replace(fit: Fit, places: npt.NDArray[np.int64], other: Fit) -> None:
+    """Puts strands of another fit, which may have more elements, in the place of some."""
+    missing = other.element_lengths.shape[1] - fit.element_lengths.shape[1]
+    if missing > 0:
+        fit.element_lengths = np.pad(fit.element_lengths, ((0, 0), (0, missing)))
+        fit.curvatures = np.pad(fit.curvatures, ((0, 0), (0, missing), (0, 0)))
+    width = other.element_lengths.shape[1]
+    fit.element_lengths[places], fit.curvatures[places] = 0.0, 0.0
+    fit.element_lengths[places, :width], fit.curvatures[places, :width] = other.element_lengths, other.curvatures
+    fit.strands.data[places] = other.strands.data
+
+
+@dataclass
+class GroomSolver:
+    """A groom in a solver, on a head: what prepare makes. A context manager that closes the solver."""
+
+    solver: Solver
+    strands: StrandIds
+    fit: Fit
+    #: Indices of the groom's curves that are simulated, and of those that cannot be.
+    indices: npt.NDArray[np.int64]
+    skipped: npt.NDArray[np.int64]
+    #: The roots' frames in the groom, and where the head's joint is in it, m.
+    roots: Numbers
+    pivot: Numbers
+    body: BodyId | None
+    #: By which factor each strand was made stiffer, so that it rests as drawn.
+    stiffening: Numbers
+    wisp_radius: float
+
+    def move_head(self, start: npt.ArrayLike, now: npt.ArrayLike, over_seconds: float = 0.0) -> None:
+        """Sends roots and body to where a head is that has moved from the frame start, in which the groom was drawn, to the frame now."""
+        frame = carried(start, now, self.pivot)
+        self.solver.set_root_frames(turned.moved(frame, self.roots), self.strands, over_seconds)
+        if self.body is not None:
+            self.solver.set_body_frames(frame[None], self.body, over_seconds)
+
+    def __enter__(self) -> GroomSolver:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.solver.close()
+
+
+def carried(start: npt.ArrayLike, now: npt.ArrayLike, pivot: npt.ArrayLike) -> Numbers:
+    """The frame that takes the groom's axes along with a head that went from start to now, its joint at pivot in the groom."""
+    before, after, joint = np.asarray(start, float), np.asarray(now, float), np.asarray(pivot, float)
+    turn = turned.multiply(after[3:], before[3:] * [-1.0, -1.0, -1.0, 1.0])
+    return np.concatenate([joint + after[:3] - before[:3] - turned.rotate(turn, joint), turn])
+
+
+def prepare(
+    groom: Groom,
+    *,
+    hair: Material | None = None,
+    wisp: Wisp | None = None,
+    bare: bool = False,
+    element_count: int = 10,
+    refine: bool = True,
+    body: BodyDef | None = None,
+    wisp_contact_radius: float = 0.0,
+    contact: StrandContact | None = None,
+    settings: Settings | None = None,
+    worker_count: int = 1,
+    pivot: npt.ArrayLike | None = None,
+    gravity: Sequence[float] | None = None,
+    **solver_fields: Any,
+) -> GroomSolver:
+    """Puts a groom into a solver so that it rests as drawn: curves are pushed out of the body, fitted, given the material of wisps (of wisp's
+    hairs of material hair; bare: single hairs), made as much stiffer as rest takes, and permitted what they overlap.
+
+    body: what keeps hair out, in the groom's axes, m. wisp_contact_radius: above 0, strands meet each other as wisps of that radius, m. contact:
+    a StrandContact, in place of the default of that material. settings: what preset_settings gave. pivot: where the head's joint is, m (default:
+    the middle of the roots). solver_fields: fields of SolverDef.
+    """
+    rod = wisp_material(Wisp(hairs=1.0, hold=0.0) if bare else wisp, hair)
+    down = groom.gravity if gravity is None else tuple(gravity)
+    if settings is None:
+        solver_fields.setdefault("tolerance", 1e-4)
+    solver = Solver(gravity=down, worker_count=worker_count, settings=settings, **solver_fields)
+    meets = contact if contact is not None else StrandContact(radius=max(rod.material.radius), wisp_radius=wisp_contact_radius)
+    curves, body_id = groom, None
+    if body is not None:
+        body_id = solver.add_body(body)
+        pushed = solver.push_out_curves(body_id, groom.points, groom.point_counts, meets.radius)
+        curves = Groom(pushed.points, groom.point_counts, groom.up_axis, groom.metres_per_unit, groom.arclengths)
+    fit = fit_groom(curves, element_count, refine=refine, worker_count=worker_count)
+    good = fit.fitted & (fit.strands.length > 2.0 * max(rod.material.radius))
+    if not good.any():
+        raise ValueError("groom: no curve can be simulated: all are without length, or not longer than wide")
+    fit = fit.select(good)
+    defs = StrandDefs.from_fit(fit, material=rod.material)
+    strands = solver.add_strands(defs)
+    if rod.margin > 0.0:
+        stiffening = solver.stiffen_strands(rod.margin, strands)
+    else:
+        solver.adopt_rest_shapes(strands)
+        stiffening = np.ones(len(strands))
+    if body is not None or wisp_contact_radius > 0.0 or contact is not None:
+        if meets.wisp_radius > 0.0:
+            solver.set_contact_options(ContactOptions(hair_contact=True))
+        solver.set_strand_contact(meets, strands)
+        solver.permit_overlaps(strands)
+    roots = solver.root_frames(strands)
+    joint = roots[:, :3].mean(axis=0) if pivot is None else np.asarray(pivot, dtype=np.float64)
+    indices = np.arange(len(groom))
+    return GroomSolver(solver, strands, fit, indices[good], indices[~good], roots, joint, body_id, stiffening, max(rod.radius, meets.wisp_radius))
+
+
+def still(_time: float) -> Numbers:
+    """The motion of a head that stands still."""
+    return np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+
+
+def motion_from_samples(times: npt.ArrayLike, poses: Any) -> Motion:
+    """A motion through frames at times (s, ascending): linear between them, held outside."""
+    moments = column("times", times, np.float64)
+    rows = np.array(frame_rows("poses", poses).reshape(-1, 7))
+    if len(rows) != len(moments) or len(rows) == 0 or np.any(np.diff(moments) <= 0.0):
+        raise ValueError(f"times: {len(moments)} times for {len(rows)} poses; as many, ascending, expected")
+    # The shorter way round from each to the next.
+    for place in range(1, len(rows)):
+        if rows[place, 3:] @ rows[place - 1, 3:] < 0.0:
+            rows[place, 3:] *= -1.0
+
+    def motion(time: float) -> Numbers:
+        row = np.array([np.interp(time, moments, rows[:, axis]) for axis in range(7)])
+        row[3:] /= np.linalg.norm(row[3:])
+        return row
+
+    return motion
+
+
+def read_motion(path: Path) -> tuple[Numbers, Numbers]:
+    """Times (s) and frames of a .csv of poses, with columns time_s, px_m, py_m, pz_m, qx, qy, qz, qw in any order: give them to
+    motion_from_samples.
+    """
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(line for line in file if not line.startswith("#")))
+    names = [name.strip() for name in rows[0]]
+    wanted = ("time_s", "px_m", "py_m", "pz_m", "qx", "qy", "qz", "qw")
+    if missing := [name for name in wanted if name not in names]:
+        raise ValueError(f"{path}: no columns {', '.join(missing)} among {', '.join(names)}")
+    columns = [names.index(name) for name in wanted]
+    numbers = np.array([[float(row[place]) for place in columns] for row in rows[1:] if row])
+    return numbers[:, 0], numbers[:, 1:]
+
+
+@dataclass
+class Simulation:
+    """What simulate gives: times (s), points (frames, strands, points, 3) in m, a StepReport for each frame after the first, the indices of the
+    groom's curves that were simulated, and of those that could not be.
+    """
+
+    times: Numbers
+    points: npt.NDArray[np.float32]
+    reports: list[StepReport]
+    indices: npt.NDArray[np.int64]
+    skipped: npt.NDArray[np.int64]
+    stiffening: Numbers
+    quarantined: npt.NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, dtype=np.int64))
+
+
+def simulate(
+    groom: Groom,
+    motion: Motion = still,
+    *,
+    duration: float,
+    start: float = 0.0,
+    fps: float = 30.0,
+    substeps: int | None = None,
+    points_per_strand: int = 33,
+    cache: Path | None = None,
+    progress: Callable[[int, int], None] | None = None,
+    settings: Settings | None = None,
+    **preparation: Any,
+) -> Simulation:
+    """Simulates a groom on a moving head for duration seconds, fps frames a second, and writes a .usda cache with velocities if its path is given.
+
+    motion: the head's frame at a time; the groom is as drawn at the time start. substeps: steps a frame (default: 2, or the settings').
+    progress(frame, frames) is called after each frame. preparation: what prepare takes.
+    """
+    if not duration > 0.0 or not fps > 0.0:
+        raise ValueError(f"duration, fps: {duration}, {fps}; both above zero expected")
+    if substeps is None:
+        substeps = 2 if settings is None else settings.substeps
+    frame_count = int(np.floor(duration * fps + 1e-9)) + 1
+    times = np.arange(frame_count) / fps
+    first, dt = np.asarray(motion(start), dtype=np.float64), 1.0 / (fps * substeps)
+    with prepare(groom, settings=settings, **preparation) as made:
+        solver, strands = made.solver, made.strands
+        points = np.empty((frame_count, len(strands), points_per_strand, 3), dtype=np.float32)
+        reports: list[StepReport] = []
+        quarantined = np.zeros(len(strands), dtype=bool)
+        writer = None
+        try:
+            for frame in range(frame_count):
+                if frame:
+                    reports.append(StepReport())
+                    for substep in range(substeps):
+                        time = start + ((frame - 1) * substeps + substep + 1) * dt
+                        made.move_head(first, motion(time), dt)
+                        solver.step(dt, report=reports[-1])
+                        if reports[-1].quarantined:
+                            quarantined |= solver.strand_status(strands) == StrandStatus.QUARANTINED
+                solver.sample_strands(points_per_strand, strands, out=points[frame])
+                if cache is not None:
+                    writer = _write_frame(made, groom, cache, writer, fps, times[frame], points[frame])
+                if progress is not None:
+                    progress(frame + 1, frame_count)
+            if writer is not None:
+                writer.close()
+        except BaseException:
+            if writer is not None:
+                writer.abandon()
+            raise
+    return Simulation(times, points, reports, made.indices, made.skipped, made.stiffening, np.flatnonzero(quarantined))
+
+
+def _write_frame(
+    made: GroomSolver,
+    groom: Groom,
+    cache: Path,
+    writer: CurveCacheWriter | None,
+    fps: float,
+    time: float,
+    points: npt.NDArray[np.float32],
+) -> CurveCacheWriter:
+    """Writes a frame of the cache, in the groom's own units."""
+    scale = 1.0 / groom.metres_per_unit
+    velocities = made.solver.sample_velocities(points.shape[1], made.strands) * scale
+    rows = points * np.float32(scale)
+    if writer is None:
+        data = CurveData(rows, velocities=velocities, up_axis=groom.up_axis, metres_per_unit=groom.metres_per_unit)
+        writer = CurveCacheWriter(cache, data, fps)
+    writer.write(time, rows, velocities)
+    return writer
+
+
+def interpolate(
+    guides: Path,
+    out: Path,
+    *,
+    roots: npt.ArrayLike | None = None,
+    scalp: Scalp | None = None,
+    count: int = 0,
+    scale: float | None = None,
+    fps: float | None = None,
+    settings: RenderSettings | None = None,
+    seed: int = 0,
+) -> int:
+    """Makes render hair of a cache of guides (.usda, as simulate writes it): a cache with a strand for each of roots, or for each of count follicles
+    scattered over a scalp near the guides, with velocities if the guides have them. The guides rest in the first frame; roots and scalp are where
+    they are then, m. Gives how many strands there are.
+    """
+    with CurveCache(guides) as cache:
+        times = cache.times()
+        with cache.sample(float(times[0])) as first:
+            units, counts = first.units(), first.point_counts()
+            metres = scale if scale is not None else (units.metres or 1.0)
+            rest = first.points(metres, dtype=np.float64)
+            moving = first.attribute(CurveAttribute.VELOCITY) is not None
+        if (roots is None) == (scalp is None):
+            raise ValueError("roots, scalp: give one of the two")
+        if scalp is not None:
+            starts = np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.int64)
+            follicles = scalp.scatter(count, guide_roots=rest[starts], seed=seed)
+            places: npt.NDArray[Any] = scalp.root_frames(follicles)
+        else:
+            places = np.asarray(roots, dtype=np.float64)
+        step = float(np.median(np.diff(times))) if len(times) > 1 else 1.0 / 24.0
+        rate = fps if fps is not None else 1.0 / step
+        with RenderHair.from_guides(RenderGuides(rest, counts), places, settings) as hair, hair.pose() as pose:
+            shape = (hair.strand_count, hair.points_per_strand, 3)
+            velocities = np.zeros(shape, dtype=np.float32) if moving else None
+            # The first frame says what does not change.
+            first_frame = np.zeros(shape, dtype=np.float32)
+            data = CurveData(first_frame, velocities=velocities, up_axis=units.up_axis, metres_per_unit=units.metres)
+            with CurveCacheWriter(out, data, rate) as writer:
+                for time, curves in cache:
+                    pose.set_guides(_guides(curves, counts, metres, moving))
+                    points = pose.evaluate(velocities=velocities)
+                    scale = np.float32(1.0 / metres)
+                    writer.write(time, points * scale, None if velocities is None else velocities * scale)
+            return hair.strand_count
+
+
+def _guides(curves: Curves, counts: npt.NDArray[np.uint32], metres: float, moving: bool) -> RenderGuides:
+    """A frame's curves as guides, with their velocities where the cache has some."""
+    speeds = curves.attribute(CurveAttribute.VELOCITY) if moving else None
+    rows = curves.points(metres, dtype=np.float64)
+    return RenderGuides(rows, counts, velocities=None if speeds is None else speeds * np.float32(metres))
+
+
+def read_obj_mesh(path: Path, scale: float = 1.0) -> tuple[Numbers, npt.NDArray[np.uint32]]:
+    """Vertices (times scale: metres a file unit) and triangles of a Wavefront .obj with faces, for BodyDef.mesh, bake_distance_grid and Scalp.
+    Faces of more than three corners are split into fans: they should be convex.
+    """
+    vertices: list[list[float]] = []
+    triangles: list[tuple[int, int, int]] = []
+    with open(path, encoding="utf-8") as file:
+        for number, line in enumerate(file, 1):
+            words = line.split()
+            if not words or words[0] not in ("v", "f"):
+                continue
+            try:
+                if words[0] == "v":
+                    vertices.append([float(word) for word in words[1:4]])
+                    continue
+                corners = [int(word.split("/")[0]) for word in words[1:]]
+                corners = [corner - 1 if corner > 0 else len(vertices) + corner for corner in corners]
+            except ValueError as error:
+                raise ValueError(f"{path}:{number}: {error}") from None
+            if len(corners) < 3 or not all(0 <= corner < len(vertices) for corner in corners):
+                raise ValueError(f"{path}:{number}: a face whose corners are not there")
+            triangles += [(corners[0], corners[place], corners[place + 1]) for place in range(1, len(corners) - 1)]
+    return np.array(vertices, dtype=np.float64).reshape(-1, 3) * scale, np.array(triangles, dtype=np.uint32).reshape(-1, 3)

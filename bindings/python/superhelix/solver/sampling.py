@@ -1,0 +1,136 @@
+"""Points, frames, velocities and forces of strands."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from superhelix import _capi
+from superhelix._buffers import Output, address, column, float_type, vector, whole
+from superhelix._library import functions
+from superhelix._record import initialize
+from superhelix.ids import StrandId
+from superhelix.solver._base import SolverBase, StrandsLike
+
+
+def _reference(output: Output | None) -> Any:
+    return None if output is None else ctypes.byref(output.view)
+
+
+class Sampling(SolverBase):
+    """Reading strands of a solver."""
+
+    __slots__ = ()
+
+    def sample_strands(
+        self,
+        points_per_strand: int = 33,
+        ids: StrandsLike = None,
+        *,
+        dtype: npt.DTypeLike = np.float32,
+        origin: npt.ArrayLike | None = None,
+        out: npt.NDArray[Any] | None = None,
+        frames: npt.NDArray[Any] | None = None,
+        velocities: npt.NDArray[Any] | None = None,
+    ) -> npt.NDArray[Any]:
+        """The points of strands, uniform in arclength, root and tip included, m: an array (strands, points, 3) of dtype float32 or float64.
+
+        out: an array to write the points to instead, without a copy: any strided view with items of three numbers, or four, the fourth the
+        strand's radius. frames and velocities: arrays for the frames along the strands (seven float64, or quaternions x, y, z, w) and the velocities
+        of the points (m/s), in the same way. origin is subtracted from positions before they
+        are narrowed to float32, m.
+        """
+        bits = self._strands(ids)
+        definition = _capi.shx_sample_def()
+        initialize(definition)
+        definition.points_per_strand = whole("points_per_strand", points_per_strand)
+        if origin is not None:
+            definition.origin = (ctypes.c_double * 3)(*vector("origin", origin))
+        count = len(bits) * definition.points_per_strand
+        if out is None:
+            out = np.empty((len(bits), definition.points_per_strand, 3), dtype=float_type("dtype", dtype))
+        points = Output("out", out, (3, 4), count)
+        frame = None if frames is None else Output("frames", frames, (7, 4), count)
+        velocity = None if velocities is None else Output("velocities", velocities, (3,), count)
+        self._call(
+            functions.shx_solver_sample_strands,
+            address(bits),
+            len(bits),
+            ctypes.byref(definition),
+            ctypes.byref(points.view),
+            _reference(frame),
+            _reference(velocity),
+        )
+        return out
+
+    def sample_frames(self, points_per_strand: int = 33, ids: StrandsLike = None) -> npt.NDArray[np.float64]:
+        """The frames along strands, (strands, points, 7): origin, m, and quaternion x, y, z, w; n0 is the tangent."""
+        bits = self._strands(ids)
+        frames = np.empty((len(bits), whole("points_per_strand", points_per_strand), 7))
+        self._sample_one("frames", frames, bits, points_per_strand)
+        return frames
+
+    def sample_velocities(self, points_per_strand: int = 33, ids: StrandsLike = None, dtype: npt.DTypeLike = np.float64) -> npt.NDArray[Any]:
+        """The velocities of material points of strands, (strands, points, 3), m/s."""
+        bits = self._strands(ids)
+        velocities = np.empty((len(bits), whole("points_per_strand", points_per_strand), 3), dtype=float_type("dtype", dtype))
+        self._sample_one("velocities", velocities, bits, points_per_strand)
+        return velocities
+
+    def _sample_one(self, which: str, array: npt.NDArray[Any], bits: npt.NDArray[np.uint64], points_per_strand: int) -> None:
+        definition = _capi.shx_sample_def()
+        initialize(definition)
+        definition.points_per_strand = points_per_strand
+        output = Output(which, array, (7,) if which == "frames" else (3,), array.size // array.shape[-1])
+        frames, velocities = (output, None) if which == "frames" else (None, output)
+        self._call(
+            functions.shx_solver_sample_strands,
+            address(bits),
+            len(bits),
+            ctypes.byref(definition),
+            None,
+            _reference(frames),
+            _reference(velocities),
+        )
+
+    def sample_at(
+        self,
+        id: StrandId,
+        arclengths: npt.ArrayLike,
+        *,
+        dtype: npt.DTypeLike = np.float64,
+        origin: npt.ArrayLike | None = None,
+        out: npt.NDArray[Any] | None = None,
+        frames: npt.NDArray[Any] | None = None,
+        velocities: npt.NDArray[Any] | None = None,
+    ) -> npt.NDArray[Any]:
+        """Points of one strand at arclengths from the root (m, in any order); the outputs as in sample_strands."""
+        along = column("arclengths", arclengths, np.float64)
+        start = None if origin is None else vector("origin", origin)
+        if out is None:
+            out = np.empty((len(along), 3), dtype=float_type("dtype", dtype))
+        points = Output("out", out, (3, 4), len(along))
+        frame = None if frames is None else Output("frames", frames, (7, 4), len(along))
+        velocity = None if velocities is None else Output("velocities", velocities, (3,), len(along))
+        self._call(
+            functions.shx_solver_sample_at,
+            self._strand(id),
+            address(along),
+            len(along),
+            None if start is None else address(start),
+            ctypes.byref(points.view),
+            _reference(frame),
+            _reference(velocity),
+        )
+        return out
+
+    def root_wrenches(self, ids: StrandsLike = None, dtype: npt.DTypeLike = np.float64) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
+        """What strands do to their follicles as of the last step: forces (N) and torques about the roots (N m), world axes."""
+        bits = self._strands(ids)
+        forces, torques = (np.empty((len(bits), 3), dtype=float_type("dtype", dtype)) for _ in range(2))
+        views = [Output("forces", forces, (3,), len(bits)).view, Output("torques", torques, (3,), len(bits)).view]
+        self._call(functions.shx_solver_root_wrenches, address(bits), len(bits), ctypes.byref(views[0]), ctypes.byref(views[1]))
+        return forces, torques

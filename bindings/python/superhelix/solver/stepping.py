@@ -1,0 +1,114 @@
+"""Time: steps, their limits, gravity and wind."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+import numpy.typing as npt
+
+from superhelix import _capi
+from superhelix._buffers import address, vector, whole
+from superhelix._library import functions
+from superhelix._record import initialize
+from superhelix.records import StepReport
+from superhelix.solver._base import SolverBase
+
+
+class Cancel:
+    """A flag by which another thread cancels a step: solver.step(..., cancel=flag) there, flag.set() here."""
+
+    __slots__ = ("_flag",)
+
+    def __init__(self) -> None:
+        self._flag = ctypes.c_uint32()
+
+    def set(self) -> None:
+        """Cancels the steps that were given this flag, until clear is called."""
+        self._flag.value = 1
+
+    def clear(self) -> None:
+        """Lets steps run again."""
+        self._flag.value = 0
+
+    def is_set(self) -> bool:
+        """Whether set was called."""
+        return self._flag.value != 0
+
+
+class Stepping(SolverBase):
+    """Time of a solver."""
+
+    __slots__ = ()
+
+    def step(
+        self,
+        dt: float,
+        substeps: int = 1,
+        *,
+        max_work: int | None = None,
+        max_seconds: float | None = None,
+        cancel: Cancel | None = None,
+        report: StepReport | None = None,
+    ) -> StepReport:
+        """Moves time on by dt seconds in substeps equal parts, each a full solve, and tells how that went. Other Python threads run meanwhile.
+
+        With limits the step ends early, every strand whole and finite, and report.stop_reason says why. max_work: most work on strands in contact
+        or constrained, in each substep, in units of about a microsecond of one core; counted, so that results are the same on every machine.
+        max_seconds: wall-clock time; results then depend on the clock. cancel: a flag that another thread sets. A report that is given is
+        overwritten and returned: a loop needs only one.
+        """
+        if report is None:
+            report = StepReport()
+        elif type(report) is not StepReport:
+            raise TypeError(f"report: {report!r}; StepReport expected")
+        substeps = whole("substeps", substeps)
+        if max_work is None and max_seconds is None and cancel is None:
+            self._call(functions.shx_solver_step, dt, substeps, ctypes.byref(report._c))
+            return report
+        limits = _capi.shx_step_limits()
+        initialize(limits)
+        if max_work is not None:
+            limits.max_work = whole("max_work", max_work, 0, 2**64 - 1)
+        if max_seconds is not None:
+            limits.max_seconds = max_seconds
+        if cancel is not None:
+            limits.cancel = ctypes.addressof(cancel._flag)
+        self._call(functions.shx_solver_step_with_limits, dt, substeps, ctypes.byref(limits), ctypes.byref(report._c))
+        return report
+
+    def set_gravity(self, gravity: npt.ArrayLike) -> None:
+        """Sets gravity, m/s^2, from the next step on."""
+        numbers = vector("gravity", gravity)
+        self._call(functions.shx_solver_set_gravity, address(numbers))
+
+    def set_wind(self, wind: npt.ArrayLike) -> None:
+        """Sets the uniform wind, m/s, from the next step on. Only strands with an air_drag feel it."""
+        numbers = vector("wind", wind)
+        self._call(functions.shx_solver_set_wind, address(numbers))
+
+    def memory_usage(self) -> int:
+        """Bytes of memory that the solver holds, all its strands, bodies and constraints included."""
+        number = ctypes.c_uint64()
+        self._call(functions.shx_solver_memory_usage, ctypes.byref(number))
+        return number.value
+
+    def snapshot(self) -> bytes:
+        """An image of everything that a step depends on: strands, roots, states, bodies, constraints, gravity, wind, options."""
+        size = ctypes.c_size_t()
+        self._call(functions.shx_solver_snapshot, None, 0, ctypes.byref(size))
+        image = ctypes.create_string_buffer(max(size.value, 1))
+        self._call(functions.shx_solver_snapshot, image, size.value, ctypes.byref(size))
+        return image.raw[: size.value]
+
+    def restore(self, image: bytes | bytearray | memoryview) -> None:
+        """Puts the solver into the state of a snapshot. Ids are those that were valid when it was taken. Stepping on gives the same bits."""
+        data: Any = bytes(image)
+        self._call(functions.shx_solver_restore, data, len(data))
+        self._all = None
+
+    def state_hash(self) -> int:
+        """A hash of everything that a step depends on: equal states give equal hashes."""
+        number = ctypes.c_uint64()
+        self._call(functions.shx_solver_state_hash, ctypes.byref(number))
+        return number.value

@@ -1,0 +1,224 @@
+"""The GIL is released, steps are cancelled, callbacks are safe."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import gc
+import logging
+import threading
+import time
+import weakref
+
+import numpy as np
+import pytest
+from conftest import hanging
+
+import superhelix as shx
+
+
+def moving(count: int = 2000, **options) -> shx.Solver:
+    solver = shx.Solver(**options)
+    solver.add_strands(shx.StrandDefs(count, element_count=10, length=0.3, root=hanging(count).data["root"].copy().view(np.float64).reshape(-1, 7)))
+    return solver
+
+
+def test_other_threads_run_during_a_step() -> None:
+    """While one thread is in a step, another counts: with the GIL held it could not."""
+    with moving() as solver:
+        counted, done = [0], threading.Event()
+
+        def count() -> None:
+            while not done.is_set():
+                counted[0] += 1
+
+        began = time.perf_counter()
+        solver.step(0.1, 4)
+        alone = time.perf_counter() - began
+        thread = threading.Thread(target=count)
+        thread.start()
+        before = counted[0]
+        solver.step(0.1, 4)
+        during = counted[0] - before
+        done.set()
+        thread.join()
+    # A held GIL would let the thread run between bytecodes only: for some switch intervals at most.
+    assert alone > 0.02
+    assert during > 10_000
+
+
+def test_reading_functions_run_side_by_side() -> None:
+    with moving(500) as solver, concurrent.futures.ThreadPoolExecutor(4) as pool:
+        expected = solver.sample_strands(16)
+        for points in pool.map(lambda _: solver.sample_strands(16), range(16)):
+            np.testing.assert_array_equal(points, expected)
+
+
+def test_a_second_thread_in_a_step_is_refused() -> None:
+    with moving() as solver:
+        errors: list[BaseException] = []
+
+        def disturb() -> None:
+            time.sleep(0.01)
+            try:
+                solver.step(0.01)
+            except shx.BusyError as error:
+                errors.append(error)
+
+        thread = threading.Thread(target=disturb)
+        thread.start()
+        solver.step(0.1, 10)
+        thread.join()
+    assert len(errors) == 1
+    assert "shx_solver_step" in str(errors[0])
+
+
+def test_closing_during_a_step_frees_after_it() -> None:
+    solver = moving()
+    thread = threading.Thread(target=solver.step, args=(0.1, 8))
+    handle = weakref.ref(solver)
+    thread.start()
+    time.sleep(0.01)
+    solver.close()
+    assert solver.closed
+    thread.join()
+    del solver, thread
+    gc.collect()
+    assert handle() is None
+
+
+def test_steps_are_limited_and_cancelled() -> None:
+    with moving(200) as solver:
+        solver.add_body(shx.BodyDef.sphere(0.1))
+        solver.set_strand_contact(shx.StrandContact())
+        report = solver.step(0.05, max_work=10**9)
+        assert report.stop_reason is shx.StopReason.NONE
+        cancel = shx.Cancel()
+        assert not cancel.is_set()
+        cancel.set()
+        report = solver.step(0.05, cancel=cancel)
+        assert report.stop_reason is shx.StopReason.CANCELLED
+        cancel.clear()
+        assert solver.step(0.05, cancel=cancel, max_seconds=30.0).stop_reason is shx.StopReason.NONE
+        with pytest.raises(ValueError, match="max_work: -1"):
+            solver.step(0.05, max_work=-1)
+        with pytest.raises(shx.InvalidArgumentError, match="seconds"):
+            solver.step(0.05, max_seconds=float("nan"))
+
+
+def test_a_step_is_cancelled_from_another_thread() -> None:
+    with moving(3000) as solver:
+        cancel = shx.Cancel()
+        threading.Timer(0.05, cancel.set).start()
+        began = time.perf_counter()
+        report = solver.step(1.0, 400, cancel=cancel)
+        assert report.stop_reason is shx.StopReason.CANCELLED
+        assert time.perf_counter() - began < 5.0
+
+
+def test_a_parallel_loop_of_the_host_gives_the_same_bits() -> None:
+    calls = []
+
+    def loop(count: int, min_range: int, run: shx.Run) -> None:
+        calls.append(count)
+        with concurrent.futures.ThreadPoolExecutor(3) as pool:
+            bounds = [count * part // 3 for part in range(4)]
+            for task in [pool.submit(run, bounds[part], bounds[part + 1], part) for part in range(3)]:
+                task.result()
+
+    with moving(300) as plain, moving(300, parallel_for=loop, worker_count=3) as solver:
+        plain.step(0.05, 2)
+        solver.step(0.05, 2)
+        assert solver.state_hash() == plain.state_hash()
+    assert calls
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        with moving(300) as plain, moving(300, parallel_for=shx.parallel_for_on(pool, 2), worker_count=2) as solver:
+            plain.step(0.05)
+            solver.step(0.05)
+            assert solver.state_hash() == plain.state_hash()
+
+
+def test_an_exception_in_the_loop_comes_out_of_the_call_and_the_step_is_whole() -> None:
+    def broken(count: int, min_range: int, run: shx.Run) -> None:
+        run(0, count // 2, 0)
+        raise KeyError("my loop")
+
+    with moving(300) as plain, moving(300, parallel_for=broken, worker_count=2) as solver:
+        plain.step(0.05)
+        with pytest.raises(KeyError, match="my loop"):
+            solver.step(0.05)
+        # Items that the loop left out were done by the calling thread.
+        assert solver.state_hash() == plain.state_hash()
+
+
+def test_run_is_refused_after_the_loop_has_returned() -> None:
+    kept = []
+
+    def loop(count: int, min_range: int, run: shx.Run) -> None:
+        run(0, count, 0)
+        kept.append(run)
+
+    with moving(300, parallel_for=loop, worker_count=2) as solver:
+        solver.step(0.05)
+        with pytest.raises(RuntimeError, match="after the parallel loop had returned"):
+            kept[0](0, 1, 0)
+
+
+def test_calling_the_solver_from_its_own_callback_is_refused() -> None:
+    errors = []
+
+    def loop(count: int, min_range: int, run: shx.Run) -> None:
+        try:
+            solver.step(0.01)
+        except shx.BusyError as error:
+            errors.append(error)
+        solver.close()
+        run(0, count, 0)
+
+    solver = moving(300, parallel_for=loop, worker_count=2)
+    with pytest.raises(ValueError, match="closed"):
+        solver.step(0.05)
+        solver.step(0.05)
+    assert errors
+
+
+def test_messages_reach_the_log(caplog) -> None:
+    messages: list[tuple[shx.LogLevel, str]] = []
+    with shx.Solver(log=lambda level, text: messages.append((level, text)), log_level=shx.LogLevel.DEBUG) as solver:
+        solver.add_strands(hanging(1))
+        solver.step(0.01)
+        with pytest.raises(shx.InvalidArgumentError) as caught:
+            solver.step(-1.0)
+    assert (shx.LogLevel.ERROR, str(caught.value)) in messages
+    assert shx.LogLevel.DEBUG in {level for level, _ in messages}
+    with caplog.at_level(logging.DEBUG, logger="superhelix"):
+        with shx.Solver(log=shx.log_to_logging, log_level=shx.LogLevel.INFO):
+            pass
+    assert caplog.records
+
+
+def test_an_exception_in_the_log_comes_out_of_the_call() -> None:
+    def broken(level: shx.LogLevel, text: str) -> None:
+        raise ZeroDivisionError(text)
+
+    with shx.Solver(log=broken, log_level=shx.LogLevel.ERROR) as solver:
+        with pytest.raises(ZeroDivisionError) as caught:
+            solver.step(-1.0)
+        assert isinstance(caught.value.__cause__, shx.InvalidArgumentError)
+        solver.strand_count()
+
+
+def test_callbacks_live_as_long_as_the_solver() -> None:
+    class Loop:
+        def __call__(self, count: int, min_range: int, run: shx.Run) -> None:
+            run(0, count, 0)
+
+    loop = Loop()
+    gone = weakref.ref(loop)
+    solver = moving(200, parallel_for=loop, worker_count=2)
+    del loop
+    gc.collect()
+    solver.step(0.05)
+    assert gone() is not None
+    solver.close()
+    gc.collect()
+    assert gone() is None

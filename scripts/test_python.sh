@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Tests the bindings' description and the Python binding: generated files, format, lints, types, tests, examples of the guide, the notebook,
+# and an installed wheel in a fresh venv. Environment:
+#   SUPERHELIX_LIBRARY   a built shared library to test; else the one of SHX_PROFILE=test scripts/build_lib.sh, into build/test
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+if [ -z "${SUPERHELIX_LIBRARY:-}" ]; then
+  SHX_PROFILE=test SHX_BUILD_DIR=build/test scripts/build_lib.sh
+  SUPERHELIX_LIBRARY=$PWD/build/test/lib/libsuperhelix.so
+fi
+export SUPERHELIX_LIBRARY
+
+venv=build/python-venv
+[ -x "$venv/bin/python" ] || python3 -m venv "$venv"
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" matplotlib mypy nbclient ipykernel pytest ruff
+python=$PWD/$venv/bin/python
+
+cd bindings/python
+"$python" -m ruff format --check --quiet ../api.py ../coverage.py . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
+"$python" -m ruff check --quiet ../api.py ../coverage.py .
+"$python" -m mypy
+PYTHONPATH=$PWD "$python" -m pytest --all-functions
+
+# What a user does, with the library that is built already.
+fresh=$(mktemp -d)
+trap 'rm -rf "$fresh"' EXIT
+python3 -m venv "$fresh"
+"$fresh/bin/python" -m pip install --quiet --disable-pip-version-check .
+cd "$fresh"
+env -u SUPERHELIX_LIBRARY "$fresh/bin/python" - <<'PYTHON'
+import superhelix as shx
+
+with shx.Solver() as solver:
+    solver.add_strands(shx.StrandDefs(2, element_count=4, length=0.1))
+    solver.step(1 / 60)
+    print("installed:", shx.build_info(), solver.sample_strands(3).shape)
+PYTHON
