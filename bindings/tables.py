@@ -44,7 +44,15 @@ ARRAYS: dict[str, dict[str, dict[str, str]]] = {
 OUTPUTS = {"shx_step_report", "shx_settle_report", "shx_friction_fit_report", "shx_polyline_fit", "shx_suggestion"}
 
 # Fields of an enumeration whose text does not name its prefix alone.
-PREFIXES = {("shx_solver_def", "log_level"): "SHX_LOG_"}
+PREFIXES = {
+    ("shx_solver_def", "log_level"): "SHX_LOG_",
+    ("shx_constraint_def", "kind"): "SHX_CONSTRAINT_",
+    ("shx_spline_def", "kind"): "SHX_SPLINE_",
+    ("shx_friction_fit_def", "coefficients"): "SHX_FRICTION_",
+}
+
+# Numbers that say yes or no, whose text does not begin with one of them.
+BOOLS = {("shx_suggestion", "meets_tolerance")}
 
 
 def enumeration_of(struct: str, field: dict) -> dict | None:
@@ -62,6 +70,8 @@ def enumeration_of(struct: str, field: dict) -> dict | None:
 
 def is_bool(struct: str, field: dict) -> bool:
     """Whether a number says yes or no."""
+    if (struct, field["name"]) in BOOLS:
+        return True
     kind = field["type"]
     return kind["name"] == "uint32_t" and not kind["pointer"] and re.match(r"[01]( \(default\))?:", field["doc"]) is not None
 

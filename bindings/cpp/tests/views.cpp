@@ -126,5 +126,5 @@ TEST(results_hold_a_value_or_an_error) {
   const result<std::unique_ptr<int>> owner(std::make_unique<int>(5));
   EXPECT(**owner == 5);
   EXPECT(std::string(result_name(SHX_ERROR_BUSY)) == "SHX_ERROR_BUSY");
-  EXPECT(abi_version() == SHX_ABI_VERSION && version() == SHX_VERSION && std::string(build_info()).find("superhelix") == 0);
+  EXPECT(abi_version() == SHX_ABI_VERSION && version() == (SHX_VERSION) && std::string(build_info()).find("superhelix") == 0);
 }

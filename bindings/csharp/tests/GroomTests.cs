@@ -101,7 +101,7 @@ namespace Superhelix.Tests
       Check.That(Choose.ByError(0.05, 20, 0.2, 1.0 / 60).RmsError <= 0.05, "by error");
       Suggestion found = Choose.Elements(new StrandDef { Length = 0.15, NaturalCurvatures = new[] { new Curvature(5, 40, 0) } },
                                          new SuggestDef { Tolerance = 2e-3, MaxElements = 40 });
-      Check.That(found.MeetsTolerance != 0 && found.ElementCount >= 2, "elements");
+      Check.That(found.MeetsTolerance && found.ElementCount >= 2, "elements");
       HairType african = Choose.HairType("african");
       HairSliders sliders = HairSliders.Default;
       sliders.Curliness = 0.5;
