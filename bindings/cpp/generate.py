@@ -106,14 +106,14 @@ EXTRA = {
         {"density", "density_width", "density_height"},
         """
   // Relative densities, 0 or above, one for each vertex.
-  scatter_def &with_density(span<const double> of_vertices) {
+  scatter_def &with_density(kept<const double> of_vertices) {
     density = of_vertices.data();
     density_width = density_height = 0;
     density_size_ = of_vertices.size();
     return *this;
   }
   // Relative densities, 0 or above: a picture over the texture coordinates, row by row from v = 0 on.
-  scatter_def &with_density_picture(span<const double> pixels, std::size_t width, std::size_t height) {
+  scatter_def &with_density_picture(kept<const double> pixels, std::size_t width, std::size_t height) {
     detail::agree("scatter_def.density", pixels.size(), width * height, true);
     density = pixels.data();
     density_width = width;
@@ -131,7 +131,7 @@ EXTRA = {
         {"element_counts", "element_lengths", "strand_count"},
         """
   // For each strand its number of elements, and the lengths of all elements, m, strand after strand.
-  hair_strands_def &with_elements(span<const std::uint32_t> counts, span<const double> lengths) {
+  hair_strands_def &with_elements(kept<const std::uint32_t> counts, kept<const double> lengths) {
     strand_count = counts.size();
     element_counts = counts.data();
     element_lengths = lengths.data();
@@ -219,14 +219,14 @@ def field_setter(struct: str, field: dict) -> str:
             body += f"{count} = static_cast<{types[count]}>(values.size());\n"
         inner = "->data()" if arrays[name] in ITEMS and item != "frame" else ""
         pointer = f"values.empty() ? nullptr : values.data(){inner}" if inner else "values.data()"
-        return setter(struct, f"{name}(span<const {item}> values)", body + f"{name} = {pointer};\n", doc)
+        return setter(struct, f"{name}(kept<const {item}> values)", body + f"{name} = {pointer};\n", doc)
     if kind["pointer"]:
         const = "const " if kind["const"] else ""
         return setter(struct, f"{name}({const}{kind['name']} *value)", f"{name} = value;\n", doc)
     if kind["name"] == "shx_input":
         arrays = ARRAYS.get(struct, {}).get(f"{name}.count")
         body = f"detail::agree({label}, value.count, {name}.count, {others_set(arrays, '')});\n" if arrays else ""
-        return setter(struct, f"{name}(const input &value)", body + f"{name} = value;\n", doc)
+        return setter(struct, f"{name}(const kept_input &value)", body + f"{name} = value;\n", doc)
     if field["array"]:
         size = field["array"]
         item = "vec3" if size == 3 and kind["name"] == "double" else f"std::array<{item_type(field)}, {size}>"

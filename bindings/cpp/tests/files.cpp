@@ -51,13 +51,14 @@ static const std::vector<std::array<double, 6>> square_uvs{{0, 0, 1, 0, 1, 1}, {
 
 TEST(follicles_stand_on_scalps) {
   const auto patch = GET(scalp::create(scalp_def().with_vertices(corners).with_triangles(square).with_uvs(square_uvs)));
+  const std::vector<double> front{1.0, 1.0, 0.0, 0.0}, left{1.0, 0.0};
   double least = 0.0;
   const auto follicles = GET(patch.scatter(scatter_def().with_count(50), &least));
   EXPECT(follicles.size() == 50 && least > 0.005);
   EXPECT(GET(patch.scatter(scatter_def().with_spacing(0.02))).size() > 10);
-  EXPECT(GET(patch.scatter(scatter_def().with_count(20).with_density({1.0, 1.0, 0.0, 0.0}))).size() == 20);
-  EXPECT(GET(patch.scatter(scatter_def().with_count(20).with_density_picture({1.0, 0.0}, 2, 1))).size() == 20);
-  EXPECT(WHY(patch.scatter(scatter_def().with_count(20).with_density({1.0, 1.0}))).code() == SHX_ERROR_INVALID_ARGUMENT);
+  EXPECT(GET(patch.scatter(scatter_def().with_count(20).with_density(front))).size() == 20);
+  EXPECT(GET(patch.scatter(scatter_def().with_count(20).with_density_picture(left, 2, 1))).size() == 20);
+  EXPECT(WHY(patch.scatter(scatter_def().with_count(20).with_density(left))).code() == SHX_ERROR_INVALID_ARGUMENT);
   const auto middle = GET(patch.follicles_at_uvs({{0.5, 0.25}}));
   frame root{};
   GET(patch.root_frames(middle, root));

@@ -63,7 +63,8 @@ TEST(friction_is_fitted_to_a_recording) {
   const auto def = strand_def().with_length(0.1).with_element_count(1).with_youngs_modulus(1e9).with_air_drag(truth).with_root(
       make_frame({0.0, 0.0, 0.0}, {0.0, std::sqrt(0.5), 0.0, std::sqrt(0.5)}));
   solver hair = GET(solver::create());
-  const auto pushed = strand_def(def).with_initial_curvatures({{0.0, 5.0, 0.0}});
+  const curvature bent{0.0, 5.0, 0.0};
+  const auto pushed = strand_def(def).with_initial_curvatures(bent);
   const strand_id id = GET(hair.add_strand(pushed));
   std::vector<double> times, values;
   for (int i = 0; i < 60; i++) {
@@ -91,7 +92,8 @@ TEST(settings_are_suggested) {
   const auto cheap = GET(suggest_settings(0.05, 20.0, 0.2, 1.0 / 60.0));
   EXPECT(preset.element_count >= 4 && preset.substeps >= 1 && cheap.element_count >= 1 && cheap.rms_error <= 0.05);
   EXPECT(WHY(suggest_settings(-1.0, 20.0, 0.2, 1.0 / 60.0)).code() == SHX_ERROR_INVALID_ARGUMENT);
-  const auto found = GET(suggest_elements(strand_def().with_length(0.15).with_natural_curvatures({{5.0, 40.0, 0.0}}),
+  const curvature curl{5.0, 40.0, 0.0};
+  const auto found = GET(suggest_elements(strand_def().with_length(0.15).with_natural_curvatures(curl),
                                           suggest_def().with_tolerance(2e-3).with_max_elements(40)));
   EXPECT(found.meets_tolerance == 1 && found.element_count >= 2 && found.rest_error <= 2e-3);
 }

@@ -26,6 +26,12 @@ static_assert(!std::is_convertible_v<std::vector<float> &, span<double>>);
 static_assert(sizeof(strand_def) == sizeof(shx_strand_def) && sizeof(body_def) == sizeof(shx_body_def));
 static_assert(sizeof(material) == sizeof(shx_material) && sizeof(constraint_def) == sizeof(shx_constraint_def));
 
+// What a definition keeps is no temporary.
+static_assert(std::is_convertible_v<std::vector<double> &, kept<const double>> && !std::is_convertible_v<std::vector<double>, kept<const double>>);
+static_assert(std::is_convertible_v<span<const double>, kept<const double>> && !std::is_convertible_v<double, kept<const double>>);
+static_assert(std::is_convertible_v<std::vector<vec3> &, kept_input> && !std::is_convertible_v<std::vector<vec3>, kept_input>);
+static_assert(std::is_convertible_v<input, kept_input> && std::is_convertible_v<frame &, kept_input> && !std::is_convertible_v<frame, kept_input>);
+
 static std::size_t size_of(span<const double> numbers) { return numbers.size(); }
 
 TEST(spans_take_what_is_contiguous) {
@@ -102,7 +108,9 @@ TEST(definitions_refuse_arrays_that_disagree) {
   EXPECT(std::string(why.what()).find("strand_def.initial_curvatures is of 5 items") != std::string::npos);
   // The count alone cannot run away from its arrays either.
   WHY(strand_def().with_natural_curvatures(six).with_element_count(7));
-  WHY(curve_data().with_points(std::vector<vec3>(4)).with_thickness(std::vector<float>(3)));
+  const std::vector<vec3> points(4);
+  const std::vector<float> thickness(3);
+  WHY(curve_data().with_points(points).with_thickness(thickness));
 }
 #endif
 

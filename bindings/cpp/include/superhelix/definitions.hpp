@@ -213,7 +213,7 @@ struct strand_def : shx_strand_def {
   }
 
   // element_count lengths from root to tip, m, each above zero. Null (default): all equal.
-  strand_def &with_element_lengths(span<const double> values) {
+  strand_def &with_element_lengths(kept<const double> values) {
     detail::agree("strand_def.element_lengths", values.size(), element_count, natural_curvatures != nullptr || initial_curvatures != nullptr || initial_rates != nullptr);
     element_count = static_cast<std::uint32_t>(values.size());
     element_lengths = values.data();
@@ -275,7 +275,7 @@ struct strand_def : shx_strand_def {
   }
 
   // Natural curvatures, element_count rows. Null (default): straight.
-  strand_def &with_natural_curvatures(span<const curvature> values) {
+  strand_def &with_natural_curvatures(kept<const curvature> values) {
     detail::agree("strand_def.natural_curvatures", values.size(), element_count, element_lengths != nullptr || initial_curvatures != nullptr || initial_rates != nullptr);
     element_count = static_cast<std::uint32_t>(values.size());
     natural_curvatures = values.empty() ? nullptr : values.data()->data();
@@ -289,7 +289,7 @@ struct strand_def : shx_strand_def {
   }
 
   // Initial curvatures, element_count rows. Null (default): the natural ones. Frozen curvatures must have their natural value.
-  strand_def &with_initial_curvatures(span<const curvature> values) {
+  strand_def &with_initial_curvatures(kept<const curvature> values) {
     detail::agree("strand_def.initial_curvatures", values.size(), element_count, element_lengths != nullptr || natural_curvatures != nullptr || initial_rates != nullptr);
     element_count = static_cast<std::uint32_t>(values.size());
     initial_curvatures = values.empty() ? nullptr : values.data()->data();
@@ -297,7 +297,7 @@ struct strand_def : shx_strand_def {
   }
 
   // Initial rates of the curvatures, rad/(m s), element_count rows. Null (default): 0. Rates of frozen curvatures must be 0.
-  strand_def &with_initial_rates(span<const curvature> values) {
+  strand_def &with_initial_rates(kept<const curvature> values) {
     detail::agree("strand_def.initial_rates", values.size(), element_count, element_lengths != nullptr || natural_curvatures != nullptr || initial_curvatures != nullptr);
     element_count = static_cast<std::uint32_t>(values.size());
     initial_rates = values.empty() ? nullptr : values.data()->data();
@@ -448,7 +448,7 @@ struct pose_options : shx_pose_options {
 
   // Which elements may change: 1 or 0 for each element of each strand of the call, strand by strand. The others keep their curvatures to
   // the bit. Null (default): all may change.
-  pose_options &with_movable(span<const std::uint8_t> values) {
+  pose_options &with_movable(kept<const std::uint8_t> values) {
     detail::agree("pose_options.movable", values.size(), movable_count, false);
     movable_count = static_cast<std::size_t>(values.size());
     movable = values.data();
@@ -600,13 +600,13 @@ struct body_def : shx_body_def {
   }
 
   // Hull, mesh: vertices in body axes, m (SHX_FORMAT_F32X3 or _F64X3). Default: none.
-  body_def &with_vertices(const input &value) {
+  body_def &with_vertices(const kept_input &value) {
     vertices = value;
     return *this;
   }
 
   // Mesh: three vertex indices per triangle, counter-clockwise seen from outside; 3 triangle_count numbers. Default null.
-  body_def &with_triangles(span<const triangle> values) {
+  body_def &with_triangles(kept<const triangle> values) {
     detail::agree("body_def.triangles", values.size(), triangle_count, false);
     triangle_count = static_cast<std::size_t>(values.size());
     triangles = values.empty() ? nullptr : values.data()->data();
@@ -633,7 +633,7 @@ struct body_def : shx_body_def {
   }
 
   // Grid: the bytes that shx_distance_grid_bake wrote. Default null.
-  body_def &with_grid(span<const std::uint8_t> values) {
+  body_def &with_grid(kept<const std::uint8_t> values) {
     detail::agree("body_def.grid", values.size(), grid_size, false);
     grid_size = static_cast<std::size_t>(values.size());
     grid = values.data();
@@ -690,13 +690,13 @@ struct distance_grid_def : shx_distance_grid_def {
   distance_grid_def() : shx_distance_grid_def{} { detail::prepared(shx_distance_grid_def_init(this, sizeof(shx_distance_grid_def))); }
 
   // Vertices, m (SHX_FORMAT_F32X3 or _F64X3). Default: none, set it.
-  distance_grid_def &with_vertices(const input &value) {
+  distance_grid_def &with_vertices(const kept_input &value) {
     vertices = value;
     return *this;
   }
 
   // Three vertex indices per triangle, counter-clockwise seen from outside; 3 triangle_count numbers. Default null: set it.
-  distance_grid_def &with_triangles(span<const triangle> values) {
+  distance_grid_def &with_triangles(kept<const triangle> values) {
     detail::agree("distance_grid_def.triangles", values.size(), triangle_count, false);
     triangle_count = static_cast<std::size_t>(values.size());
     triangles = values.empty() ? nullptr : values.data()->data();
@@ -887,7 +887,7 @@ struct push_out_def : shx_push_out_def {
   }
 
   // Number of points of each curve; curve_count numbers. Default null: set it.
-  push_out_def &with_point_counts(span<const std::uint32_t> values) {
+  push_out_def &with_point_counts(kept<const std::uint32_t> values) {
     detail::agree("push_out_def.point_counts", values.size(), curve_count, false);
     curve_count = static_cast<std::size_t>(values.size());
     point_counts = values.data();
@@ -1073,14 +1073,14 @@ struct fit_input : shx_fit_input {
 
   // Points of all curves, curve by curve, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is ignored). Repeated
   // points are skipped.
-  fit_input &with_points(const input &value) {
+  fit_input &with_points(const kept_input &value) {
     detail::agree("fit_input.points", value.count, points.count, arclengths != nullptr || widths != nullptr);
     points = value;
     return *this;
   }
 
   // Number of points of each curve: curve_count numbers that sum to points.count.
-  fit_input &with_point_counts(span<const std::uint32_t> values) {
+  fit_input &with_point_counts(kept<const std::uint32_t> values) {
     detail::agree("fit_input.point_counts", values.size(), curve_count, false);
     curve_count = static_cast<std::size_t>(values.size());
     point_counts = values.data();
@@ -1088,14 +1088,14 @@ struct fit_input : shx_fit_input {
   }
 
   // Arclength of each point, m, ascending from 0 at each root. Null (default): the sum of the segment lengths.
-  fit_input &with_arclengths(span<const double> values) {
+  fit_input &with_arclengths(kept<const double> values) {
     detail::agree("fit_input.arclengths", values.size(), points.count, true);
     arclengths = values.data();
     return *this;
   }
 
   // Width of the hair at each point, m; 0 or above. Null (default): none.
-  fit_input &with_widths(span<const double> values) {
+  fit_input &with_widths(kept<const double> values) {
     detail::agree("fit_input.widths", values.size(), points.count, true);
     widths = values.data();
     return *this;
@@ -1103,14 +1103,14 @@ struct fit_input : shx_fit_input {
 
   // Material frame at each point (SHX_FORMAT_FRAME, of which only the rotation matters, or _F32X4, _F64X4: quaternions x, y, z, w). n1 of
   // the strands follows their y axes as closely as possible. count 0 (default): none.
-  fit_input &with_frames(const input &value) {
+  fit_input &with_frames(const kept_input &value) {
     frames = value;
     return *this;
   }
 
   // Root frame of each curve (formats as frames), or the direction in which its strand leaves (SHX_FORMAT_F32X3, _F64X3; any length above
   // zero). count 0 (default): taken from the curve.
-  fit_input &with_roots(const input &value) {
+  fit_input &with_roots(const kept_input &value) {
     roots = value;
     return *this;
   }
@@ -1143,7 +1143,7 @@ struct spline_def : shx_spline_def {
   }
 
   // Control points: at least 4, or 2 with pinned ends (SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4; a fourth number is ignored).
-  spline_def &with_controls(const input &value) {
+  spline_def &with_controls(const kept_input &value) {
     controls = value;
     return *this;
   }
@@ -1241,7 +1241,7 @@ struct suggest_def : shx_suggest_def {
 
   // Motion of the root: motion_count frames, motion_interval seconds apart. The strand starts at rest in the first and takes a step to each
   // of the others. Null (default): only the error at rest counts.
-  suggest_def &with_motion(span<const frame> values) {
+  suggest_def &with_motion(kept<const frame> values) {
     detail::agree("suggest_def.motion", values.size(), motion_count, false);
     motion_count = static_cast<std::uint64_t>(values.size());
     motion = values.data();
@@ -1394,7 +1394,7 @@ struct friction_fit_def : shx_friction_fit_def {
 
   // Instead, the root follows recorded frames, which replace the root of the strand: root_count times, s, strictly increasing. It moves
   // smoothly and is at rest before the first and after the last.
-  friction_fit_def &with_root_times(span<const double> values) {
+  friction_fit_def &with_root_times(kept<const double> values) {
     detail::agree("friction_fit_def.root_times", values.size(), root_count, root_frames != nullptr);
     root_count = static_cast<std::size_t>(values.size());
     root_times = values.data();
@@ -1402,7 +1402,7 @@ struct friction_fit_def : shx_friction_fit_def {
   }
 
   // root_count frames.
-  friction_fit_def &with_root_frames(span<const frame> values) {
+  friction_fit_def &with_root_frames(kept<const frame> values) {
     detail::agree("friction_fit_def.root_frames", values.size(), root_count, root_times != nullptr);
     root_count = static_cast<std::size_t>(values.size());
     root_frames = values.data();
@@ -1444,7 +1444,7 @@ struct curve_data : shx_curve_data {
   }
 
   // Number of points of each strand: strand_count numbers, each 2 or more, that sum to points.count.
-  curve_data &with_point_counts(span<const std::uint32_t> values) {
+  curve_data &with_point_counts(kept<const std::uint32_t> values) {
     detail::agree("curve_data.point_counts", values.size(), strand_count, strand_thickness != nullptr || strand_uvs != nullptr);
     strand_count = static_cast<std::size_t>(values.size());
     point_counts = values.data();
@@ -1453,48 +1453,48 @@ struct curve_data : shx_curve_data {
 
   // Points of all strands, strand by strand, root first, file units: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (rounded to floats; a fourth
   // number is ignored).
-  curve_data &with_points(const input &value) {
+  curve_data &with_points(const kept_input &value) {
     detail::agree("curve_data.points", value.count, points.count, thickness != nullptr || transparency != nullptr || colors != nullptr || pinned != nullptr);
     points = value;
     return *this;
   }
 
   // Velocity of each point, file units per second; formats as points. count 0 (default): none.
-  curve_data &with_velocities(const input &value) {
+  curve_data &with_velocities(const kept_input &value) {
     velocities = value;
     return *this;
   }
 
   // Null, or a diameter per point, file units.
-  curve_data &with_thickness(span<const float> values) {
+  curve_data &with_thickness(kept<const float> values) {
     detail::agree("curve_data.thickness", values.size(), points.count, true);
     thickness = values.data();
     return *this;
   }
 
   // Null, or a number per point, 0 to 1.
-  curve_data &with_transparency(span<const float> values) {
+  curve_data &with_transparency(kept<const float> values) {
     detail::agree("curve_data.transparency", values.size(), points.count, true);
     transparency = values.data();
     return *this;
   }
 
   // Null, or three numbers per point, 0 to 1.
-  curve_data &with_colors(span<const std::array<float, 3>> values) {
+  curve_data &with_colors(kept<const std::array<float, 3>> values) {
     detail::agree("curve_data.colors", values.size(), points.count, true);
     colors = values.empty() ? nullptr : values.data()->data();
     return *this;
   }
 
   // Null, or a byte per point: non-zero if it is pinned.
-  curve_data &with_pinned(span<const std::uint8_t> values) {
+  curve_data &with_pinned(kept<const std::uint8_t> values) {
     detail::agree("curve_data.pinned", values.size(), points.count, true);
     pinned = values.data();
     return *this;
   }
 
   // Null, or a factor per strand.
-  curve_data &with_strand_thickness(span<const float> values) {
+  curve_data &with_strand_thickness(kept<const float> values) {
     detail::agree("curve_data.strand_thickness", values.size(), strand_count, point_counts != nullptr || strand_uvs != nullptr);
     strand_count = static_cast<std::size_t>(values.size());
     strand_thickness = values.data();
@@ -1502,7 +1502,7 @@ struct curve_data : shx_curve_data {
   }
 
   // Null, or two numbers per strand.
-  curve_data &with_strand_uvs(span<const std::array<float, 2>> values) {
+  curve_data &with_strand_uvs(kept<const std::array<float, 2>> values) {
     detail::agree("curve_data.strand_uvs", values.size(), strand_count, point_counts != nullptr || strand_thickness != nullptr);
     strand_count = static_cast<std::size_t>(values.size());
     strand_uvs = values.empty() ? nullptr : values.data()->data();
@@ -1699,7 +1699,7 @@ struct hair_strands_def : shx_hair_strands_def {
   }
 
   // For each strand its number of elements, and the lengths of all elements, m, strand after strand.
-  hair_strands_def &with_elements(span<const std::uint32_t> counts, span<const double> lengths) {
+  hair_strands_def &with_elements(kept<const std::uint32_t> counts, kept<const double> lengths) {
     strand_count = counts.size();
     element_counts = counts.data();
     element_lengths = lengths.data();
@@ -1721,13 +1721,13 @@ struct scalp_def : shx_scalp_def {
   scalp_def() : shx_scalp_def{} { detail::prepared(shx_scalp_def_init(this, sizeof(shx_scalp_def))); }
 
   // Vertices at rest, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is ignored).
-  scalp_def &with_vertices(const input &value) {
+  scalp_def &with_vertices(const kept_input &value) {
     vertices = value;
     return *this;
   }
 
   // Three vertex indices per triangle, counter-clockwise seen from outside.
-  scalp_def &with_triangles(span<const triangle> values) {
+  scalp_def &with_triangles(kept<const triangle> values) {
     detail::agree("scalp_def.triangles", values.size(), triangle_count, uvs != nullptr);
     triangle_count = static_cast<std::size_t>(values.size());
     triangles = values.empty() ? nullptr : values.data()->data();
@@ -1742,7 +1742,7 @@ struct scalp_def : shx_scalp_def {
   }
 
   // Texture coordinates: u and v of the three corners of each triangle, six doubles per triangle. Null (default): none.
-  scalp_def &with_uvs(span<const std::array<double, 6>> values) {
+  scalp_def &with_uvs(kept<const std::array<double, 6>> values) {
     detail::agree("scalp_def.uvs", values.size(), triangle_count, triangles != nullptr);
     triangle_count = static_cast<std::size_t>(values.size());
     uvs = values.empty() ? nullptr : values.data()->data();
@@ -1780,7 +1780,7 @@ struct scatter_def : shx_scatter_def {
 
   // Roots of guides, m: follicles only where guides cover the scalp, judged by their spacing, so that faces, ears and necks stay bare. It
   // multiplies the density. Formats as shx_scalp_def.vertices. count 0 (default): everywhere.
-  scatter_def &with_guide_roots(const input &value) {
+  scatter_def &with_guide_roots(const kept_input &value) {
     guide_roots = value;
     return *this;
   }
@@ -1792,14 +1792,14 @@ struct scatter_def : shx_scatter_def {
   }
 
   // Relative densities, 0 or above, one for each vertex.
-  scatter_def &with_density(span<const double> of_vertices) {
+  scatter_def &with_density(kept<const double> of_vertices) {
     density = of_vertices.data();
     density_width = density_height = 0;
     density_size_ = of_vertices.size();
     return *this;
   }
   // Relative densities, 0 or above: a picture over the texture coordinates, row by row from v = 0 on.
-  scatter_def &with_density_picture(span<const double> pixels, std::size_t width, std::size_t height) {
+  scatter_def &with_density_picture(kept<const double> pixels, std::size_t width, std::size_t height) {
     detail::agree("scatter_def.density", pixels.size(), width * height, true);
     density = pixels.data();
     density_width = width;
@@ -2004,14 +2004,14 @@ struct render_guides : shx_render_guides {
   }
 
   // Points of all guides, guide by guide, root first, m: SHX_FORMAT_F32X3, _F32X4, _F64X3, _F64X4 (a fourth number is ignored).
-  render_guides &with_points(const input &value) {
+  render_guides &with_points(const kept_input &value) {
     points = value;
     return *this;
   }
 
   // Null (default): every guide has settings.points_per_strand points, uniform in arclength. Otherwise guide_count numbers, each 1 or
   // above, that sum to points.count; guides are then resampled uniformly in arclength.
-  render_guides &with_point_counts(span<const std::uint32_t> values) {
+  render_guides &with_point_counts(kept<const std::uint32_t> values) {
     detail::agree("render_guides.point_counts", values.size(), guide_count, false);
     guide_count = static_cast<std::size_t>(values.size());
     point_counts = values.data();
@@ -2020,19 +2020,19 @@ struct render_guides : shx_render_guides {
 
   // Orientation of each follicle: any frame that moves with the head (SHX_FORMAT_FRAME, of which only the rotation matters, or _F32X4,
   // _F64X4: quaternions x, y, z, w). count 0 (default): the rotation of the head is estimated from the root positions.
-  render_guides &with_roots(const input &value) {
+  render_guides &with_roots(const kept_input &value) {
     roots = value;
     return *this;
   }
 
   // Velocity of each point, m/s: SHX_FORMAT_F32X3, _F64X3. count 0 (default): none.
-  render_guides &with_velocities(const input &value) {
+  render_guides &with_velocities(const kept_input &value) {
     velocities = value;
     return *this;
   }
 
   // With velocities: angular velocity of each follicle, rad/s (same formats). count 0 (default): none.
-  render_guides &with_root_angular_velocities(const input &value) {
+  render_guides &with_root_angular_velocities(const kept_input &value) {
     root_angular_velocities = value;
     return *this;
   }
@@ -2074,13 +2074,13 @@ struct render_view : shx_render_view {
 
   // Root positions, m: item i is strand first_strand + i. Formats as shx_render_guides.points, or SHX_FORMAT_FRAME, of which only the
   // origin matters (shx_scalp_root_frames). count 0 (default): every root follows the roots of its guides.
-  render_view &with_roots(const input &value) {
+  render_view &with_roots(const kept_input &value) {
     roots = value;
     return *this;
   }
 
   // With previous_pose and roots: the root positions at that time.
-  render_view &with_previous_roots(const input &value) {
+  render_view &with_previous_roots(const kept_input &value) {
     previous_roots = value;
     return *this;
   }

@@ -7,6 +7,12 @@
 #include <iterator>
 #include <type_traits>
 #include <utility>
+#if __cplusplus >= 202002L
+#include <version>
+#ifdef __cpp_lib_span
+#include <span>
+#endif
+#endif
 
 namespace superhelix {
 
@@ -70,6 +76,32 @@ class span {
  private:
   T *data_ = nullptr;
   std::size_t size_ = 0;
+};
+
+namespace span_detail {
+
+// Views, whose items live on when they end.
+template <class C>
+struct is_view : std::false_type {};
+template <class T>
+struct is_view<span<T>> : std::true_type {};
+#ifdef __cpp_lib_span
+template <class T, std::size_t N>
+struct is_view<std::span<T, N>> : std::true_type {};
+#endif
+
+}  // namespace span_detail
+
+// A span that a definition keeps: its items must live until the definition has been used. It takes named containers and views, and no temporaries.
+template <class T>
+class kept : public span<T> {
+ public:
+  constexpr kept() noexcept = default;
+  constexpr kept(std::nullptr_t) noexcept {}
+  template <class C, std::enable_if_t<std::is_convertible_v<C, span<T>> &&
+                                          (std::is_lvalue_reference_v<C> || span_detail::is_view<std::remove_cv_t<C>>::value),
+                                      int> = 0>
+  constexpr kept(C &&items) noexcept : span<T>(items) {}
 };
 
 }  // namespace superhelix

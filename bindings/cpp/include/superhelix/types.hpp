@@ -131,6 +131,15 @@ struct input : shx_input {
   }
 };
 
+// Items that a definition keeps: they must live until the definition has been used. It takes named containers, and views made by input's functions.
+struct kept_input : shx_input {
+  template <class C, std::enable_if_t<(std::is_lvalue_reference_v<C> || std::is_same_v<std::remove_cv_t<C>, input> ||
+                                       span_detail::is_view<std::remove_cv_t<C>>::value) &&
+                                          std::is_convertible_v<C, input>,
+                                      int> = 0>
+  kept_input(C &&items) noexcept : shx_input(static_cast<const input &>(input(items))) {}
+};
+
 // Room in the host's memory that a call writes items into. It converts from containers of what has a format_of; nothing is copied.
 struct output : shx_output {
   // Not wanted.
