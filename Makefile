@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test demo soak bench contact pictures fit instructions figures tradeoff peers clean
+.PHONY: help lib install uninstall dist deb test demo soak bench contact pictures fit instructions figures tradeoff peers clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -15,6 +15,22 @@ lib: ## the shared and the static library, the header and superhelix.pc, into bu
 	@scripts/setup.sh build
 	scripts/build_lib.sh
 	@echo "build/lib/libsuperhelix.so, build/lib/libsuperhelix.a, build/include/superhelix.h"
+
+# scripts/install.sh reads these from the environment.
+export PREFIX LIBDIR INCLUDEDIR CMAKEDIR DESTDIR
+install: ## what `make lib` built, into PREFIX (default /usr/local; LIBDIR, INCLUDEDIR, CMAKEDIR, DESTDIR: docs/install.md)
+	@[ -f $${SHX_BUILD_DIR:-build}/lib/pkgconfig/superhelix.pc ] || $(MAKE) lib
+	scripts/install.sh
+
+uninstall: ## removes it, with the same variables
+	scripts/install.sh --uninstall
+
+dist: ## the release archive, against an old C library, with licences and a bill of materials: out/dist/
+	@scripts/setup.sh dist
+	scripts/dist/archive.sh
+
+deb: dist ## Debian packages of the release: out/dist/*.deb
+	scripts/dist/debian.sh
 
 test: ## everything: format, lints, documentation, tests in Rust and C, examples (about 10 minutes on two cores)
 	@scripts/setup.sh test
