@@ -6,10 +6,10 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib install uninstall dist deb test demo soak bench contact pictures fit instructions figures tradeoff peers clean
+.PHONY: help lib install uninstall dist dist-check deb test demo soak bench contact pictures fit instructions figures tradeoff peers clean
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
 
 lib: ## the shared and the static library, the header and superhelix.pc, into build/
 	@scripts/setup.sh build
@@ -28,6 +28,9 @@ uninstall: ## removes it, with the same variables
 dist: ## the release archive, against an old C library, with licences and a bill of materials: out/dist/
 	@scripts/setup.sh dist
 	scripts/dist/archive.sh
+
+dist-check: deb ## the archive and the Debian packages unpacked, programs built against them and run
+	scripts/dist/check.sh
 
 deb: dist ## Debian packages of the release: out/dist/*.deb
 	scripts/dist/debian.sh

@@ -54,7 +54,10 @@ for type in "${types[@]}"; do
     ln -sf "$soname" "$build/lib/libsuperhelix.so"
   fi
   if [[ $type == *staticlib* && $linkage != shared ]]; then
-    scripts/localise_symbols.sh "$output.a" include/exports.txt "$build/lib/libsuperhelix.a"
+    # Debugging information is for those who debug; the standard library always has some.
+    strip=(--strip-debug)
+    [ "$profile" != dev ] || strip=()
+    scripts/localise_symbols.sh "$output.a" include/exports.txt "$build/lib/libsuperhelix.a" "${strip[@]}"
     # What a program that links the static library needs beside it, as rustc says. The compiler adds the unwinder itself: libgcc_s, or
     # libgcc_eh for a program that is wholly static.
     sed -n 's/^note: native-static-libs: //p' "$messages" | tail -n 1 | sed 's/-lgcc_s\b *//' >"$build/lib/native_libraries.txt"

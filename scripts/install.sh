@@ -65,7 +65,7 @@ case ${1:-} in
 esac
 
 [ -f "$build/lib/pkgconfig/superhelix.pc" ] || fail "$build holds no library: run 'make lib' first"
-shared= static=
+shared='' static=''
 [ ! -f "$build/lib/$real" ] || shared=yes
 [ ! -f "$build/lib/libsuperhelix.a" ] || static=yes
 [ -n "$shared$static" ] || fail "$build holds no library of version $version: run 'make lib' first"

@@ -24,7 +24,7 @@ from_prefix() {
   esac
 }
 
-shared= static=
+shared='' static=''
 [ -e "$destdir$libdir/libsuperhelix.so.$version" ] && shared=yes
 [ -e "$destdir$libdir/libsuperhelix.a" ] && static=yes
 if [ "$shared$static" = yesyes ]; then
