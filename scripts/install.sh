@@ -38,7 +38,7 @@ files=(
   "$includedir/superhelix.h"
   "$libdir/$real" "$libdir/libsuperhelix.so.$major" "$libdir/libsuperhelix.so" "$libdir/libsuperhelix.a"
   "$libdir/superhelix/libsuperhelix.a"
-  "$libdir/pkgconfig/superhelix.pc" "$libdir/pkgconfig/superhelix-libdir.pc"
+  "$libdir/pkgconfig/superhelix.pc" "$libdir/pkgconfig/superhelix-library.pc"
 )
 for file in "$root"/packaging/cmake/*.in; do
   name=${file##*/}

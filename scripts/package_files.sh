@@ -29,10 +29,9 @@ shared='' static=''
 [ -e "$destdir$libdir/libsuperhelix.a" ] && static=yes
 if [ "$shared$static" = yesyes ]; then
   # A linker looks for -lsuperhelix in directory after directory, and takes the shared library where it finds both. With --static the
-  # first directory is one that holds the static library alone.
-  libs="Requires: superhelix-libdir
-Libs: -lsuperhelix
-Libs.private: -L\${libdir}/superhelix $native"
+  # first directory is one that holds the static library alone. That directory has to come first, so the rest is another package.
+  libs="Requires: superhelix-library
+Libs.private: -L\${libdir}/superhelix"
 elif [ "$static" = yes ]; then
   libs="Libs: -L\${libdir} -lsuperhelix $native"
 else
@@ -60,6 +59,7 @@ fill() { # fill TEMPLATE OUTPUT
   text=${text//@INCLUDEDIR_FROM_PREFIX@/$(relative "$includedir" "$prefix")}
   text=${text//@LIBDIR_FROM_PREFIX@/$(relative "$libdir" "$prefix")}
   text=${text//@LIBS@/$libs}
+  text=${text//@NATIVE_LIBRARIES@/$native}
   text=${text//@STATIC_LIBRARIES@/$(sed 's/-l//g; s/ \+/;/g' <<<"$native")}
   text=${text//@POINTER_BYTES@/$pointer}
   text=${text//@POINTER_BITS@/$((8 * pointer))}
@@ -74,11 +74,11 @@ fill() { # fill TEMPLATE OUTPUT
 mkdir -p "$destdir$pkgconfig" "$destdir$cmake"
 fill packaging/pkgconfig/superhelix.pc.in "$destdir$pkgconfig/superhelix.pc"
 if [ "$shared$static" = yesyes ]; then
-  fill packaging/pkgconfig/superhelix-libdir.pc.in "$destdir$pkgconfig/superhelix-libdir.pc"
+  fill packaging/pkgconfig/superhelix-library.pc.in "$destdir$pkgconfig/superhelix-library.pc"
   mkdir -p "$destdir$libdir/superhelix"
   ln -sf ../libsuperhelix.a "$destdir$libdir/superhelix/libsuperhelix.a"
 else
-  rm -f "$destdir$pkgconfig/superhelix-libdir.pc" "$destdir$libdir/superhelix/libsuperhelix.a"
+  rm -f "$destdir$pkgconfig/superhelix-library.pc" "$destdir$libdir/superhelix/libsuperhelix.a"
 fi
 for file in packaging/cmake/*.in; do
   name=${file##*/}

@@ -63,6 +63,11 @@ fn checked(text: &str, succeeds: bool) -> String {
     printed
 }
 
+/// CMake breaks its lines where it likes.
+fn in_a_row(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 #[test]
 fn versions_are_checked() {
     let parts: Vec<u32> = VERSION.split('.').map(|part| part.parse().expect("a number")).collect();
@@ -112,23 +117,28 @@ fn components_choose_the_library() {
         assert!(printed.contains(&format!("kind {library}")), "{wanted}: {printed}");
     }
     let printed = checked("find_package(superhelix REQUIRED COMPONENTS python)", false);
-    assert!(printed.contains("superhelix has no component \"python\""), "{printed}");
+    assert!(in_a_row(&printed).contains("superhelix has no component \"python\""), "{printed}");
     let twice = "find_package(superhelix REQUIRED COMPONENTS static)\nfind_package(superhelix REQUIRED COMPONENTS shared)";
     let printed = checked(twice, false);
-    assert!(printed.split_whitespace().collect::<Vec<_>>().join(" ").contains("is the static library already"), "{printed}");
+    assert!(in_a_row(&printed).contains("is the static library already"), "{printed}");
 }
 
 #[test]
 fn cmake_uses_pkg_config_too() {
     let text = "find_package(PkgConfig REQUIRED)\npkg_check_modules(hair REQUIRED IMPORTED_TARGET superhelix)\n\
-        add_executable(hello hello.c)\ntarget_link_libraries(hello PRIVATE PkgConfig::hair)";
+        add_executable(hello hello.c)\ntarget_link_libraries(hello PRIVATE PkgConfig::hair)\n\
+        add_executable(hello_static hello.c)\ntarget_include_directories(hello_static PRIVATE ${hair_INCLUDE_DIRS})\n\
+        target_link_libraries(hello_static PRIVATE ${hair_STATIC_LDFLAGS})";
     let (folder, out) = project(text);
     std::fs::copy(root().join("examples_c/hello.c"), folder.path().join("hello.c")).expect("hello.c");
     std::fs::copy(root().join("examples_c/check.h"), folder.path().join("check.h")).expect("check.h");
     let mut cmake = configure(folder.path(), &out, &[]);
     run(cmake.env("PKG_CONFIG_PATH", moved().join(LIBRARIES).join("pkgconfig")));
     build(&out);
-    is_hello(&run(&mut command(out.join("hello"))));
+    for (name, shared) in [("hello", true), ("hello_static", false)] {
+        is_hello(&run(&mut command(out.join(name))));
+        assert_eq!(needed(&out.join(name)).contains("libsuperhelix.so."), shared, "{name}");
+    }
 }
 
 /// What makes CMake take the library out of what the tests were compiled to.

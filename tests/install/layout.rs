@@ -36,7 +36,7 @@ fn an_installation_has_these_files() {
         format!("{LIBRARIES}/libsuperhelix.so.{VERSION}"),
         format!("{LIBRARIES}/superhelix/libsuperhelix.a"),
         format!("{LIBRARIES}/pkgconfig/superhelix.pc"),
-        format!("{LIBRARIES}/pkgconfig/superhelix-libdir.pc"),
+        format!("{LIBRARIES}/pkgconfig/superhelix-library.pc"),
         format!("{LIBRARIES}/cmake/superhelix/superhelixConfig.cmake"),
         format!("{LIBRARIES}/cmake/superhelix/superhelixConfigVersion.cmake"),
         format!("{LIBRARIES}/cmake/superhelix/superhelixTargets.cmake"),
