@@ -22,7 +22,7 @@ export SOURCE_DATE_EPOCH
 scripts/dist/python.sh
 export SHX_PYTHON=$PWD/build/dist/venv/bin/python
 
-build=build/dist/lib
+build=$dist/lib
 SHX_BUILD_DIR=$build SHX_LINKER=$PWD/scripts/dist/zig_cc.sh scripts/build_lib.sh
 scripts/dist/glibc.sh "$build/lib/libsuperhelix.so" "$SHX_GLIBC"
 strip --strip-unneeded "$(realpath "$build/lib/libsuperhelix.so")"

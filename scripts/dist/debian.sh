@@ -11,7 +11,7 @@ revision=$version-1
 architecture=$(dpkg --print-architecture)
 triplet=$(uname -m)-linux-gnu
 archive=$dist/stage/superhelix-$version-$(uname -m)-linux
-build=build/dist/lib
+build=$dist/lib
 [ -d "$archive" ] || { echo "debian.sh: $archive is missing: run scripts/dist/archive.sh first" >&2; exit 1; }
 : "${SOURCE_DATE_EPOCH:=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y Cargo.toml)}"
 export SOURCE_DATE_EPOCH
