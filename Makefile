@@ -29,7 +29,9 @@ dist: ## the release archive, against an old C library, with licences and a bill
 	@scripts/setup.sh dist
 	scripts/dist/archive.sh
 
-dist-check: deb ## the archive and the Debian packages unpacked, programs built against them and run
+dist-check: dist ## the archive, and Debian packages where there is dpkg, unpacked; programs built against them and run
+	@scripts/setup.sh test
+	if command -v dpkg-deb >/dev/null; then scripts/dist/debian.sh; fi
 	scripts/dist/check.sh
 
 deb: dist ## Debian packages of the release: out/dist/*.deb
@@ -41,6 +43,7 @@ test: ## everything: format, lints, documentation, tests in Rust and C, examples
 	cargo clippy --locked --all-targets --all-features -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --all-features
 	cargo test --locked --all-features
+	SHX_PROFILE=test DIST=$(TARGET)/dist $(MAKE) dist-check
 
 # The profile `demo` compiles in a third of the time of `release` and runs nearly as fast.
 demo: ## a head of hair on a recorded walk, hosted by a C program, drawn lit: out/demo/ holds an animation, a contact sheet, the frames (under 3 minutes)

@@ -87,4 +87,5 @@ echo "activate-noawait ldconfig" >"$runtime/DEBIAN/triggers"
 glibc=$(scripts/dist/glibc.sh "$runtime/$libdir/libsuperhelix.so.$version")
 package "$runtime" "libsuperhelix$major" libs "libc6 (>= $glibc), libgcc-s1 (>= 4.2)" "shared library" "the shared library."
 package "$develop" libsuperhelix-dev libdevel "libsuperhelix$major (= $revision), libc6-dev" "development files" \
-  "the header, the static library, pkg-config files and the CMake package."
+  "the header, the static library, pkg-config files
+ and the CMake package."
