@@ -27,7 +27,14 @@ for part in "$@"; do
       # valgrind looks for the C library's symbols when it starts.
       command -v valgrind >/dev/null 2>&1 || missing+=(valgrind libc6-dbg)
       ;;
-    figures | dist)
+    figures)
+      need python3 python3
+      if command -v python3 >/dev/null 2>&1; then
+        python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3-venv)
+      fi
+      ;;
+    dist)
+      need objdump binutils
       need python3 python3
       if command -v python3 >/dev/null 2>&1; then
         python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3-venv)
