@@ -6,7 +6,8 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test python abi abi-baseline wasm platforms demo soak bench contact pictures fit instructions figures tradeoff peers clean
+.PHONY: help lib install uninstall dist dist-check deb test python abi abi-baseline wasm platforms demo soak bench contact pictures fit \
+	instructions figures tradeoff peers clean
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -16,6 +17,27 @@ lib: ## the shared and the static library, the header and superhelix.pc, into bu
 	scripts/build_lib.sh
 	@echo "build/lib/libsuperhelix.so, build/lib/libsuperhelix.a, build/include/superhelix.h"
 
+# scripts/install.sh reads these from the environment.
+export PREFIX LIBDIR INCLUDEDIR CMAKEDIR DESTDIR
+install: ## what `make lib` built, into PREFIX (default /usr/local; LIBDIR, INCLUDEDIR, CMAKEDIR, DESTDIR: docs/install.md)
+	@[ -f $${SHX_BUILD_DIR:-build}/lib/pkgconfig/superhelix.pc ] || $(MAKE) lib
+	scripts/install.sh
+
+uninstall: ## removes it, with the same variables
+	scripts/install.sh --uninstall
+
+dist: ## the release archive, against an old C library, with licences and a bill of materials: out/dist/
+	@scripts/setup.sh dist
+	scripts/dist/archive.sh
+
+dist-check: dist ## the archive, and Debian packages where there is dpkg, unpacked; programs built against them and run
+	@scripts/setup.sh test
+	if command -v dpkg-deb >/dev/null; then scripts/dist/debian.sh; fi
+	scripts/dist/check.sh
+
+deb: dist ## Debian packages of the release: out/dist/*.deb
+	scripts/dist/debian.sh
+
 test: ## everything: format, lints, documentation, tests in Rust and C, examples (about 10 minutes on two cores)
 	@scripts/setup.sh test python
 	cargo fmt --check
@@ -24,6 +46,7 @@ test: ## everything: format, lints, documentation, tests in Rust and C, examples
 	cargo test --locked --all-features
 	scripts/test_python.sh
 	$(MAKE) --no-print-directory abi wasm
+	SHX_PROFILE=test DIST=$(TARGET)/dist $(MAKE) dist-check
 
 python: ## the tests of the Python binding alone: lints, types, pytest, the guide's examples, an installed wheel (two minutes)
 	@scripts/setup.sh test python

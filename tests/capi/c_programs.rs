@@ -67,9 +67,9 @@ fn version() -> String {
     env!("CARGO_PKG_VERSION").to_string()
 }
 
-/// The private libraries that superhelix.pc states.
+/// The private libraries that pkg-config states.
 fn static_libraries() -> Vec<String> {
-    let file = std::fs::read_to_string(build().join("lib/pkgconfig/superhelix.pc")).expect("superhelix.pc");
+    let file = std::fs::read_to_string(build().join("lib/pkgconfig/superhelix-library.pc")).expect("superhelix-library.pc");
     let line = file.lines().find_map(|line| line.strip_prefix("Libs.private: ")).expect("Libs.private");
     line.split_whitespace().map(str::to_string).collect()
 }
