@@ -151,7 +151,7 @@ def sag_free_curvatures(defs: StrandDefs, curvatures: npt.ArrayLike, gravity: np
     rows = column("curvatures", curvatures, np.float64, int(counts.sum()), 3)
     down = vector("gravity", gravity)
     natural = np.empty_like(rows)
-    data = np.ascontiguousarray(defs.data)
+    data = defs._ready()
     place = 0
     for strand, count in enumerate(counts.tolist()):
         check(

@@ -49,9 +49,7 @@ def fit_friction(
     options = (SolverDef() if solver is None else solver).copy()
     report = FrictionFitReport()
     best = np.empty(len(moments))
-    data = np.ascontiguousarray(strand.data)
-    if len(data) != 1:
-        raise ValueError(f"strand: {len(data)} definitions; 1 expected")
+    data = strand._ready(1)
     check(
         functions.shx_fit_friction(
             ctypes.byref(options._c),

@@ -20,7 +20,9 @@ from superhelix.records import FollicleTable
 class Scalp(Owner):
     """Triangle mesh at rest that carries follicles. Immutable."""
 
-    __slots__ = ()
+    __slots__ = ("vertex_count",)
+    #: Number of vertices.
+    vertex_count: int
 
     def __init__(
         self,
@@ -35,6 +37,7 @@ class Scalp(Owner):
         """
         view = input_rows("vertices", vertices)
         corners = column("triangles", triangles, np.uint32, width=3)
+        self.vertex_count = int(view.count)
         definition = _capi.shx_scalp_def()
         initialize(definition)
         definition.vertices = view
@@ -69,7 +72,10 @@ class Scalp(Owner):
         kept: list[Any] = []
         if density is not None:
             picture = np.asarray(density)
-            kept.append(column("density", picture, np.float64))
+            if picture.ndim not in (1, 2):
+                raise ValueError(f"density: shape {picture.shape}; ({self.vertex_count},) or (rows, pixels) expected")
+            # A density for each vertex has no count of its own.
+            kept.append(column("density", picture, np.float64, self.vertex_count if picture.ndim == 1 else None))
             definition.density = address(kept[-1])
             if picture.ndim == 2:
                 definition.density_height, definition.density_width = picture.shape

@@ -43,8 +43,6 @@ def suggest_elements(strand: StrandDefs, demand: SuggestDef | None = None, *, mo
         frames = np.ascontiguousarray(frame_rows("motion", motion).reshape(-1, 7))
         chosen._c.motion, chosen._c.motion_count = address(frames), len(frames)
     suggestion = Suggestion()
-    data = np.ascontiguousarray(strand.data)
-    if len(data) != 1:
-        raise ValueError(f"strand: {len(data)} definitions; 1 expected")
+    data = strand._ready(1)
     check(functions.shx_suggest_elements(address(data), ctypes.byref(chosen._c), ctypes.byref(suggestion._c)))
     return suggestion

@@ -33,7 +33,7 @@ class Strands(SolverBase):
 
     def add_strands(self, defs: StrandDefs) -> StrandIds:
         """Adds strands, all or none, and returns their ids in the order of the definitions."""
-        data = np.ascontiguousarray(defs.data)
+        data = defs._ready()
         bits = np.empty(len(data), dtype=np.uint64)
         self._call(functions.shx_solver_add_strands, address(data), data.dtype.itemsize, len(data), address(bits))
         self._all = None
