@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Generates the low-level layer of the Python binding from the API description.
 
-    python3 bindings/python/generate.py           write superhelix/_capi.py, enums.py, records.py
+    python3 bindings/python/generate.py           write src/superhelix/_capi.py, enums.py, records.py
     python3 bindings/python/generate.py --check   fail if they are not what bindings/api.json says
 
 _capi.py has the C API as ctypes sees it. enums.py has the constants. records.py has a class for each structure of plain data: options and
@@ -400,7 +400,7 @@ class Generator:
 
     def files(self) -> dict[Path, str]:
         """Every generated file's text."""
-        folder = HERE / "superhelix"
+        folder = HERE / "src" / "superhelix"
         return {folder / "_capi.py": self.capi(), folder / "enums.py": self.enums(), folder / "records.py": self.records()}
 
 

@@ -45,7 +45,7 @@ def main() -> None:
         plot_curves(result.points[frame], ax=ax, linewidth=1.1)
         ax.view_init(12, -70)
         ax.set_title(f"{result.times[frame]:.2f} s")
-    figure.subplots_adjust(left=0.0, right=0.97, bottom=0.02, top=0.92, wspace=0.0)
+    figure.subplots_adjust(left=0.01, right=0.95, bottom=0.09, top=0.92, wspace=0.14)
     figure.savefig(sys.argv[1], dpi=80)
 
 

@@ -123,6 +123,7 @@ def test_render_hair_of_a_cache(tmp_path) -> None:
         with cache.sample(0.1) as hair:
             assert hair.strand_count == 300
             assert np.linalg.norm(hair.points(), axis=-1).max() < 0.25
+            assert hair.attribute(shx.CurveAttribute.VELOCITY) is not None
     with pytest.raises(ValueError, match="give one of the two"):
         shx.interpolate(tmp_path / "guides.usda", tmp_path / "none.usda")
 

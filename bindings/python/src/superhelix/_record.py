@@ -19,7 +19,7 @@ from superhelix.ids import Id, Ids
 
 T = TypeVar("T")
 SetT = TypeVar("SetT")
-EnumT = TypeVar("EnumT", IntEnum, IntFlag)
+EnumT = TypeVar("EnumT", bound="IntEnum | IntFlag")
 IdT = TypeVar("IdT", bound=Id)
 IdsT = TypeVar("IdsT", bound=Ids[Any])
 RecordT = TypeVar("RecordT", bound="Record")
