@@ -126,7 +126,7 @@ class Checked(unittest.TestCase):
         self.assert_breaks(with_fields("shx_step_report", "\n".join([lines[0], "  double more[1];", *lines[1:]])), "was at")
 
     def test_a_function_is_added(self) -> None:
-        text = replaced(r"(^SHX_API uint32_t shx_version\(void\);\n)", r"\1// Any thread.\nSHX_API uint32_t shx_newer(double a, shx_solver *solver);\n")
+        text = replaced(r"(^SHX_API uint32_t shx_version\(void\);\n)", r"\1// Threads: any.\nSHX_API uint32_t shx_newer(double a);\n")
         self.assert_adds(text, "function shx_newer is new")
 
     def test_a_constant_is_added(self) -> None:

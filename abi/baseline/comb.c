@@ -34,7 +34,7 @@ int main(void) {
   shx_strand_contact contact;
   CHECK(shx_strand_contact_init(&contact, sizeof contact));
   contact.exempt_length = 0.01;
-  CHECK(shx_solver_set_contact(solver, strands, STRANDS, &contact, 0));
+  CHECK(shx_solver_set_strand_contact(solver, strands, STRANDS, &contact, 0));
 
   /* The head, and a comb of nine teeth 2 mm thick, 1 cm apart, above the hair. */
   shx_body_def bodies[1 + TEETH];

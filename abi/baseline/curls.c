@@ -13,7 +13,7 @@ typedef struct hair_type {
   double radius;         /* mean of the section, m */
   double ellipticity;    /* largest over smallest semi-axis */
   double helix_radius;   /* r_h, m; 0: straight */
-  double helix_step;     /* m */
+  double helix_pitch;     /* m */
   double youngs_modulus; /* Pa */
   double air_drag;       /* kg/(m s): more for fuzzy hair */
 } hair_type;
@@ -45,11 +45,11 @@ static void describe(const hair_type *type, int index, double natural[ELEMENTS][
   /* Section 4.2: curvature 1 / r_h, twist step / (2 pi r_h^2). */
   const double r = type->helix_radius;
   for (int element = 0; element < ELEMENTS; element++) {
-    natural[element][0] = r > 0.0 ? type->helix_step / (2.0 * PI * r * r) : 0.0;
+    natural[element][0] = r > 0.0 ? type->helix_pitch / (2.0 * PI * r * r) : 0.0;
     natural[element][1] = r > 0.0 ? 1.0 / r : 0.0;
     natural[element][2] = 0.0;
   }
-  def->natural = &natural[0][0];
+  def->natural_curvatures = &natural[0][0];
 }
 
 int main(int argc, char **argv) {
@@ -95,7 +95,7 @@ int main(int argc, char **argv) {
 
   const shx_input drawn = {points, 0, TYPES * POINTS, SHX_FORMAT_F32X3, 0};
   const uint32_t counts[TYPES] = {POINTS, POINTS, POINTS, POINTS};
-  CHECK(shx_curves_write(path, &drawn, counts, TYPES));
+  CHECK(shx_curves_write_points(path, &drawn, counts, TYPES));
   printf("%s: the strands at the end\n", path);
   shx_solver_destroy(solver);
   return EXIT_SUCCESS;

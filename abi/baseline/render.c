@@ -69,8 +69,8 @@ static void add_guides(shx_solver *solver) {
       drawn[i][k / 3][k % 3] = guide_roots[i].origin[k % 3] * (1.0 + (s - 3.0 * s * s) / RADIUS) + aside[k % 3];
     }
   }
-  shx_fit_curves curves;
-  CHECK(shx_fit_curves_init(&curves, sizeof curves));
+  shx_fit_input curves;
+  CHECK(shx_fit_input_init(&curves, sizeof curves));
   curves.curve_count = GUIDES;
   curves.points = *IN(drawn, GUIDES * DRAWN, SHX_FORMAT_F64X3);
   curves.point_counts = drawn_counts;
@@ -88,7 +88,7 @@ static void add_guides(shx_solver *solver) {
   shx_brush brush;
   CHECK(shx_brush_init(&brush, sizeof brush));
   brush.centre[0] = brush.centre[2] = 0.1;
-  brush.radius = brush.movement[1] = 0.05;
+  brush.radius = brush.displacement[1] = 0.05;
   CHECK(shx_solver_brush_strands(solver, ids, GUIDES, &brush, NULL, NULL, NULL));
   CHECK(shx_solver_stiffen_strands(solver, ids, GUIDES, SHX_STIFFEN_YOUNGS_MODULUS, 0.05, NULL));
 }
@@ -119,9 +119,9 @@ int main(int argc, char **argv) {
   first.points = *IN(points, HAIRS * POINTS, SHX_FORMAT_F32X3);
   first.velocities = *IN(velocities, HAIRS * POINTS, SHX_FORMAT_F32X3);
   first.metres_per_unit = 1.0;
-  first.up = SHX_UP_Z;
-  shx_cache_writer *cache;
-  CHECK(shx_curve_cache_create(argc > 1 ? argv[1] : "render.usda", &first, RATE, &cache));
+  first.up_axis = SHX_UP_AXIS_Z;
+  shx_curve_cache_writer *cache;
+  CHECK(shx_curve_cache_writer_create(argc > 1 ? argv[1] : "render.usda", &first, RATE, &cache));
   for (int frame = 0; frame <= FRAMES; frame++) {
     set_head(0.6 * (1.0 - cos(6.0 * frame / RATE)));
     follow(scalp, guide_places, GUIDES, guide_roots);
@@ -133,9 +133,9 @@ int main(int argc, char **argv) {
     CHECK(shx_solver_set_render_pose(solver, ids, GUIDES, 1, pose));
     CHECK(shx_render_pose_evaluate(pose, &view, OUT(points, HAIRS * POINTS, SHX_FORMAT_F32X3), NULL,
                                    OUT(velocities, HAIRS * POINTS, SHX_FORMAT_F32X3)));
-    CHECK(shx_curve_cache_write(cache, frame / RATE, &first.points, &first.velocities));
+    CHECK(shx_curve_cache_writer_write(cache, frame / RATE, &first.points, &first.velocities));
   }
-  CHECK(shx_curve_cache_finish(cache));
+  CHECK(shx_curve_cache_writer_finish(cache));
   printf("%d frames of %d strands from %d guides\n", FRAMES + 1, HAIRS, GUIDES);
   shx_render_pose_destroy(pose);
   shx_render_hair_destroy(hair);

@@ -54,7 +54,7 @@ extern "C" {
 #define SHX_VERSION_PATCH 0
 
 // Version of this header as one increasing number: major << 24 | minor << 16 | patch << 8.
-#define SHX_VERSION (SHX_VERSION_MAJOR << 24) | (SHX_VERSION_MINOR << 16) | (SHX_VERSION_PATCH << 8)
+#define SHX_VERSION (((SHX_VERSION_MAJOR << 24) | (SHX_VERSION_MINOR << 16)) | (SHX_VERSION_PATCH << 8))
 
 // Binary interface of this header. It changes only when a program built against an older header could break.
 #define SHX_ABI_VERSION 2
@@ -278,7 +278,8 @@ typedef void (*shx_range_fn)(void *task, uint32_t begin, uint32_t end, uint32_t 
 // that called the library, in that thread's floating-point mode. It must not call the same solver
 // (SHX_ERROR_BUSY), and it must return normally: no exceptions, no longjmp. The calling thread processes
 // items that you skip; items that you pass twice are processed once.
-typedef void (*shx_parallel_for_fn)(void *user, uint32_t count, uint32_t min_range, shx_range_fn function, void *task);
+typedef void (*shx_parallel_for_fn)(void *user, uint32_t count, uint32_t min_range, shx_range_fn function,
+    void *task);
 
 // ---- Solver -----------------------------------------------------------------------------------------------
 
