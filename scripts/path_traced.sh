@@ -3,7 +3,7 @@
 # its own, build/venv. Where Mitsuba is not to be had it says so, and leaves the pictures as they are.
 #   path_traced.sh [walk] [hold] [straight] [curls] [types] [kinds]    makes some of them; without any, all
 #   SUPERHELIX=program      simulates with that program instead of building one
-#   PATH_TRACED_SAMPLES=n   a pixel, default 64
+#   PATH_TRACED_SAMPLES=n   a pixel, default 40
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/python_env.sh
@@ -17,7 +17,7 @@ if [ -z "$superhelix" ]; then
   superhelix=${CARGO_TARGET_DIR:-target}/demo/superhelix
   cargo build --locked --profile demo --features cli --bin superhelix
 fi
-samples=${PATH_TRACED_SAMPLES:-64}
+samples=${PATH_TRACED_SAMPLES:-40}
 threads=$(getconf _NPROCESSORS_ONLN)
 grooms=tests/data/grooms
 sintel=$grooms/sintel_hair_001.tfx
@@ -31,7 +31,7 @@ simulate() { # simulate NAME GROOM MOTION SECONDS FRAMES FLAGS...: the first fra
   local name=$1 groom=$2 motion=$3 seconds=$4 frames=$5
   shift 5
   rm -rf "${out:?}/$name"
-  "$superhelix" simulate "$groom" --scale "$scale" --body "$bust" --motion "$motion" --duration "$seconds" --fps 24 --substeps 4 \
+  "$superhelix" simulate "$groom" --scale "$scale" --body "$bust" --motion "$motion" --duration "$seconds" --fps 24 --substeps 2 \
     --contact penalty --hair-contact 0.002 --threads "$threads" --format hair --samples 65 --out "$out/$name/all" "$@"
   mkdir -p "$out/$name/guides"
   for frame in 1 $frames; do
@@ -67,7 +67,7 @@ make_hold() {
   local hold frames=()
   for hold in bare 0 0.4 0.7 1; do
     if [ "$hold" = bare ]; then flags=(--bare); else flags=(--hold "$hold"); fi
-    simulate "hold_$hold" "$sintel" "$walk" 2.0 "42" "${flags[@]}"
+    simulate "hold_$hold" "$sintel" "$walk" 1.75 "42" "${flags[@]}"
     grow "hold_$hold" 60000 "${looks[@]}"
     frames+=("$(frame "hold_$hold" 2)")
   done
@@ -85,7 +85,7 @@ draw_grooms() {
 }
 make_straight() {
   draw_grooms
-  simulate straight "$out/straight.hair" "$out/shake.csv" 2.5 "16 60" --hold 0.35
+  simulate straight "$out/straight.hair" "$out/shake.csv" 2.2 "16 53" --hold 0.35
   grow straight 60000 --points 33 --curliness 0.3 --max-tip-distance 0.04 --wisps 6 --wisp-profile 1,0.8,0.4 --frizz 0.0008 \
     --flyaways 0.01 --flyaway-distance 0.003
   trace hair_straight.jpg --hair "$(frame straight 1)" "$(frame straight 2)" "$(frame straight 3)" "${bust_flags[@]}" --colour dark-brown \
@@ -93,7 +93,7 @@ make_straight() {
 }
 make_curls() {
   draw_grooms
-  simulate curls "$out/curls.hair" "$out/shake.csv" 2.5 "16 60" --hold 0.35
+  simulate curls "$out/curls.hair" "$out/shake.csv" 2.2 "16 53" --hold 0.35
   grow curls 60000 --points 65 --space curvature --curliness 0.8 --max-tip-distance 0.06 --wisps 2 --wisp-profile 1,0.5,0.25 --frizz 0.001 \
     --free-length --length-variation 0.1 --flyaways 0.01 --flyaway-distance 0.003
   trace hair_curls.jpg --hair "$(frame curls 1)" "$(frame curls 2)" "$(frame curls 3)" "${bust_flags[@]}" --colour auburn \

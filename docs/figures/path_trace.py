@@ -85,7 +85,7 @@ def scene_of(shapes, middle, options):
     scene = {
         "type": "scene",
         "integrator": {"type": "aov", "aovs": "normal:sh_normal,shape:shape_index",
-                       "image": {"type": "path", "max_depth": 14, "hide_emitters": True}},
+                       "image": {"type": "path", "max_depth": 11, "hide_emitters": True}},
         "sensor": {
             "type": "perspective", "fov": 24, "fov_axis": "y",
             "to_world": transform().look_at(origin=floats(origin), target=floats(target), up=[0, 1, 0]),

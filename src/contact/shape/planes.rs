@@ -98,7 +98,7 @@ impl PlaneField<'_> {
                 nodes[axis][k] = node as u32;
             }
         }
-        let mut planes = [0 as Plane; WIDTH];
+        let mut planes: [Plane; WIDTH] = [0; WIDTH];
         for k in 0..WIDTH {
             let row = nodes[2][k].wrapping_mul(self.counts[1]).wrapping_add(nodes[1][k]) as usize;
             let index = row.wrapping_mul(self.counts[0] as usize).wrapping_add(nodes[0][k] as usize);

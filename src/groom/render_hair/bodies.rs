@@ -202,7 +202,8 @@ fn out_of_grid(body: &Placed, field: PlaneField, clearance: f32, edge: f32, poin
         let mut there = here;
         for axis in 0..3 {
             for k in 0..STEP {
-                let out = (body.into[0][axis] * slopes[0][k] + body.into[1][axis] * slopes[1][k]) + body.into[2][axis] * slopes[2][k];
+                let out =
+                    (body.into[0][axis] * slopes[0][k] + body.into[1][axis] * slopes[1][k]) + body.into[2][axis] * slopes[2][k];
                 there[axis][k] += along[k] * out;
             }
         }
