@@ -72,7 +72,7 @@ make_hold() {
     frames+=("$(frame "hold_$hold" 2)")
   done
   trace hold.jpg --hair "${frames[@]}" --rest "$(frame hold_bare 1)" "${bust_flags[@]}" --labels bare "hold 0" "hold 0.4" "hold 0.7" "hold 1" \
-    --width 340 --pixels 425 --height 0.37 --lift -0.05
+    --width 340 --pixels 425 --height 0.40 --lift -0.05
 }
 
 # Long hair drawn by formula, before, in and after a shake.

@@ -99,8 +99,8 @@ def scene_of(shapes, middle, options):
                      "longitudinal_roughness": 0.22, "azimuthal_roughness": 0.3},
         },
         "sky": {"type": "constant", "radiance": {"type": "rgb", "value": 0.5}},
-        "key": light([-0.7, 0.8, 1.0], 0.3, 17, [1.0, 0.97, 0.92]),
-        "rim": light([0.9, 0.7, -0.8], 0.35, 20, [1.0, 0.98, 0.95]),
+        "key": light([-0.7, 0.8, 1.0], 0.35, 13, [1.0, 0.97, 0.92]),
+        "rim": light([0.9, 0.7, -0.8], 0.5, 6, [1.0, 0.98, 0.95]),
     }
     if "body" in shapes:
         scene["body"] = {"type": "ply", "filename": shapes["body"], "bsdf": {"type": "twosided", "b": clay()}}

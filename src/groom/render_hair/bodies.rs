@@ -50,6 +50,9 @@ const CLOSE_ENOUGH: f32 = 2e-4;
 const TRIES: usize = 4;
 /// Points deeper than this go out to the side on which their guide is, m: the nearest surface may be that of the other side.
 const DEEP: f32 = 4e-3;
+/// A point that goes no farther than this (m), where the field is as steep as a distance but for this share, needs no second look.
+const NEARBY: f32 = 2e-3;
+const LIKE_A_DISTANCE: f32 = 0.1;
 /// The steepest that strands leave their root for the surface: so much farther from it for each metre along.
 const RISE: f32 = 0.25;
 
@@ -193,11 +196,13 @@ fn out_of_grid(body: &Placed, field: PlaneField, clearance: f32, edge: f32, poin
         if near.iter().sum::<f32>() == 0.0 {
             continue;
         }
-        let (mut target, mut along): (Lane, Lane) = ([0.0; STEP], [0.0; STEP]);
+        let (mut target, mut along, mut unsure): (Lane, Lane, Lane) = ([0.0; STEP], [0.0; STEP], [0.0; STEP]);
         for k in 0..STEP {
             target[k] = clear[k] * clear[k] / (2.0 * clear[k] - distances[k]);
             let size = (slopes[0][k] * slopes[0][k] + slopes[1][k] * slopes[1][k] + slopes[2][k] * slopes[2][k]).sqrt();
             along[k] = body.unit * (target[k] - distances[k]) / (size * size.max(0.5));
+            let sure = (size - 1.0).abs() < LIKE_A_DISTANCE && target[k] - distances[k] < NEARBY;
+            unsure[k] = if sure { 0.0 } else { near[k] };
         }
         let mut there = here;
         for axis in 0..3 {
@@ -207,14 +212,14 @@ fn out_of_grid(body: &Placed, field: PlaneField, clearance: f32, edge: f32, poin
                 there[axis][k] += along[k] * out;
             }
         }
-        let (now, _) = field.at_each(&body.places(&there));
+        let now = if unsure.iter().sum::<f32>() > 0.0 { field.at_each(&body.places(&there)).0 } else { distances };
         for k in 0..STEP {
             if near[k] == 0.0 {
                 continue;
             }
             let now = now[k] - body.thickness;
             let arrived = (target[k] - now).abs() < CLOSE_ENOUGH && (now >= 0.0 || now > distances[k]);
-            let out = if distances[k] >= -DEEP && arrived {
+            let out = if unsure[k] == 0.0 || (distances[k] >= -DEEP && arrived) {
                 [0, 1, 2].map(|axis| there[axis][k])
             } else {
                 let guide = || [0, 1, 2].map(|axis| points.guide_root[axis] + points.guide[axis * stride + at + k]);
