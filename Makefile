@@ -90,7 +90,7 @@ contact: ## what contact costs and errs by, a thousand guides on a shaken head: 
 	@scripts/setup.sh build figures
 	scripts/bench_contact.sh
 
-pictures: ## the pictures of docs/: scenes with contact (docs/figures/contact_*.png), and those that open README where pip has Mitsuba, which path-traces one (docs/figures/hair_walk.jpg, shake_*.png; ten minutes)
+pictures: ## the pictures of docs/ and README: scenes with contact (docs/figures/contact_*.png), and where pip has Mitsuba those that it path-traces (docs/figures/*.jpg; a quarter of an hour)
 	@scripts/setup.sh build figures
 	scripts/contact_figures.sh
 	scripts/path_traced.sh
