@@ -30,6 +30,33 @@ fn fit_says_how_close_strands_come() {
 }
 
 #[test]
+fn fitted_strands_are_wisps_unless_they_are_to_be_bare() {
+    use superhelix::groom::wisp::Wisp;
+    use superhelix::rod::material::Material;
+    let place = directory("fit_wisps");
+    let scene = place.join("scene.json").display().to_string();
+    let groom = data("sintel_hair_001.tfx");
+    let hair = Material { radius: [1e-4; 2], youngs_modulus: 3e9, ..Material::default() };
+    for (flags, wisp) in [
+        (vec!["--bare"], Wisp::bare()),
+        (vec![], Wisp::default()),
+        (vec!["--hold", "0.9", "--hairs", "50"], Wisp { hold: 0.9, hairs: 50.0 }),
+    ] {
+        let fixed = ["fit", &groom, "--every", "80", "--scale", "0.01", "--elements", "6", "--out", &scene];
+        let material = ["--radius", "1e-4", "--youngs-modulus", "3e9"];
+        let output = superhelix(&[&fixed[..], &material, &flags].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
+        let written: Value = serde_json::from_str(&std::fs::read_to_string(&scene).unwrap()).unwrap();
+        let strand = &written["strands"][0];
+        let expected = wisp.material(&hair).unwrap();
+        assert!((numbers(&strand["radius"])[0] / expected.radius[0] - 1.0).abs() < 1e-12, "{strand}");
+        let stiffer = strand["youngs_modulus"].as_f64().unwrap() / expected.youngs_modulus;
+        // (A strand that its own stiffness does not let rest as drawn is made stiffer.)
+        assert!(if wisp == Wisp::bare() { (stiffer - 1.0).abs() < 1e-12 } else { stiffer > 1.0 - 1e-12 }, "{stiffer}");
+    }
+}
+
+#[test]
 fn fit_keeps_a_tolerance_and_writes_a_scene_that_runs() {
     let place = directory("fit_scene");
     let scene = place.join("scene.json").display().to_string();

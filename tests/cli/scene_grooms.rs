@@ -48,6 +48,28 @@ fn a_groom_stands_where_it_is_put_and_hangs_as_it_is_drawn() {
     assert!(result["strands"].as_array().unwrap()[1..].iter().all(sags));
 }
 
+/// Each curve is a wisp unless the scene says otherwise, and keeps its style where single hairs as thin as hair is do not.
+#[test]
+fn strands_of_a_groom_are_wisps() {
+    let place = directory("scene_groom_wisps");
+    let file = data("sintel_hair_001.tfx");
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let pose = json!({"rotation": [half, 0, 0, half]});
+    let moved = |wisp: Option<Value>| {
+        let groom = json!({"file": file, "metres_per_unit": SCALE, "every": EVERY, "pose": pose});
+        let groom = if let Some(wisp) = wisp { with(groom, "/wisp", wisp) } else { groom };
+        let scene = with(scene(groom), "/strands/1/radius", json!([3.5e-5, 3.5e-5]));
+        // A gust of half a second.
+        let result = run(&place, &with(with(scene, "/wind", json!([3.0, 0, 0])), "/strands/1/air_drag", json!(5e-6)));
+        let strands = result["strands"].as_array().unwrap()[1..].to_vec();
+        let tips = strands.iter().map(|strand| strand["tips"].as_array().unwrap().clone());
+        tips.map(|tips| difference(&numbers(&tips[0]), &numbers(tips.last().unwrap()))).fold(0.0, f64::max)
+    };
+    let (usual, firm, bare) = (moved(None), moved(Some(json!({"hold": 0.9}))), moved(Some(Value::Null)));
+    println!("moved by {usual} m, {firm} held firmly, {bare} bare");
+    assert!(firm < 0.6 * usual && usual < 0.5 * bare, "{firm} {usual} {bare}");
+}
+
 #[test]
 fn a_groom_that_is_none_is_refused_by_name() {
     let place = directory("scene_groom_refused");
@@ -64,6 +86,9 @@ fn a_groom_that_is_none_is_refused_by_name() {
         (with(good.clone(), "/colour", json!("red")), "strands[1].groom.colour", "red"),
         // Hair of less than its own width.
         (with(good.clone(), "/metres_per_unit", json!(1e-7)), "strands[1].groom.file", "its strand 0"),
+        (with(good.clone(), "/wisp", json!({"hold": 1.5})), "strands[1].groom.wisp.hold", "1.5"),
+        (with(good.clone(), "/wisp", json!({"hairs": 0})), "strands[1].groom.wisp.hairs", "0"),
+        (with(good.clone(), "/wisp", json!({"hair": 3})), "strands[1].groom.wisp.hair", "3"),
         (json!(7), "strands[1].groom", "7"),
     ] {
         let (output, result) = run_text(&place, &scene(groom).to_string());

@@ -20,6 +20,7 @@ use crate::material_arguments::MaterialArguments;
 use crate::picture::view::Up;
 use crate::rest_arguments::StiffeningArguments;
 use crate::unit::{self, Polyline};
+use crate::wisp_arguments::WispArguments;
 
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
 #[derive(Debug, Args)]
@@ -68,6 +69,8 @@ pub struct FitArguments {
     natural: NaturalShape,
     #[command(flatten)]
     stiffening: StiffeningArguments,
+    #[command(flatten)]
+    wisps: WispArguments,
     #[command(flatten)]
     material: MaterialArguments,
     /// The answer as JSON.
@@ -142,7 +145,7 @@ struct Answer {
 
 /// Runs the command.
 pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
-    let hair = arguments.material.groom()?;
+    let hair = arguments.wisps.hair(arguments.material.groom()?)?;
     check_stiffening(arguments.natural, &arguments.stiffening, &arguments.material)?;
     let curves = Curves::read(&arguments.groom)?;
     let unit = unit::stated(arguments.scale, &curves);
@@ -211,7 +214,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
             refine: false,
             hair,
             natural: arguments.natural,
-            stiffening: arguments.stiffening.stiffening(),
+            stiffening: arguments.stiffening.stiffening().or_else(|| arguments.wisps.stiffening(arguments.natural, &hair)),
             gravity: arguments.up.gravity(),
             quadrature_tolerance: superhelix::math::quadrature::DEFAULT_TOLERANCE,
             outside: None,

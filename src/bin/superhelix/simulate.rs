@@ -10,9 +10,9 @@ use superhelix::files::motion::{Motion, MotionOptions};
 use superhelix::math::frame::Frame;
 use superhelix::math::lane::Precision;
 use superhelix::rod::turning::coarse_strands;
+use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, Workers};
 use superhelix::solver::report::StrandStatus;
-use superhelix::solver::{Solver, Stiffening};
 use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
 use superhelix::study::presets::Preset;
 use superhelix::study::settings::HairShape;
@@ -23,7 +23,7 @@ use crate::film::Film;
 use crate::groom_statistics::{GroomStatistics, Spread, is_plausible_length};
 use crate::groom_strands::{self, GroomStrand, NaturalShape, StrandRecipe};
 use crate::head::Head;
-use crate::material_arguments::{GroomHair, MaterialArguments};
+use crate::material_arguments::MaterialArguments;
 use crate::picture::view::{Face, Up};
 use crate::report::Report;
 use crate::resolution::Shapes;
@@ -202,11 +202,9 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let scale = choose_scale(arguments, &curves)?;
     let fineness = Fineness::choose(arguments, &curves)?;
     let body = arguments.bodies.read(scale, arguments.quiet)?;
-    let hair = arguments.material.groom()?;
-    let hair = GroomHair { material: arguments.wisps.material(&hair.material)?, ..hair };
+    let hair = arguments.wisps.hair(arguments.material.groom()?)?;
     let contact = arguments.bodies.contact(arguments.material.contact()?, &hair.material);
-    let rests = arguments.natural == NaturalShape::SagFree && !hair.reshapes();
-    let held = arguments.wisps.wisp().margin().filter(|_| rests).map(|margin| (Stiffening::YoungsModulus, margin));
+    let held = arguments.wisps.stiffening(arguments.natural, &hair);
     let recipe = StrandRecipe {
         elements: fineness.elements as usize,
         refine: arguments.elements.is_none(),

@@ -3,10 +3,11 @@
 use clap::Args;
 use serde::Serialize;
 use superhelix::groom::wisp::Wisp;
-use superhelix::rod::material::Material;
+use superhelix::solver::Stiffening;
 
 use crate::failure::Failure;
-use crate::material_arguments::in_words_of_flags;
+use crate::groom_strands::NaturalShape;
+use crate::material_arguments::{GroomHair, in_words_of_flags};
 
 /// The wisp that each strand stands for.
 #[derive(Debug, Clone, Copy, Args)]
@@ -50,8 +51,14 @@ impl WispArguments {
         Wisp { hairs: self.hairs.unwrap_or(usual.hairs), hold: self.hold.unwrap_or(usual.hold) }
     }
 
-    /// The material of a wisp of such hairs.
-    pub fn material(&self, hair: &Material) -> Result<Material, Failure> {
-        self.wisp().material(hair).map_err(in_words_of_flags)
+    /// Such hairs as wisps.
+    pub fn hair(&self, hair: GroomHair) -> Result<GroomHair, Failure> {
+        Ok(GroomHair { material: self.wisp().material(&hair.material).map_err(in_words_of_flags)?, ..hair })
+    }
+
+    /// What wisps of that hair need to rest as they are drawn, where they are to.
+    pub fn stiffening(&self, natural: NaturalShape, hair: &GroomHair) -> Option<(Stiffening, f64)> {
+        let rests = natural == NaturalShape::SagFree && !hair.reshapes();
+        self.wisp().margin().filter(|_| rests).map(|margin| (Stiffening::YoungsModulus, margin))
     }
 }

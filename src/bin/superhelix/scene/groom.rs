@@ -7,8 +7,10 @@ use superhelix::files::curves::Curves;
 use superhelix::groom::fit::bulk::fit_curves;
 use superhelix::groom::fit::{Fit, FitCurve, FitOptions};
 use superhelix::groom::variation::Variation;
+use superhelix::groom::wisp::Wisp;
 use superhelix::math::frame::Frame;
 use superhelix::rod::material::Material;
+use superhelix::solver::Stiffening;
 use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef};
 
 use super::colliders::{file_complaint, path_of};
@@ -19,9 +21,20 @@ use crate::json::{Complaint, Node};
 use crate::material_arguments::GroomHair;
 use crate::unit::{self, Polyline};
 
-/// Reads `groom`: the strands of `material` that hang, or are drawn, as the file's curves under the gravity of `options`.
+/// What each strand stands for; null: one bare hair.
+fn read_wisp(node: &Node) -> Result<Wisp, Complaint> {
+    if node.value.is_null() {
+        return Ok(Wisp::bare());
+    }
+    let (usual, wisp) = (Wisp::default(), node.object(&["hairs", "hold"])?);
+    let wisp = Wisp { hairs: wisp.or("hairs", usual.hairs, Node::number)?, hold: wisp.or("hold", usual.hold, Node::number)? };
+    wisp.check(&node.key).map_err(in_words_of_the_scene)?;
+    Ok(wisp)
+}
+
+/// Reads `groom`: the strands, wisps of hairs of `material`, that hang, or are drawn, as the file's curves under the gravity of `options`.
 pub fn read(node: &Node, material: Material, options: &SolverOptions, directory: &Path) -> Result<Vec<StrandDef>, Complaint> {
-    let groom = node.object(&["file", "metres_per_unit", "pose", "every", "elements", "tolerance", "natural"])?;
+    let groom = node.object(&["file", "metres_per_unit", "pose", "every", "elements", "tolerance", "natural", "wisp"])?;
     let file = groom.require("file")?;
     let curves = Curves::read(path_of(file, directory)?).map_err(|error| file_complaint(file, &error))?;
     let flag = groom.get("metres_per_unit").map(Node::positive).transpose()?;
@@ -34,6 +47,9 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
     let elements = groom.or("elements", usual, |node| Ok(node.whole(1..=MAX_ELEMENTS as u64)? as usize))?;
     let shapes = [("sag_free", NaturalShape::SagFree), ("as_drawn", NaturalShape::AsDrawn)];
     let natural = groom.or("natural", NaturalShape::SagFree, |node| node.choice(&shapes))?;
+    let wisp = groom.or("wisp", Wisp::default(), read_wisp)?;
+    let material = wisp.material(&material).map_err(in_words_of_the_scene)?;
+    let margin = wisp.margin().filter(|_| natural == NaturalShape::SagFree);
 
     let polylines = unit::polylines(&curves, every, scale);
     let inputs: Vec<FitCurve<'_>> = polylines.iter().map(Polyline::curve).collect();
@@ -44,7 +60,7 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
         refine: false,
         hair: GroomHair { material, curliness: 0.0, variation: Variation::none() },
         natural,
-        stiffening: None,
+        stiffening: margin.map(|margin| (Stiffening::YoungsModulus, margin)),
         gravity: options.gravity,
         quadrature_tolerance: options.step.quadrature_tolerance,
         outside: None,
