@@ -10,7 +10,7 @@ class LogLevel(IntEnum):
     """What SolverDef.log_level may be."""
 
     ERROR = 1
-    """A call failed. The message is that of shx_last_error."""
+    """A call failed. The message is that of errors.last_error."""
     WARN = 2
     """Something needs attention: strands that did not converge or were rolled back, elements that turn too far, a parallel_for that
     skipped items."""
@@ -140,8 +140,8 @@ class Shape(IntEnum):
     MESH = 7
     """A triangle mesh: vertices, triangles, sides. The only shape that can deform (Solver.set_body_vertices)."""
     GRID = 8
-    """A signed distance grid from shx_distance_grid_bake: grid. Fast for large meshes that do not deform; edges are rounded by
-    about a cell."""
+    """A signed distance grid from bake_distance_grid: grid. Fast for large meshes that do not deform; edges are rounded by about a
+    cell."""
     SHARED = 9
     """The current shape of another body of the solver: shape_of. Bodies that share a shape store it once; one that deforms gets its
     own copy."""
