@@ -277,7 +277,7 @@ class Generator:
         names = []
         first_uses = self.first_uses()
         for enumeration in self.api.enumerations:
-            if enumeration.name in ("SHX_ERROR_", "SHX_FORMAT_"):
+            if enumeration.name == "SHX_FORMAT_":
                 continue
             name = enum_name(enumeration.name)
             names.append(name)
