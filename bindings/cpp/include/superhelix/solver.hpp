@@ -1,0 +1,108 @@
+// The solver: strands, bodies, constraints, and the step. Its functions are those of the C interface without shx_solver_, in parts by subject.
+#ifndef SUPERHELIX_SOLVER_HPP
+#define SUPERHELIX_SOLVER_HPP
+
+#include "definitions.hpp"
+#include "handle.hpp"
+#include "solver/bodies.hpp"
+#include "solver/constraints.hpp"
+#include "solver/contact.hpp"
+#include "solver/posing.hpp"
+#include "solver/rendering.hpp"
+#include "solver/roots.hpp"
+#include "solver/sampling.hpp"
+#include "solver/shapes.hpp"
+#include "solver/strands.hpp"
+
+namespace superhelix {
+inline namespace SUPERHELIX_WAY {
+
+// Strands, bodies and everything that a step needs. It moves and is not copied. Const functions may run at the same time on any threads; one that is not
+// const must be alone. One that was moved from only takes another.
+class solver : public solver_strands<solver>,
+               public solver_roots<solver>,
+               public solver_shapes<solver>,
+               public solver_posing<solver>,
+               public solver_sampling<solver>,
+               public solver_bodies<solver>,
+               public solver_contact<solver>,
+               public solver_constraints<solver>,
+               public solver_rendering<solver> {
+ public:
+  // An empty one, to move another into.
+  explicit solver(std::nullptr_t) noexcept {}
+#if !SUPERHELIX_USE_RESULTS
+  explicit solver(const solver_def &def = solver_def()) : solver(create(def)) {}
+#endif
+  static returns<solver> create(const solver_def &def = solver_def()) {
+    shx_solver *made = nullptr;
+    const shx_result code = shx_solver_create(&def, &made);
+    return detail::finish(code, solver(made, def));
+  }
+
+  // For C functions; still owned.
+  shx_solver *get() const noexcept { return handle_.get(); }
+  explicit operator bool() const noexcept { return static_cast<bool>(handle_); }
+
+  // Moves time on by dt seconds in substeps equal parts.
+  returns<void> step(double dt, std::uint32_t substeps = 1) { return detail::finish(shx_solver_step(get(), dt, substeps, nullptr)); }
+  // The same, and what it did into report.
+  returns<void> step(double dt, std::uint32_t substeps, step_report &report) {
+    return detail::finish(shx_solver_step(get(), dt, substeps, &report));
+  }
+  // The same within limits: of work, of seconds, or until another thread cancels it.
+  returns<step_report> step_with_limits(double dt, std::uint32_t substeps, const step_limits &limits) {
+    step_report report;
+    const shx_result code = shx_solver_step_with_limits(get(), dt, substeps, &limits, &report);
+    return detail::finish(code, report);
+  }
+
+  // Gravity, m/s^2, from the next step on.
+  returns<void> set_gravity(const vec3 &gravity) { return detail::finish(shx_solver_set_gravity(get(), gravity.data())); }
+  // Uniform wind, m/s, from the next step on. Only strands with an air_drag feel it.
+  returns<void> set_wind(const vec3 &wind) { return detail::finish(shx_solver_set_wind(get(), wind.data())); }
+
+  // An image of everything that a step depends on.
+  returns<std::vector<std::uint8_t>> snapshot() const {
+    std::size_t size = 0;
+    shx_result code = shx_solver_snapshot(get(), nullptr, 0, &size);
+    std::vector<std::uint8_t> image(size);
+    if (code == SHX_OK)
+      code = shx_solver_snapshot(get(), image.data(), image.size(), &size);
+    return detail::finish(code, std::move(image));
+  }
+  // The same into out_image, and its size.
+  returns<std::size_t> snapshot(span<std::uint8_t> out_image) const {
+    std::size_t size = 0;
+    const shx_result code = shx_solver_snapshot(get(), out_image.data(), out_image.size(), &size);
+    return detail::finish(code, size);
+  }
+  // Puts the solver into the state of an image. Stepping on gives the same bits as it did then.
+  returns<void> restore(span<const std::uint8_t> image) { return detail::finish(shx_solver_restore(get(), image.data(), image.size())); }
+
+  // Equal states give equal hashes.
+  returns<std::uint64_t> state_hash() const {
+    std::uint64_t hash = 0;
+    const shx_result code = shx_solver_state_hash(get(), &hash);
+    return detail::finish(code, hash);
+  }
+
+  // Bytes of memory that the solver holds.
+  returns<std::uint64_t> memory_usage() const {
+    std::uint64_t bytes = 0;
+    const shx_result code = shx_solver_memory_usage(get(), &bytes);
+    return detail::finish(code, bytes);
+  }
+
+ private:
+  solver(shx_solver *raw, const solver_def &def) : loop_(def.loop()), receiver_(def.receiver()), handle_(raw) {}
+
+  // Declared before the handle, so that the callbacks outlive it.
+  std::shared_ptr<void> loop_, receiver_;
+  handle_detail::handle<shx_solver, shx_solver_destroy> handle_;
+};
+
+}  // namespace SUPERHELIX_WAY
+}  // namespace superhelix
+
+#endif  // SUPERHELIX_SOLVER_HPP

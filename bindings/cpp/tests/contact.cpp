@@ -1,0 +1,143 @@
+// Bodies, contact, constraints.
+#include "check.hpp"
+
+using namespace superhelix;
+using check::hanging;
+
+static strand_id lying(solver &hair) {
+  return GET(hair.add_strand(strand_def().with_length(0.1).with_element_count(5).with_viscosity(0.05).with_air_drag(2e-4)));
+}
+
+TEST(strands_rest_on_bodies) {
+  solver hair = GET(solver::create());
+  const strand_id strand = lying(hair);
+  GET(hair.set_contact_options(contact_options().with_model(contact_model::coulomb).with_hair_contact(true)));
+  EXPECT(GET(hair.get_contact_options()).hair_contact == 1 && GET(hair.get_contact_options()).model == contact_model::coulomb);
+  EXPECT(!GET(hair.get_strand_contact(strand)).has_value());
+  GET(hair.set_strand_contact(strand, strand_contact().with_friction_against(0.4)));
+  EXPECT(GET(hair.get_strand_contact(strand))->friction_against == 0.4);
+  const body_id ball = GET(hair.add_body(body_def().with_shape(shape::sphere).with_radius(0.03).with_pose(make_frame({0.05, 0.0, -0.032}))));
+  EXPECT(GET(hair.body_count()) == 1 && GET(hair.body_ids())[0] == ball && hair.has_body(ball));
+  step_report report;
+  for (int frame = 0; frame < 120; frame++)
+    GET(hair.step(1.0 / 60.0, 1, report));
+  EXPECT(report.contacts > 0 && GET(hair.contact_count()) == report.contacts);
+  const auto list = GET(hair.contacts());
+  std::vector<contact> room(list.size() + 3);
+  EXPECT(GET(hair.contacts(room)) == list.size() && room[0].arclength == list[0].arclength);
+  vec3 sum{}, force{}, torque{};
+  for (const contact &one : list) {
+    EXPECT(one.strand == strand && one.body == ball && one.partner == contact_partner::body && one.other_strand == strand_id{});
+    for (std::size_t k = 0; k < 3; k++)
+      sum[k] += one.force[k];
+  }
+  GET(hair.body_wrenches(ball, force, torque));
+  EXPECT(sum[2] > 0.0);
+  NEAR(sum[2] + force[2], 0.0, 1e-15);
+  GET(hair.set_body_surface(ball, 0.001, 2.0, 1.0));
+  GET(hair.set_body_filter(ball, 1, 0));
+  GET(hair.step(1.0 / 60.0));
+  EXPECT(GET(hair.contact_count()) == 0);
+  GET(hair.set_body_frames(ball, make_frame({0.05, 0.0, -0.5}), 0.01));
+  GET(hair.step(1.0 / 60.0));
+  frame now{};
+  GET(hair.get_body_frames(ball, now));
+  EXPECT(now.origin[2] == -0.5);
+  GET(hair.teleport_bodies(ball, make_frame({0.05, 0.0, -0.6})));
+  GET(hair.clear_strand_contact(strand));
+  EXPECT(!GET(hair.get_strand_contact(strand)).has_value());
+  GET(hair.remove_bodies(ball));
+  EXPECT(!hair.has_body(ball) && WHY(hair.remove_bodies(ball)).code() == SHX_ERROR_INVALID_ID);
+  EXPECT(WHY(hair.set_strand_contact(strand, std::vector<strand_contact>(2))).code() == SHX_ERROR_INVALID_ARGUMENT);
+}
+
+// A cube about the origin.
+static const double side = 0.02;
+static std::vector<vec3> cube_vertices() {
+  std::vector<vec3> vertices;
+  for (unsigned i = 0; i < 8; i++)
+    vertices.push_back({(i & 1) != 0 ? side : -side, (i & 2) != 0 ? side : -side, (i & 4) != 0 ? side : -side});
+  return vertices;
+}
+static const std::vector<triangle> cube_triangles{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+
+TEST(meshes_and_grids_are_bodies) {
+  solver hair = GET(solver::create());
+  const auto vertices = cube_vertices();
+  const auto grid =
+      GET(bake_distance_grid(distance_grid_def().with_vertices(vertices).with_triangles(cube_triangles).with_cell(0.004).with_band(0.01)));
+  EXPECT(grid.size() > 1000);
+  const auto mesh = body_def().with_shape(shape::mesh).with_vertices(vertices).with_triangles(cube_triangles);
+  const auto ids = GET(hair.add_bodies({mesh, body_def().with_shape(shape::grid).with_grid(grid)}));
+  EXPECT(ids.size() == 2 && GET(hair.body_count()) == 2);
+  auto higher = vertices;
+  for (auto &vertex : higher)
+    vertex[2] += 0.01;
+  GET(hair.set_body_vertices(ids[0], higher, 0.0));
+  GET(hair.step(0.01));
+  EXPECT(WHY(hair.set_body_vertices(ids[1], higher, 0.0)).code() == SHX_ERROR_UNSUPPORTED);
+
+  // A curve drawn through the grid comes out of it.
+  std::vector<vec3> points;
+  for (int i = 0; i < 12; i++)
+    points.push_back({side - 0.001, -0.0275 + 0.005 * i, 0.0});
+  const std::vector<std::uint32_t> counts{12};
+  std::vector<double> depths(1, -1.0), moved(1, -1.0);
+  std::vector<std::uint32_t> stuck(1, 9);
+  const auto def = push_out_def().with_body(ids[1]).with_clearance(0.001).with_point_counts(counts);
+  GET(hair.push_out_curves(def, points, depths, moved, stuck));
+  EXPECT(depths[0] > 0.0 && moved[0] > 0.0 && stuck[0] == 0 && points[6][0] > side);
+  EXPECT(WHY(hair.push_out_curves(def, span<vec3>(points).first(11))).code() == SHX_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(overlaps_are_measured_and_permitted) {
+  solver hair = GET(solver::create());
+  const auto ids = hanging(hair, 2);
+  GET(hair.set_contact_options(contact_options().with_hair_contact(true)));
+  GET(hair.set_strand_contact(ids, strand_contact().with_wisp_radius(0.006)));
+  const body_id ball = GET(hair.add_body(body_def().with_shape(shape::sphere).with_radius(0.02).with_pose(make_frame({-0.005, 0.0, -0.1}))));
+  std::vector<double> in_hair(2), in_body(2);
+  std::vector<strand_id> others(2);
+  std::vector<body_id> bodies(2);
+  GET(hair.overlaps(ids, in_hair, others, in_body, bodies));
+  NEAR(in_hair[0], 0.002, 1e-6);
+  NEAR(in_body[0], 0.01505, 1e-5);
+  EXPECT(others[0] == ids[1] && bodies[0] == ball);
+  GET(hair.permit_overlaps(ids));
+  GET(hair.overlaps(ids, in_hair, {}, in_body));
+  NEAR(in_hair[0], 0.0, 1e-9);
+  NEAR(in_body[0], 0.0, 1e-9);
+  const auto overlap = GET(hair.get_permitted_overlap(ids[0]));
+  EXPECT(!overlap.arclengths.empty() && overlap.wisp_fractions.size() == overlap.arclengths.size());
+  GET(hair.set_permitted_overlap(ids[0], {}));
+  EXPECT(GET(hair.get_permitted_overlap(ids[0])).arclengths.empty());
+  GET(hair.set_permitted_overlap(ids[0], overlap));
+  EXPECT(GET(hair.get_permitted_overlap(ids[0])).body_depths == overlap.body_depths);
+  EXPECT(WHY(hair.set_permitted_overlap(ids[0], {{0.0, 0.1}, {1.0}, {0.0, 0.0}})).code() == SHX_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(constraints_hold) {
+  solver hair = GET(solver::create());
+  const auto ids = hanging(hair, 2);
+  const auto def = constraint_def().with_strand(ids[0]).with_arclength(0.2).with_target(make_frame({0.02, 0.0, -0.195}));
+  const auto held = GET(hair.add_constraints(def));
+  const constraint_id tie = GET(hair.add_constraint(
+      constraint_def().with_kind(constraint_kind::tie).with_strand(ids[0]).with_arclength(0.1).with_other_strand(ids[1]).with_other_arclength(0.1)));
+  EXPECT(GET(hair.constraint_count()) == 2 && GET(hair.constraint_ids())[1] == tie && hair.has_constraint(tie));
+  GET(hair.set_constraint_targets(held, make_frame({0.02, 0.01, -0.19}), 0.05));
+  for (int i = 0; i < 20; i++)
+    GET(hair.step(1.0 / 60.0));
+  frame target{};
+  GET(hair.get_constraint_targets(held, target));
+  EXPECT(target.origin[1] == 0.01);
+  vec3 tip{};
+  GET(hair.sample_at(ids[0], {0.2}, tip));
+  NEAR(check::distance(tip, {0.02, 0.01, -0.19}), 0.0, 1e-6);
+  std::vector<constraint_state> states(2);
+  GET(hair.constraint_states({held[0], tie}, states));
+  EXPECT(states[0].status == constraint_status::satisfied && states[0].error < 1e-6 && states[1].arclength == 0.1);
+  EXPECT(WHY(hair.constraint_states({held[0], tie}, span<constraint_state>(states).first(1))).code() == SHX_ERROR_BUFFER_TOO_SMALL);
+  GET(hair.remove_constraints({held[0], tie}));
+  EXPECT(GET(hair.constraint_count()) == 0 && !hair.has_constraint(tie));
+}

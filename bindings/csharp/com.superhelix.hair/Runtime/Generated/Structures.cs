@@ -1,0 +1,1253 @@
+// Generated from bindings/api.json by bindings/csharp/generate.py: do not edit.
+#pragma warning disable 169, 649
+using System;
+using System.Runtime.InteropServices;
+
+namespace Superhelix
+{
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct SolverDefRaw
+  {
+    internal uint StructSize;
+    internal uint WorkerCount;
+    internal Vec3 Gravity;
+    internal Vec3 Wind;
+    internal IntPtr ParallelFor;
+    internal IntPtr ParallelForUser;
+    internal IntPtr Log;
+    internal IntPtr LogUser;
+    internal LogLevel LogLevel;
+    internal Integrator Integrator;
+    internal LinearSolver LinearSolver;
+    internal Precision Precision;
+    internal uint MaxIterations;
+    internal uint ExactHessian;
+    internal double Tolerance;
+    internal uint MaxSubdivisions;
+    internal InstructionSet InstructionSet;
+    internal double ErrorTolerance;
+    internal double ReferenceTolerance;
+    internal double QuadratureTolerance;
+    internal double JumpAcceleration;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct StepLimitsRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal ulong MaxWork;
+    internal double MaxSeconds;
+    internal IntPtr Cancel;
+  }
+
+  /// <summary>
+  /// Report of a step, accumulated over all of its substeps. Fill it with shx_step_report_init once; each step overwrites it.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct StepReport
+  {
+    internal uint StructSize;
+    /// <summary>
+    /// Number of strand-substeps that were rolled back because the state became non-finite, or contacts or constraints made it diverge.
+    /// shx_solver_strand_status identifies the strands.
+    /// </summary>
+    public uint Quarantined;
+    /// <summary>Number of strand-substeps in which Newton's method did not reach the tolerance.</summary>
+    public uint Unconverged;
+    /// <summary>Largest number of Newton iterations of a strand in a substep.</summary>
+    public uint MaxIterations;
+    /// <summary>
+    /// Largest estimated distance of an element from the solution, rad: compare it with shx_solver_def.tolerance.
+    /// </summary>
+    public double MaxResidual;
+    /// <summary>Kinetic energy of all strands after the step, J.</summary>
+    public double KineticEnergy;
+    /// <summary>Elastic energy, J.</summary>
+    public double ElasticEnergy;
+    /// <summary>Gravitational energy relative to the world origin, J.</summary>
+    public double GravityEnergy;
+    /// <summary>Wall-clock time of the call, s.</summary>
+    public double Seconds;
+    /// <summary>Number of substeps taken.</summary>
+    public uint Substeps;
+    /// <summary>Number of strand-substeps that were subdivided: see shx_solver_def.max_subdivisions.</summary>
+    public uint Subdivided;
+    /// <summary>Mean number of Newton iterations per strand and substep.</summary>
+    public double MeanIterations;
+    /// <summary>Largest condition number; 0 unless the linear solver is SHX_LINEAR_SOLVER_DENSE_SVD.</summary>
+    public double MaxCondition;
+    /// <summary>
+    /// Largest error that a strand's substep, or a piece of it, added to the position of a point, as a fraction of the strand's length. 0
+    /// without error_tolerance.
+    /// </summary>
+    public double MaxLocalError;
+    /// <summary>Number of contacts with non-zero force at the end of the last substep.</summary>
+    public uint Contacts;
+    /// <summary>Number of searches during a substep that found contacts which its first search had missed.</summary>
+    public uint ContactSearches;
+    /// <summary>Largest number of Newton iterations of an island: a set of strands that contacts or constraints couple.</summary>
+    public uint MaxContactIterations;
+    /// <summary>Number of islands that did not converge.</summary>
+    public uint UnconvergedIslands;
+    /// <summary>Total number of sweeps of the contact solver.</summary>
+    public ulong ContactSweeps;
+    /// <summary>Largest residual of the contact and friction laws: see shx_contact_options.residual.</summary>
+    public double MaxContactResidual;
+    /// <summary>Largest penetration depth at the end of a substep, m.</summary>
+    public double MaxPenetration;
+    /// <summary>Largest constraint error at the end of a substep, m.</summary>
+    public double MaxConstraintError;
+    /// <summary>
+    /// Number of strands whose root is deeper in a body than the contact tolerance at the end of the last substep, and not exempt. Roots
+    /// are where you put them, so no contact force can separate the two. max_penetration includes their depth.
+    /// </summary>
+    public ulong RootsInsideBodies;
+    /// <summary>Why the step stopped before it was complete: SHX_STOP_. SHX_STOP_NONE if it was not stopped.</summary>
+    public StopReason StopReason;
+    /// <summary>Number of strand-substeps left unfinished because the step was stopped; unconverged includes them.</summary>
+    public uint Unfinished;
+    /// <summary>Total work on strands in contact or with constraints, in the units of shx_step_limits.</summary>
+    public ulong Work;
+    /// <summary>Number of strands that moved rigidly with a root that jumped: see shx_solver_def.jump_acceleration.</summary>
+    public uint JumpedRoots;
+    /// <summary>
+    /// Largest number of pieces into which a whole substep was subdivided because a body moved far among strands; 1 if none was. See
+    /// shx_solver_def.max_subdivisions.
+    /// </summary>
+    public uint FastBodyPieces;
+    /// <summary>
+    /// Number of contacts whose reported force was capped at what hair can exert: what moves the strand by its own length within the
+    /// substep and bends its elements by a radian; twice that where all contact laws hold.
+    /// </summary>
+    public ulong CappedContactForces;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe StepReport Default
+    {
+      get
+      {
+        StepReport value;
+        Error.Check(Native.shx_step_report_init(&value, (UIntPtr)sizeof(StepReport)));
+        return value;
+      }
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct StrandDefRaw
+  {
+    internal uint StructSize;
+    internal uint ElementCount;
+    internal double Length;
+    internal IntPtr ElementLengths;
+    internal Vec2 Radius;
+    internal double Density;
+    internal double YoungsModulus;
+    internal double PoissonRatio;
+    internal double InternalFriction;
+    internal double Viscosity;
+    internal double AirDrag;
+    internal Dofs Dofs;
+    internal uint reserved0;
+    internal Frame Root;
+    internal IntPtr NaturalCurvatures;
+    internal ulong UserData;
+    internal IntPtr InitialCurvatures;
+    internal IntPtr InitialRates;
+    internal Vec3 RootVelocity;
+    internal Vec3 RootAngularVelocity;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  /// <summary>Options of shx_solver_settle. Fill it with shx_settle_def_init, then change what you need.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct SettleDef
+  {
+    internal uint StructSize;
+    /// <summary>Maximum number of steps of the search, 1 to 100000. Default 300.</summary>
+    public uint MaxSteps;
+    /// <summary>
+    /// A strand is at rest when no moment is out of balance by more than this, relative to rho S |g| L^2 plus 1e-4 (1/L + the largest
+    /// natural curvature) times the largest stiffness; above zero. Default 1e-10.
+    /// </summary>
+    public double Tolerance;
+    internal uint check_stability;
+    /// <summary>
+    /// 1 (default): compute the smallest eigenvalue and leave unstable states. Costs the cube of the number of elements. 0: a strand that
+    /// symmetry holds in an unstable state remains there.
+    /// </summary>
+    public bool CheckStability
+    {
+      get { return check_stability != 0; }
+      set { check_stability = value ? 1u : 0u; }
+    }
+    internal uint reserved;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe SettleDef Default
+    {
+      get
+      {
+        SettleDef value;
+        Error.Check(Native.shx_settle_def_init(&value, (UIntPtr)sizeof(SettleDef)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>
+  /// Report of shx_solver_settle for all of its strands. Fill it with shx_settle_report_init once; each call overwrites it.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct SettleReport
+  {
+    internal uint StructSize;
+    /// <summary>
+    /// Number of strands that did not reach the tolerance, or ended in an unstable state. They are at rest in the best shape that was
+    /// found.
+    /// </summary>
+    public uint Unconverged;
+    /// <summary>Number of those whose smallest eigenvalue is negative beyond rounding.</summary>
+    public uint Unstable;
+    /// <summary>Number of unstable states that the searches left.</summary>
+    public uint Saddles;
+    /// <summary>Total number of Newton iterations.</summary>
+    public ulong Iterations;
+    /// <summary>Largest residual of a strand, relative as in shx_settle_def.tolerance.</summary>
+    public double MaxResidual;
+    /// <summary>Smallest eigenvalue of a strand (see shx_solver_settle). NaN without check_stability or without strands.</summary>
+    public double SmallestEigenvalue;
+    /// <summary>Wall-clock time of the call, s.</summary>
+    public double Seconds;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe SettleReport Default
+    {
+      get
+      {
+        SettleReport value;
+        Error.Check(Native.shx_settle_report_init(&value, (UIntPtr)sizeof(SettleReport)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>
+  /// Cross-section and material of a strand, as in shx_strand_def. Fill it with shx_material_init, then change what you need.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct Material
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    /// <summary>Semi-axes of the cross-section along n1 and n2, m; above zero. Default 50e-6, 50e-6.</summary>
+    public Vec2 Radius;
+    /// <summary>Density, kg/m^3; above zero. Default 1300.</summary>
+    public double Density;
+    /// <summary>Young's modulus, Pa; above zero. Default 2e9.</summary>
+    public double YoungsModulus;
+    /// <summary>Poisson's ratio; above -1, at most 0.5. Default 0.48.</summary>
+    public double PoissonRatio;
+    /// <summary>Internal friction gamma, kg m^3/s; zero or above. Default 0.</summary>
+    public double InternalFriction;
+    /// <summary>Kelvin-Voigt damping time mu, s; zero or above. Default 0.</summary>
+    public double Viscosity;
+    /// <summary>Air drag nu, kg/(m s); zero or above. Default 0.</summary>
+    public double AirDrag;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe Material Default
+    {
+      get
+      {
+        Material value;
+        Error.Check(Native.shx_material_init(&value, (UIntPtr)sizeof(Material)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>A wisp: the hairs that one guide represents, which lie and move together. Fill it with shx_wisp_init.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct Wisp
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    /// <summary>Number of hairs, 1 to 1e6. Default 200.</summary>
+    public double Hairs;
+    /// <summary>
+    /// How firmly the hairs hold together and keep their style: 0 (bare hair that slides freely) to 1 (lacquered). Default 0.6.
+    /// </summary>
+    public double Hold;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe Wisp Default
+    {
+      get
+      {
+        Wisp value;
+        Error.Check(Native.shx_wisp_init(&value, (UIntPtr)sizeof(Wisp)));
+        return value;
+      }
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct PoseOptionsRaw
+  {
+    internal uint StructSize;
+    internal uint KeepTipDirection;
+    internal uint AvoidBodies;
+    internal uint reserved0;
+    internal double NaturalPull;
+    internal double Clearance;
+    internal IntPtr Movable;
+    internal UIntPtr MovableCount;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  /// <summary>
+  /// A sphere that moves and takes along the points inside it. Fill it with shx_brush_init, then set at least radius.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct Brush
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    /// <summary>Centre before the movement, world, m. Default 0.</summary>
+    public Vec3 Centre;
+    /// <summary>Radius, m; above zero. Default 0: set it.</summary>
+    public double Radius;
+    /// <summary>
+    /// A point at distance d from the centre follows the fraction (1 - d^2/radius^2)^falloff of the displacement. Zero or above; 0: all
+    /// points follow fully. Default 1.
+    /// </summary>
+    public double Falloff;
+    /// <summary>Displacement of the sphere, m. Default 0.</summary>
+    public Vec3 Displacement;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe Brush Default
+    {
+      get
+      {
+        Brush value;
+        Error.Check(Native.shx_brush_init(&value, (UIntPtr)sizeof(Brush)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>A change of one element of a strand. Fill it with shx_element_change_init, then change what you need.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct ElementChange
+  {
+    internal uint StructSize;
+    /// <summary>Index of the element, from 0 at the root. Default 0.</summary>
+    public uint Element;
+    /// <summary>Additional twist of the end of the element about the strand, rad. Default 0.</summary>
+    public double Twist;
+    /// <summary>Additional rotation of the end of the element about n1 and n2, rad. Default 0.</summary>
+    public Vec2 Bend;
+    /// <summary>Factor on the length of the element; above zero. Default 1.</summary>
+    public double LengthScale;
+    internal uint keep_curvature;
+    /// <summary>
+    /// 1 (default): the element keeps its curvatures when its length changes, so the helix continues. 0: it keeps the angles by which it
+    /// turns.
+    /// </summary>
+    public bool KeepCurvature
+    {
+      get { return keep_curvature != 0; }
+      set { keep_curvature = value ? 1u : 0u; }
+    }
+    internal uint reserved;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe ElementChange Default
+    {
+      get
+      {
+        ElementChange value;
+        Error.Check(Native.shx_element_change_init(&value, (UIntPtr)sizeof(ElementChange)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>How strands are sampled. Fill it with shx_sample_def_init.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct SampleDef
+  {
+    internal uint StructSize;
+    /// <summary>Points per strand, uniform in arclength, including root and tip; at least 2. Default 33.</summary>
+    public uint PointsPerStrand;
+    /// <summary>Subtracted from positions before they are rounded to floats, m. Default 0.</summary>
+    public Vec3 Origin;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe SampleDef Default
+    {
+      get
+      {
+        SampleDef value;
+        Error.Check(Native.shx_sample_def_init(&value, (UIntPtr)sizeof(SampleDef)));
+        return value;
+      }
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct BodyDefRaw
+  {
+    internal uint StructSize;
+    internal Shape Shape;
+    internal Frame Pose;
+    internal double Radius;
+    internal Vec3 A;
+    internal Vec3 B;
+    internal Vec3 SemiAxes;
+    internal Vec3 HalfExtents;
+    internal Vec3 Normal;
+    internal RawView Vertices;
+    internal IntPtr Triangles;
+    internal UIntPtr TriangleCount;
+    internal MeshSides Sides;
+    internal uint reserved0;
+    internal double Depth;
+    internal IntPtr Grid;
+    internal UIntPtr GridSize;
+    internal double Thickness;
+    internal double FrictionScale;
+    internal double ViscousFrictionScale;
+    internal uint Groups;
+    internal uint Mask;
+    internal BodyId ShapeOf;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct DistanceGridDefRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal RawView Vertices;
+    internal IntPtr Triangles;
+    internal UIntPtr TriangleCount;
+    internal double Cell;
+    internal double Band;
+  }
+
+  /// <summary>How a solver handles contact. Fill it with shx_contact_options_init.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct ContactOptions
+  {
+    internal uint StructSize;
+    /// <summary>SHX_CONTACT_. Default SHX_CONTACT_COULOMB.</summary>
+    public ContactModel Model;
+    internal uint hair_contact;
+    /// <summary>
+    /// 1: strands with a wisp_radius also collide with each other. 0 (default): strands collide with bodies only.
+    /// </summary>
+    public bool HairContact
+    {
+      get { return hair_contact != 0; }
+      set { hair_contact = value ? 1u : 0u; }
+    }
+    /// <summary>
+    /// Maximum number of Newton iterations per substep of an island (a set of strands that contacts couple), 1 to 10000. Default 50.
+    /// Penalty models: up to 10 is a choice of cost; the remaining penetration is resolved in later steps and not reported. Larger values,
+    /// and any with SHX_CONTACT_COULOMB, are limits: an island that reaches one is solved again with compliant contacts.
+    /// </summary>
+    public uint MaxIterations;
+    /// <summary>Maximum number of sweeps of the contact solver per iteration, 1 to 1000000. Default 500.</summary>
+    public uint MaxSweeps;
+    internal uint reserved0;
+    /// <summary>Penalty models: stiffness of a contact, N/m; above zero. Default 10.</summary>
+    public double Stiffness;
+    /// <summary>SHX_CONTACT_PENALTY: damping along the normal as a multiple of stiffness, s; zero or above. Default 1e-3.</summary>
+    public double Damping;
+    /// <summary>SHX_CONTACT_REGULARISED_PENALTY: depth up to which the spring starts softly, m; above zero. Default 1e-4.</summary>
+    public double RegularisationDepth;
+    /// <summary>SHX_CONTACT_COULOMB: allowed penetration at the end of a step, m; above zero. Default 5e-5.</summary>
+    public double Tolerance;
+    /// <summary>
+    /// SHX_CONTACT_COULOMB: allowed error of the contact and friction laws in a converged step, 1e-12 to 1. At every contact the laws hold
+    /// exactly for some force within residual times the actual force (or times the weight of the lightest strand, if larger) and some
+    /// sliding velocity within residual times 0.01 m/s of the actual one. Default 1e-4: a ten-thousandth of the force, and a micrometre per
+    /// second.
+    /// </summary>
+    public double Residual;
+    /// <summary>
+    /// SHX_CONTACT_COULOMB: speed at which surfaces that penetrate at the start of a step are separated, m/s; above zero. Default 0.1.
+    /// </summary>
+    public double SeparationSpeed;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe ContactOptions Default
+    {
+      get
+      {
+        ContactOptions value;
+        Error.Check(Native.shx_contact_options_init(&value, (UIntPtr)sizeof(ContactOptions)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>
+  /// Contact properties of a strand. Fill it with shx_strand_contact_init. Friction coefficients come in pairs: along, for what slides over
+  /// the strand from root to tip, with the scales; and against, from tip to root. In between they vary with the cosine of the direction.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct StrandContact
+  {
+    internal uint StructSize;
+    /// <summary>Collision groups of the strand, as bits. Default 1.</summary>
+    public uint Groups;
+    /// <summary>
+    /// Groups that the strand collides with, as bits. Two objects collide if each is in a group of the other's mask. Default: all.
+    /// </summary>
+    public uint Mask;
+    internal uint reserved0;
+    /// <summary>Contact radius against bodies, m; zero or above. Default 50e-6.</summary>
+    public double Radius;
+    /// <summary>
+    /// Contact radius against other strands, m: that of the wisp which the strand represents; zero or above. Default 0: no contact with
+    /// strands.
+    /// </summary>
+    public double WispRadius;
+    /// <summary>Coulomb coefficient against bodies, multiplied by their friction_scale; zero or above. Default 0.2.</summary>
+    public double FrictionAlong;
+    /// <summary>The same from tip to root. Default 0.3.</summary>
+    public double FrictionAgainst;
+    /// <summary>Coulomb coefficient against strands, the mean of both strands; zero or above. Default 0.2.</summary>
+    public double HairFrictionAlong;
+    /// <summary>The same from tip to root. Default 0.3.</summary>
+    public double HairFrictionAgainst;
+    /// <summary>
+    /// Penalty models: viscous friction of a contact, N s/m, against bodies (multiplied by their viscous_friction_scale) and strands (the
+    /// mean of both strands); zero or above. Default 1e-4.
+    /// </summary>
+    public double ViscousFrictionAlong;
+    /// <summary>The same from tip to root. Default 1.5e-4.</summary>
+    public double ViscousFrictionAgainst;
+    /// <summary>Length from the follicle on that has no contacts, m; zero or above. Default 0.</summary>
+    public double ExemptLength;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe StrandContact Default
+    {
+      get
+      {
+        StrandContact value;
+        Error.Check(Native.shx_strand_contact_init(&value, (UIntPtr)sizeof(StrandContact)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>A contact of a strand at the end of the last substep.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct Contact
+  {
+    /// <summary>The strand.</summary>
+    public StrandId Strand;
+    /// <summary>Arclength of the contact on the strand, m.</summary>
+    public double Arclength;
+    /// <summary>What the strand is in contact with: SHX_PARTNER_.</summary>
+    public ContactPartner Partner;
+    /// <summary>Triangle of a mesh; otherwise 0.</summary>
+    public uint Triangle;
+    /// <summary>The body; null id for a strand.</summary>
+    public BodyId Body;
+    /// <summary>The other strand; null id for a body.</summary>
+    public StrandId OtherStrand;
+    /// <summary>Arclength on the other strand, m; 0 for a body.</summary>
+    public double OtherArclength;
+    /// <summary>Point on the centreline of the strand, m, world.</summary>
+    public Vec3 Position;
+    /// <summary>Unit normal from the partner to the strand, world.</summary>
+    public Vec3 Normal;
+    /// <summary>Force on the strand, N, world. The partner receives the opposite force.</summary>
+    public Vec3 Force;
+    /// <summary>How far the strand slid over its partner during the substep, m, world, along the surface.</summary>
+    public Vec3 Slip;
+    /// <summary>Distance between the surfaces along the normal, m; negative if they penetrate.</summary>
+    public double Gap;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct PushOutDefRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal BodyId Body;
+    internal double Clearance;
+    internal IntPtr PointCounts;
+    internal UIntPtr CurveCount;
+  }
+
+  /// <summary>
+  /// Definition of a constraint. Fill it with shx_constraint_def_init, then set strand, arclength, kind and what that kind needs.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct ConstraintDef
+  {
+    internal uint StructSize;
+    /// <summary>SHX_CONSTRAINT_POINT (default), _DIRECTION, _FRAME, _RING or _TIE.</summary>
+    public ConstraintKind Kind;
+    /// <summary>The constrained strand. Default null id: set it.</summary>
+    public StrandId Strand;
+    /// <summary>
+    /// Arclength of the constrained point from the root, m; 0 to the length of the strand. A ring starts near it. Default 0.
+    /// </summary>
+    public double Arclength;
+    /// <summary>Tie: the other strand, or the same one. Default null id.</summary>
+    public StrandId OtherStrand;
+    /// <summary>Tie: arclength on the other strand, m; 0 to its length. Default 0.</summary>
+    public double OtherArclength;
+    /// <summary>Target frame in world space; ignored by a tie. Default: at the origin, aligned with the world axes.</summary>
+    public Frame Target;
+    /// <summary>Ring: Coulomb coefficient for sliding over the strand from root to tip; zero or above. Default 0.</summary>
+    public double FrictionAlong;
+    /// <summary>Ring: the same from tip to root. Default 0.</summary>
+    public double FrictionAgainst;
+    /// <summary>Displacement of the point per unit of force, m/N; zero or above; must be 0 for rings. Default 0: rigid.</summary>
+    public double Compliance;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe ConstraintDef Default
+    {
+      get
+      {
+        ConstraintDef value;
+        Error.Check(Native.shx_constraint_def_init(&value, (UIntPtr)sizeof(ConstraintDef)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>State of a constraint in the last substep.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct ConstraintState
+  {
+    /// <summary>SHX_CONSTRAINT_STATUS_.</summary>
+    public ConstraintStatus Status;
+    internal uint reserved;
+    /// <summary>Arclength of the constrained point, m. That of a ring changes as the strand slides.</summary>
+    public double Arclength;
+    /// <summary>Distance of the constrained point from its target, m.</summary>
+    public double Error;
+    /// <summary>Force on the (first) strand, N, world.</summary>
+    public Vec3 Force;
+    /// <summary>Torque on the strand about the constrained point, N m, world. Non-zero for directions and frames only.</summary>
+    public Vec3 Torque;
+  }
+
+  /// <summary>
+  /// A strand fitted to a polyline, apart from its element lengths and curvatures. Fill it with shx_polyline_fit_init.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct PolylineFit
+  {
+    internal uint StructSize;
+    internal uint reserved;
+    /// <summary>Root frame: the first point, with n0 along the first segment.</summary>
+    public Frame Root;
+    /// <summary>Length of the polyline, m.</summary>
+    public double Length;
+    /// <summary>RMS distance between polyline and strand at equal arclength, m.</summary>
+    public double RmsError;
+    /// <summary>Largest such distance, m.</summary>
+    public double MaxError;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe PolylineFit Default
+    {
+      get
+      {
+        PolylineFit value;
+        Error.Check(Native.shx_polyline_fit_init(&value, (UIntPtr)sizeof(PolylineFit)));
+        return value;
+      }
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct FitOptionsRaw
+  {
+    internal uint StructSize;
+    internal uint ElementCount;
+    internal double Tolerance;
+    internal FitLengths LengthMode;
+    internal uint Twist;
+    internal double MinLengthRatio;
+    internal double TargetRmsError;
+    internal double TargetMaxError;
+    internal double Noise;
+    internal double FrameWeight;
+    internal uint MaxStarts;
+    internal uint WorkerCount;
+    internal IntPtr ParallelFor;
+    internal IntPtr ParallelForUser;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct FitInputRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal UIntPtr CurveCount;
+    internal RawView Points;
+    internal IntPtr PointCounts;
+    internal IntPtr Arclengths;
+    internal IntPtr Widths;
+    internal RawView Frames;
+    internal RawView Roots;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  /// <summary>A strand fitted to a curve, apart from its element lengths and curvatures.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct FittedStrand
+  {
+    /// <summary>
+    /// SHX_OK, or why the curve could not be fitted (SHX_ERROR_INVALID_ARGUMENT: no length, values that are not finite, and so on); the
+    /// other fields are then 0.
+    /// </summary>
+    public int Result;
+    /// <summary>Number of elements of the strand.</summary>
+    public uint ElementCount;
+    /// <summary>Root frame, at the first point of the curve.</summary>
+    public Frame Root;
+    /// <summary>Length, m.</summary>
+    public double Length;
+    /// <summary>RMS distance between the points of the curve and the strand at equal arclength, m.</summary>
+    public double RmsError;
+    /// <summary>Largest such distance, m.</summary>
+    public double MaxError;
+    /// <summary>Largest distance of a point of the curve from the closest point of the strand, m.</summary>
+    public double MaxDistance;
+    /// <summary>RMS angle between n1 and the frames of the curve, rad; 0 without frames.</summary>
+    public double FrameError;
+    /// <summary>Half the mean width, m; 0 without widths.</summary>
+    public double Radius;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct SplineDefRaw
+  {
+    internal uint StructSize;
+    internal Spline Kind;
+    internal SplineEnds Ends;
+    internal uint PointsPerSpan;
+    internal RawView Controls;
+  }
+
+  /// <summary>
+  /// Settings for a type of hair, with their measured error and cost. Fill it with shx_settings_init. Copy integrator, max_iterations,
+  /// max_subdivisions and the three tolerances to a shx_solver_def, and element_count to a shx_strand_def; step each frame in substeps.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct Settings
+  {
+    internal uint StructSize;
+    /// <summary>SHX_INTEGRATOR_.</summary>
+    public Integrator Integrator;
+    /// <summary>Maximum number of Newton iterations per substep.</summary>
+    public uint MaxIterations;
+    /// <summary>Substeps per frame. For best accuracy, set moving roots for each substep.</summary>
+    public uint Substeps;
+    /// <summary>Helical elements per strand.</summary>
+    public uint ElementCount;
+    /// <summary>How many times a strand's substep may be halved.</summary>
+    public uint MaxSubdivisions;
+    /// <summary>Tolerance of Newton's method, rad.</summary>
+    public double Tolerance;
+    /// <summary>
+    /// Error that a substep may add before it is halved, as a fraction of the length of the strand; 0: not estimated.
+    /// </summary>
+    public double ErrorTolerance;
+    /// <summary>
+    /// RMS position error as a fraction of the length of the strand, over two seconds in the worst of the measured scenes. Negative: such
+    /// hair was not measured.
+    /// </summary>
+    public double RmsError;
+    /// <summary>
+    /// Processor time per strand and simulated second in the most expensive of those scenes, microseconds, one thread, on the machine of
+    /// docs/tradeoff.md. Negative: not measured.
+    /// </summary>
+    public double Cost;
+    /// <summary>Allowed relative error of the integrals along an element.</summary>
+    public double QuadratureTolerance;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe Settings Default
+    {
+      get
+      {
+        Settings value;
+        Error.Check(Native.shx_settings_init(&value, (UIntPtr)sizeof(Settings)));
+        return value;
+      }
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct SuggestDefRaw
+  {
+    internal uint StructSize;
+    internal uint MaxElements;
+    internal double Tolerance;
+    internal Vec3 Gravity;
+    internal IntPtr Motion;
+    internal ulong MotionCount;
+    internal double MotionInterval;
+  }
+
+  /// <summary>Result of shx_suggest_elements. Fill it with shx_suggestion_init.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct Suggestion
+  {
+    internal uint StructSize;
+    /// <summary>Smallest number of elements that meets the tolerance, or max_elements.</summary>
+    public uint ElementCount;
+    internal uint meets_tolerance;
+    /// <summary>1 if it meets the tolerance and no element turns by more than pi/2, else 0.</summary>
+    public bool MeetsTolerance
+    {
+      get { return meets_tolerance != 0; }
+      set { meets_tolerance = value ? 1u : 0u; }
+    }
+    internal uint reserved;
+    /// <summary>Estimated error at rest of the point with the largest error, m.</summary>
+    public double RestError;
+    /// <summary>Estimated RMS error over the motion, m. NaN without a motion, or if the error at rest was too large.</summary>
+    public double MotionError;
+    /// <summary>Largest angle by which an element turns in the natural shape or at rest, rad.</summary>
+    public double MaxTurningAngle;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe Suggestion Default
+    {
+      get
+      {
+        Suggestion value;
+        Error.Check(Native.shx_suggestion_init(&value, (UIntPtr)sizeof(Suggestion)));
+        return value;
+      }
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct FrictionFitDefRaw
+  {
+    internal uint StructSize;
+    internal Observable Observable;
+    internal FrictionCoefficients Coefficients;
+    internal FrictionStart Start;
+    internal Vec3 Direction;
+    internal Vec2 InternalFrictionRange;
+    internal Vec2 ViscosityRange;
+    internal Vec2 AirDragRange;
+    internal double InternalFrictionGuess;
+    internal double ViscosityGuess;
+    internal double AirDragGuess;
+    internal double LeadIn;
+    internal double Discard;
+    internal double TimeStep;
+    internal uint GridPoints;
+    internal uint FitOffset;
+    internal uint MaxIterations;
+    internal uint reserved0;
+    internal double OscillationAmplitude;
+    internal double OscillationFrequency;
+    internal double OscillationPhase;
+    internal Vec3 OscillationDirection;
+    internal IntPtr RootTimes;
+    internal IntPtr RootFrames;
+    internal UIntPtr RootCount;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  /// <summary>Result for one coefficient.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct FittedCoefficient
+  {
+    /// <summary>SHX_COEFFICIENT_: whether the recording determines it.</summary>
+    public CoefficientStatus Status;
+    internal uint reserved;
+    /// <summary>Best value, in the unit of the coefficient.</summary>
+    public double Value;
+    /// <summary>Standard error, in the same unit. Infinite if the curve does not depend on the coefficient.</summary>
+    public double StandardError;
+    /// <summary>
+    /// Relative change of the value, to first order, if the steps were half as long. NaN if standard_error is infinite.
+    /// </summary>
+    public double StepSensitivity;
+    /// <summary>
+    /// Largest grid value below the best one that the curve excludes by two standard deviations; 0 if there is none.
+    /// </summary>
+    public double ExcludedBelow;
+    /// <summary>Smallest such grid value above; infinite if there is none.</summary>
+    public double ExcludedAbove;
+  }
+
+  /// <summary>Result of a fit. Fill it with shx_friction_fit_report_init.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct FrictionFitReport
+  {
+    internal uint StructSize;
+    internal uint converged;
+    /// <summary>1: the search ended at a minimum. 0: the values are the best that were found.</summary>
+    public bool Converged
+    {
+      get { return converged != 0; }
+      set { converged = value ? 1u : 0u; }
+    }
+    /// <summary>gamma, kg m^3/s.</summary>
+    public FittedCoefficient InternalFriction;
+    /// <summary>mu, s.</summary>
+    public FittedCoefficient Viscosity;
+    /// <summary>nu, kg/(m s).</summary>
+    public FittedCoefficient AirDrag;
+    /// <summary>RMS of the compared residuals, in the unit of the recorded values.</summary>
+    public double RmsResidual;
+    /// <summary>
+    /// Standard deviation of the residuals, corrected for the number of fitted coefficients: the noise of the recording if the model is
+    /// right.
+    /// </summary>
+    public double Noise;
+    /// <summary>
+    /// Correlation of consecutive residuals, -1 to 1. Near 1 the model lacks something, and the standard errors are too small.
+    /// </summary>
+    public double ResidualCorrelation;
+    /// <summary>Constant added to the simulated values; 0 unless fitted.</summary>
+    public double Offset;
+    /// <summary>Number of simulated curves.</summary>
+    public uint Simulations;
+    /// <summary>Number of steps of the best curve that did not converge.</summary>
+    public uint Unconverged;
+    /// <summary>Index of the first value that was compared.</summary>
+    public uint FirstCompared;
+    /// <summary>Number of values that were compared: that one and all after it.</summary>
+    public uint Compared;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe FrictionFitReport Default
+    {
+      get
+      {
+        FrictionFitReport value;
+        Error.Check(Native.shx_friction_fit_report_init(&value, (UIntPtr)sizeof(FrictionFitReport)));
+        return value;
+      }
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct CurveDataRaw
+  {
+    internal uint StructSize;
+    internal UpAxis UpAxis;
+    internal UIntPtr StrandCount;
+    internal IntPtr PointCounts;
+    internal RawView Points;
+    internal RawView Velocities;
+    internal IntPtr Thickness;
+    internal IntPtr Transparency;
+    internal IntPtr Colors;
+    internal IntPtr Pinned;
+    internal IntPtr StrandThickness;
+    internal IntPtr StrandUvs;
+    internal double MetresPerUnit;
+    internal uint TfxVersion;
+    internal uint reserved0;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  /// <summary>
+  /// A type of hair: measured properties, and how strands vary. Fill it with shx_hair_type_init or shx_hair_type_from_name.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HairType
+  {
+    internal uint StructSize;
+    /// <summary>SHX_CURL_. Default SHX_CURL_EXACT.</summary>
+    public Curl Curl;
+    /// <summary>Mean radius of the cross-section, sqrt(a1 a2), m; above 0.</summary>
+    public double MeanRadius;
+    /// <summary>Ratio of the longer to the shorter semi-axis; 1 or above.</summary>
+    public double Ellipticity;
+    /// <summary>Radius of the helix that the tip of a lock forms, m. 0: straight; helix_pitch must be 0 then.</summary>
+    public double HelixRadius;
+    /// <summary>Pitch of that helix, m; 0 or above.</summary>
+    public double HelixPitch;
+    /// <summary>Young's modulus, Pa; above 0.</summary>
+    public double YoungsModulus;
+    /// <summary>Poisson's ratio; above -1, at most 0.5.</summary>
+    public double PoissonRatio;
+    /// <summary>Density, kg/m^3; above 0.</summary>
+    public double Density;
+    /// <summary>Internal friction gamma, kg m^3/s; 0 or above.</summary>
+    public double InternalFriction;
+    /// <summary>Air drag nu, kg/(m s); 0 or above.</summary>
+    public double AirDrag;
+    /// <summary>Factor on the default Coulomb coefficients of shx_strand_contact; 0 or above.</summary>
+    public double Friction;
+    /// <summary>
+    /// Variation of natural twist and curvature between strands: standard deviation over mean, 0 (default) to 0.25.
+    /// </summary>
+    public double VariationBetween;
+    /// <summary>Variation of natural twist and curvature along a strand; the same measure and range.</summary>
+    public double VariationAlong;
+    /// <summary>Variation of the radius between strands; the same measure and range.</summary>
+    public double VariationThickness;
+    /// <summary>
+    /// Natural curvature in random directions that is added along a strand: standard deviation, rad/m; 0 (default) or above.
+    /// </summary>
+    public double Frizz;
+    /// <summary>Arclength over which properties vary along a strand, m; 1e-4 or above. Default 0.02.</summary>
+    public double VariationPeriod;
+    /// <summary>Roots turn about their tangents by up to this angle in either direction, rad; 0 (default) to pi.</summary>
+    public double RootTurn;
+    /// <summary>Random seed: another seed gives other strands of the same type.</summary>
+    public ulong Seed;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe HairType Default
+    {
+      get
+      {
+        HairType value;
+        Error.Check(Native.shx_hair_type_init(&value, (UIntPtr)sizeof(HairType)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>
+  /// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes their effects. Fill it with
+  /// shx_hair_sliders_init.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HairSliders
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    /// <summary>Natural curvature and twist.</summary>
+    public double Curliness;
+    /// <summary>Young's modulus.</summary>
+    public double Stiffness;
+    /// <summary>Less variation, frizz and air drag.</summary>
+    public double Discipline;
+    /// <summary>Density.</summary>
+    public double Weight;
+    /// <summary>Less friction.</summary>
+    public double CombingEase;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe HairSliders Default
+    {
+      get
+      {
+        HairSliders value;
+        Error.Check(Native.shx_hair_sliders_init(&value, (UIntPtr)sizeof(HairSliders)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>
+  /// Properties of a generated strand. Copy the first seven to a shx_strand_def, rotate its root frame about the tangent (the x axis of the
+  /// frame) by root_turn, and copy friction_along and friction_against to a shx_strand_contact.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HairStrand
+  {
+    /// <summary>Semi-axes of the cross-section along n1 and n2, m.</summary>
+    public Vec2 Radius;
+    /// <summary>Density, kg/m^3.</summary>
+    public double Density;
+    /// <summary>Young's modulus, Pa.</summary>
+    public double YoungsModulus;
+    /// <summary>Poisson's ratio.</summary>
+    public double PoissonRatio;
+    /// <summary>Internal friction gamma, kg m^3/s.</summary>
+    public double InternalFriction;
+    /// <summary>Kelvin-Voigt damping time mu, s.</summary>
+    public double Viscosity;
+    /// <summary>Air drag nu, kg/(m s).</summary>
+    public double AirDrag;
+    /// <summary>Rotation of the root frame about the tangent, rad.</summary>
+    public double RootTurn;
+    /// <summary>Coulomb coefficient from root to tip, against bodies and hair.</summary>
+    public double FrictionAlong;
+    /// <summary>The same from tip to root, against the scales.</summary>
+    public double FrictionAgainst;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct HairStrandsDefRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal IntPtr HairType;
+    internal IntPtr Sliders;
+    internal ulong FirstStrand;
+    internal UIntPtr StrandCount;
+    internal IntPtr ElementCounts;
+    internal IntPtr ElementLengths;
+  }
+
+  /// <summary>A point on a triangle of a scalp.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct Follicle
+  {
+    /// <summary>Index of the triangle.</summary>
+    public uint Triangle;
+    internal uint reserved;
+    /// <summary>
+    /// Barycentric coordinates of its second and third corner, 0 or above, sum at most 1; the first corner has the rest.
+    /// </summary>
+    public Vec2 Barycentric;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct ScalpDefRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal RawView Vertices;
+    internal IntPtr Triangles;
+    internal UIntPtr TriangleCount;
+    internal IntPtr Uvs;
+    internal Vec3 ReferenceAxis;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct ScatterDefRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal UIntPtr Count;
+    internal double Spacing;
+    internal IntPtr Density;
+    internal UIntPtr DensityWidth;
+    internal UIntPtr DensityHeight;
+    internal ulong Seed;
+    internal RawView GuideRoots;
+    internal double MaxGuideDistance;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct RenderSettingsRaw
+  {
+    internal uint StructSize;
+    internal uint PointsPerStrand;
+    internal Interpolation Interpolation;
+    internal uint GuidesPerStrand;
+    internal double Curliness;
+    internal uint MeasureCurliness;
+    internal uint WispsPerGuide;
+    internal double MaxTipDistance;
+    internal double MaxTipRatio;
+    internal Vec3 WispProfile;
+    internal double WispFlatness;
+    internal double WispNoise;
+    internal double WispNoiseWaves;
+    internal double Frizz;
+    internal double FrizzWaves;
+    internal double FlyawayFraction;
+    internal double FlyawayDistance;
+    internal double LengthVariation;
+    internal double Radius;
+    internal double TipRadius;
+    internal double TaperStart;
+    internal double TaperShape;
+    internal double RadiusVariation;
+    internal double BodyClearance;
+    internal ulong Seed;
+    internal uint PreserveLength;
+    internal uint WorkerCount;
+    internal IntPtr ParallelFor;
+    internal IntPtr ParallelForUser;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct RenderGuidesRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal UIntPtr GuideCount;
+    internal RawView Points;
+    internal IntPtr PointCounts;
+    internal RawView Roots;
+    internal RawView Velocities;
+    internal RawView RootAngularVelocities;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct RenderViewRaw
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    internal UIntPtr FirstStrand;
+    internal UIntPtr StrandCount;
+    internal Vec3 Origin;
+    internal IntPtr PreviousPose;
+    internal double Interval;
+    internal RawView Roots;
+    internal RawView PreviousRoots;
+    internal ulong reserved_0;
+    internal ulong reserved_1;
+    internal ulong reserved_2;
+    internal ulong reserved_3;
+  }
+}

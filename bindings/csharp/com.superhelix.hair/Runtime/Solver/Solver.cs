@@ -1,0 +1,129 @@
+using System;
+
+namespace Superhelix
+{
+  /// <summary>
+  /// Strands, bodies and everything that a step needs. One thread at a time may change it; reading functions may run at the same time. Dispose it: its
+  /// threads and memory are not the garbage collector's.
+  /// </summary>
+  public sealed unsafe partial class Solver : IDisposable
+  {
+    internal readonly SolverHandle Handle;
+
+    /// <summary>A solver with all defaults.</summary>
+    public Solver() : this(new SolverDef()) { }
+
+    /// <summary>A solver.</summary>
+    public Solver(SolverDef def)
+    {
+      if (def == null)
+        throw new ArgumentNullException("def");
+      Library.EnsureMatches();
+      using (Pins pins = Pins.Take())
+      {
+        SolverDefRaw raw = def.Pin(pins);
+        Hooks hooks = def.Hooks;
+        IntPtr made;
+        int result = Native.shx_solver_create(&raw, &made);
+        if (result != 0 && hooks != null)
+          hooks.Dispose();
+        Error.Check(result);
+        Handle = new SolverHandle(made, hooks);
+      }
+    }
+
+    /// <summary>Frees it and joins its threads.</summary>
+    public void Dispose()
+    {
+      Handle.Dispose();
+    }
+
+    // A callback's exception goes before the library's own error, which it may have led to.
+    private void Check(int result)
+    {
+      Hooks.Rethrow(Handle.Hooks);
+      Error.Check(result);
+    }
+
+    /// <summary>Moves time on by seconds in substeps equal parts.</summary>
+    public void Step(double seconds, int substeps = 1)
+    {
+      Check(Native.shx_solver_step(Handle, seconds, Unsigned("substeps", substeps), null));
+    }
+
+    /// <summary>The same, and what it did into report, which is one of StepReport.Default.</summary>
+    public void Step(double seconds, int substeps, ref StepReport report)
+    {
+      fixed (StepReport* into = &report)
+        Check(Native.shx_solver_step(Handle, seconds, Unsigned("substeps", substeps), into));
+    }
+
+    /// <summary>The same within limits: of work, of seconds, or until another thread cancels it.</summary>
+    public StepReport StepWithLimits(double seconds, int substeps, StepLimits limits)
+    {
+      if (limits == null)
+        throw new ArgumentNullException("limits");
+      StepReport report = StepReport.Default;
+      using (Pins pins = Pins.Take())
+      {
+        StepLimitsRaw raw = limits.Pin(pins);
+        Check(Native.shx_solver_step_with_limits(Handle, seconds, Unsigned("substeps", substeps), &raw, &report));
+      }
+      GC.KeepAlive(limits);
+      return report;
+    }
+
+    /// <summary>Sets gravity, m/s^2, from the next step on.</summary>
+    public void SetGravity(Vec3 gravity)
+    {
+      Check(Native.shx_solver_set_gravity(Handle, (double*)&gravity));
+    }
+
+    /// <summary>Sets the uniform wind, m/s, from the next step on. Only strands with an AirDrag feel it.</summary>
+    public void SetWind(Vec3 wind)
+    {
+      Check(Native.shx_solver_set_wind(Handle, (double*)&wind));
+    }
+
+    /// <summary>An image of everything that a step depends on.</summary>
+    public byte[] Snapshot()
+    {
+      UIntPtr size;
+      Check(Native.shx_solver_snapshot(Handle, null, UIntPtr.Zero, &size));
+      byte[] image = new byte[Error.Count(size)];
+      fixed (byte* into = image)
+        Check(Native.shx_solver_snapshot(Handle, into, size, &size));
+      return image;
+    }
+
+    /// <summary>Puts the solver into the state of an image. Stepping on gives the same bits as it did then.</summary>
+    public void Restore(In<byte> image)
+    {
+      fixed (byte* from = &image.Pin())
+        Check(Native.shx_solver_restore(Handle, image.Count == 0 ? null : from, image.Size));
+    }
+
+    /// <summary>Equal states give equal hashes.</summary>
+    public ulong StateHash()
+    {
+      ulong hash;
+      Check(Native.shx_solver_state_hash(Handle, &hash));
+      return hash;
+    }
+
+    /// <summary>Bytes of memory that the solver holds.</summary>
+    public ulong MemoryUsage()
+    {
+      ulong bytes;
+      Check(Native.shx_solver_memory_usage(Handle, &bytes));
+      return bytes;
+    }
+
+    private static uint Unsigned(string argument, int number)
+    {
+      if (number < 0)
+        throw new ArgumentOutOfRangeException(argument, number, "0 or above");
+      return (uint)number;
+    }
+  }
+}
