@@ -5,7 +5,6 @@ These functions do what the command line's simulate and interpolate do. prepare 
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -14,23 +13,19 @@ import numpy as np
 import numpy.typing as npt
 
 from superhelix import frames as turned
-from superhelix._buffers import column, frame_rows
+from superhelix._buffers import column
 from superhelix.bodies import BodyDef
-from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, Path
+from superhelix.curves import CurveCacheWriter, CurveData, Curves, Path
 from superhelix.enums import CurveAttribute, StrandStatus, UpAxis
 from superhelix.fit import Fit, fit_strands
 from superhelix.hair import wisp_material
 from superhelix.ids import BodyId, StrandIds
-from superhelix.records import ContactOptions, FitOptions, Material, RenderSettings, Settings, StepReport, StrandContact, Wisp
-from superhelix.render import RenderGuides, RenderHair
-from superhelix.scalp import Scalp
+from superhelix.motion import Motion, carried, still
+from superhelix.records import ContactOptions, FitOptions, Material, Settings, StepReport, StrandContact, Wisp
 from superhelix.solver import Solver
 from superhelix.strand_defs import StrandDefs
 
 Numbers = npt.NDArray[np.float64]
-
-#: A head's motion: the head's frame (origin, m, and quaternion x, y, z, w) at a time, s.
-Motion = Callable[[float], npt.ArrayLike]
 
 _MOST_ELEMENTS = 100
 _REFITS = 12
@@ -171,13 +166,6 @@ class GroomSolver:
         self.solver.close()
 
 
-def carried(start: npt.ArrayLike, now: npt.ArrayLike, pivot: npt.ArrayLike) -> Numbers:
-    """Returns the frame that maps the groom's axes to the world when the head moves from start to now about its joint at pivot, m."""
-    before, after, joint = np.asarray(start, float), np.asarray(now, float), np.asarray(pivot, float)
-    turn = turned.multiply(after[3:], before[3:] * [-1.0, -1.0, -1.0, 1.0])
-    return np.concatenate([joint + after[:3] - before[:3] - turned.rotate(turn, joint), turn])
-
-
 def prepare(
     groom: Groom,
     *,
@@ -234,45 +222,6 @@ def prepare(
     joint = roots[:, :3].mean(axis=0) if pivot is None else np.asarray(pivot, dtype=np.float64)
     indices = np.arange(len(groom))
     return GroomSolver(solver, strands, fit, indices[good], indices[~good], roots, joint, body_id, stiffening, max(rod.radius, meets.wisp_radius))
-
-
-def still(_time: float) -> Numbers:
-    """Motion of a head at rest."""
-    return np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
-
-
-def motion_from_samples(times: npt.ArrayLike, poses: Any) -> Motion:
-    """Creates a motion through frames at times (s, ascending): linear between them, constant outside."""
-    moments = column("times", times, np.float64)
-    rows = np.array(frame_rows("poses", poses).reshape(-1, 7))
-    if len(rows) != len(moments) or len(rows) == 0 or np.any(np.diff(moments) <= 0.0):
-        raise ValueError(f"times: {len(moments)} times for {len(rows)} poses; as many, ascending, expected")
-    # The shorter way round from each to the next.
-    for place in range(1, len(rows)):
-        if rows[place, 3:] @ rows[place - 1, 3:] < 0.0:
-            rows[place, 3:] *= -1.0
-
-    def motion(time: float) -> Numbers:
-        row = np.array([np.interp(time, moments, rows[:, axis]) for axis in range(7)])
-        row[3:] /= np.linalg.norm(row[3:])
-        return row
-
-    return motion
-
-
-def read_motion(path: Path) -> tuple[Numbers, Numbers]:
-    """Reads times (s) and frames from a .csv with columns time_s, px_m, py_m, pz_m, qx, qy, qz, qw in any order. Pass them to
-    motion_from_samples.
-    """
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    names = [name.strip() for name in rows[0]]
-    wanted = ("time_s", "px_m", "py_m", "pz_m", "qx", "qy", "qz", "qw")
-    if missing := [name for name in wanted if name not in names]:
-        raise ValueError(f"{path}: no columns {', '.join(missing)} among {', '.join(names)}")
-    columns = [names.index(name) for name in wanted]
-    numbers = np.array([[float(row[place]) for place in columns] for row in rows[1:] if row])
-    return numbers[:, 0], numbers[:, 1:]
 
 
 @dataclass
@@ -363,83 +312,3 @@ def _write_frame(
         writer = CurveCacheWriter(cache, data, fps)
     writer.write(time, rows, velocities)
     return writer
-
-
-def interpolate(
-    guides: Path,
-    out: Path,
-    *,
-    roots: npt.ArrayLike | None = None,
-    scalp: Scalp | None = None,
-    count: int = 0,
-    scale: float | None = None,
-    fps: float | None = None,
-    settings: RenderSettings | None = None,
-    seed: int = 0,
-) -> int:
-    """Interpolates render hair from a cache of guides (.usda, as simulate writes it) to another cache, with one strand for each of roots, or for each
-    of count follicles scattered over a scalp near the guides. The first frame is the rest pose; roots and scalp are in that pose, m. Velocities are
-    written if the guides have them. Returns the number of strands.
-    """
-    with CurveCache(guides) as cache:
-        times = cache.times()
-        with cache.sample(float(times[0])) as first:
-            units, counts = first.units(), first.point_counts()
-            metres = scale if scale is not None else (units.metres or 1.0)
-            rest = first.points(metres, dtype=np.float64)
-            moving = first.attribute(CurveAttribute.VELOCITY) is not None
-        if (roots is None) == (scalp is None):
-            raise ValueError("roots, scalp: give one of the two")
-        if scalp is not None:
-            starts = np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.int64)
-            follicles = scalp.scatter(count, guide_roots=rest[starts], seed=seed)
-            places: npt.NDArray[Any] = scalp.root_frames(follicles)
-        else:
-            places = np.asarray(roots, dtype=np.float64)
-        step = float(np.median(np.diff(times))) if len(times) > 1 else 1.0 / 24.0
-        rate = fps if fps is not None else 1.0 / step
-        with RenderHair.from_guides(RenderGuides(rest, counts), places, settings) as hair, hair.pose() as pose:
-            shape = (hair.strand_count, hair.points_per_strand, 3)
-            velocities = np.zeros(shape, dtype=np.float32) if moving else None
-            # The first frame says what does not change.
-            first_frame = np.zeros(shape, dtype=np.float32)
-            data = CurveData(first_frame, velocities=velocities, up_axis=units.up_axis, metres_per_unit=units.metres)
-            with CurveCacheWriter(out, data, rate) as writer:
-                for time, curves in cache:
-                    pose.set_guides(_guides(curves, counts, metres, moving))
-                    points = pose.evaluate(velocities=velocities)
-                    scale = np.float32(1.0 / metres)
-                    writer.write(time, points * scale, None if velocities is None else velocities * scale)
-            return hair.strand_count
-
-
-def _guides(curves: Curves, counts: npt.NDArray[np.uint32], metres: float, moving: bool) -> RenderGuides:
-    """A frame's curves as guides, with their velocities where the cache has some."""
-    speeds = curves.attribute(CurveAttribute.VELOCITY) if moving else None
-    rows = curves.points(metres, dtype=np.float64)
-    return RenderGuides(rows, counts, velocities=None if speeds is None else speeds * np.float32(metres))
-
-
-def read_obj_mesh(path: Path, scale: float = 1.0) -> tuple[Numbers, npt.NDArray[np.uint32]]:
-    """Reads vertices (times scale: metres per file unit) and triangles of a Wavefront .obj with faces, for BodyDef.mesh, bake_distance_grid and Scalp.
-    Faces of more than three corners are split into fans: they should be convex.
-    """
-    vertices: list[list[float]] = []
-    triangles: list[tuple[int, int, int]] = []
-    with open(path, encoding="utf-8") as file:
-        for number, line in enumerate(file, 1):
-            words = line.split()
-            if not words or words[0] not in ("v", "f"):
-                continue
-            try:
-                if words[0] == "v":
-                    vertices.append([float(word) for word in words[1:4]])
-                    continue
-                corners = [int(word.split("/")[0]) for word in words[1:]]
-                corners = [corner - 1 if corner > 0 else len(vertices) + corner for corner in corners]
-            except ValueError as error:
-                raise ValueError(f"{path}:{number}: {error}") from None
-            if len(corners) < 3 or not all(0 <= corner < len(vertices) for corner in corners):
-                raise ValueError(f"{path}:{number}: a face whose corners are not there")
-            triangles += [(corners[0], corners[place], corners[place + 1]) for place in range(1, len(corners) - 1)]
-    return np.array(vertices, dtype=np.float64).reshape(-1, 3) * scale, np.array(triangles, dtype=np.uint32).reshape(-1, 3)
