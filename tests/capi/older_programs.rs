@@ -86,12 +86,10 @@ fn a_program_whose_structures_end_earlier_runs() {
     for (name, first) in SHORTER {
         let (before, rest) = header.split_once(&format!("typedef struct {name} {{\n")).expect("the structure");
         let (fields, after) = rest.split_once(&format!("\n}} {name};")).expect("its end");
-        let kept: Vec<&str> = fields
-            .lines()
-            .take_while(|line| {
-                !line.trim_end_matches(';').split('[').next().is_some_and(|line| line.ends_with(&format!(" {first}")))
-            })
-            .collect();
+        let declared = |line: &str| {
+            line.trim_end_matches(';').split('[').next().and_then(|text| text.rsplit([' ', '*']).next()) == Some(first)
+        };
+        let kept: Vec<&str> = fields.lines().take_while(|line| !declared(line)).collect();
         assert!(kept.len() < fields.lines().count(), "{name} has no {first}");
         header = format!("{before}typedef struct {name} {{\n{}\n}} {name};{after}", kept.join("\n"));
     }
