@@ -8,7 +8,7 @@ use super::types::{shx_body_id, shx_strand_id};
 use crate::contact::allowance::Allowance;
 use crate::error::Error;
 use crate::solver::Overlap;
-use crate::solver::id::{BodyId, StrandId};
+use crate::solver::id::StrandId;
 
 /// The names of an allowance's lists, and those of the calls.
 const FIELDS: [(&str, &str); 3] = [("along", "arclengths"), ("wisp_shares", "wisp_fractions"), ("sunk", "body_depths")];

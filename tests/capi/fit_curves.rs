@@ -177,7 +177,7 @@ fn what_curves_may_have_beside_their_points_arrives() {
         roots: input(&directions, 2, SHX_FORMAT_F64X3),
         ..curves()
     };
-    let equal = shx_fit_options { lengths: SHX_FIT_LENGTHS_EQUAL, frame_weight: 1e-2, ..options() };
+    let equal = shx_fit_options { length_mode: SHX_FIT_LENGTHS_EQUAL, frame_weight: 1e-2, ..options() };
     let fitted = fit(&equal, &all);
     let wide: Vec<Vector3<f64>> = narrow.iter().map(|point| Vector3::from(point.map(f64::from))).collect();
     let rotations = [turned; 7];

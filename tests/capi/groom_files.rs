@@ -35,13 +35,13 @@ const HELD: [u8; 5] = [1, 0, 9, 0, 0];
 
 fn data() -> shx_curve_data {
     shx_curve_data {
-        up: SHX_UP_AXIS_Z,
+        up_axis: SHX_UP_AXIS_Z,
         strand_count: 2,
         point_counts: COUNTS.as_ptr(),
         points: input(&POINTS, SHX_FORMAT_F32X3),
         velocities: input(&VELOCITIES, SHX_FORMAT_F64X3),
         thickness: THICKNESS.as_ptr(),
-        held: HELD.as_ptr(),
+        pinned: HELD.as_ptr(),
         metres_per_unit: 0.01,
         // SAFETY: room for one structure.
         ..made(|data| unsafe { shx_curve_data_init(data, size_of::<shx_curve_data>()) })

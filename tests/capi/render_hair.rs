@@ -302,7 +302,7 @@ fn roots_follow_a_scalp_that_deforms() {
     };
     let scatter = shx_scatter_def { count: 300, seed: 4, ..filled(shx_scatter_def_init) };
     let mut scalp = null_mut();
-    let mut follicles = vec![shx_follicle { triangle: 9, reserved: 9, shares: [9.0; 2] }; 301];
+    let mut follicles = vec![shx_follicle { triangle: 9, reserved: 9, barycentric: [9.0; 2] }; 301];
     let (mut count, mut least) = (0, 0.0);
     let frame = shx_frame { origin: [0.0; 3], rotation: [0.0; 4] };
     let (mut rest, mut bent) = (vec![frame; 300], vec![frame; 300]);

@@ -10,6 +10,7 @@ use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
 use superhelix::capi::solver::*;
 use superhelix::capi::state::*;
+use superhelix::capi::step::shx_solver_step;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
 use superhelix::capi::types::*;
