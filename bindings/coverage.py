@@ -87,7 +87,7 @@ def text_calls(paths: Iterable[Path]) -> Calls:
 
 
 LANGUAGES = (
-    Language("Python", "python.md", ("python/superhelix/*.py", "python/superhelix/solver/*.py"), python_calls),
+    Language("Python", "python.md", ("python/src/superhelix/*.py", "python/src/superhelix/solver/*.py"), python_calls),
     Language("C++", "cpp.md", ("cpp/include/**/*.hpp",), text_calls),
     Language("C#", "csharp.md", ("csharp/**/*.cs",), text_calls),
 )

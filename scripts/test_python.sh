@@ -20,7 +20,7 @@ cd bindings/python
 "$python" -m ruff format --check --quiet ../api.py ../coverage.py . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
 "$python" -m ruff check --quiet ../api.py ../coverage.py .
 "$python" -m mypy
-PYTHONPATH=$PWD "$python" -m pytest --all-functions
+PYTHONPATH=$PWD/src "$python" -m pytest --all-functions
 
 # What a user does, with the library that is built already.
 fresh=$(mktemp -d)

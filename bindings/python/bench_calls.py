@@ -3,8 +3,8 @@
 
     python bindings/python/bench_calls.py [--rounds 5]
 
-Both run the same shared library (the one that the package has loaded) on one thread: C from bench_calls.c, which this compiles. Rounds of the
-two take turns, and the best of each counts, so that other work on the machine troubles both alike.
+Both run the same shared library (the one that the package has loaded) on one thread: C from bench_calls.c, which this compiles. Processor time
+counts, and the best of some rounds, in which the two take turns.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def python_time(what: str, count: int, calls: int) -> float:
         solver.add_strands(shx.StrandDefs(count, element_count=elements, length=0.2, root=roots))
         report, points = shx.StepReport(), np.zeros((count, 16, 3), dtype=np.float32)
         solver.strand_ids()
-        began = time.perf_counter()
+        began = time.thread_time()
         if what == "step":
             for _ in range(calls):
                 solver.step(1.0 / 240.0, 1, report=report)
@@ -65,7 +65,7 @@ def python_time(what: str, count: int, calls: int) -> float:
         else:
             for _ in range(calls):
                 solver.strand_count()
-        return (time.perf_counter() - began) / calls
+        return (time.thread_time() - began) / calls
 
 
 def c_time(program: Path, what: str, count: int, calls: int, library: Path) -> float:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Generates the low-level layer of the Python binding from the API description.
 
-    python3 bindings/python/generate.py           write superhelix/_capi.py, enums.py, records.py
+    python3 bindings/python/generate.py           write src/superhelix/_capi.py, enums.py, records.py
     python3 bindings/python/generate.py --check   fail if they are not what bindings/api.json says
 
 _capi.py has the C API as ctypes sees it. enums.py has the constants. records.py has a class for each structure of plain data: options and
@@ -87,6 +87,14 @@ COUNTS = {
     "shx_suggest_def": ("motion_count",),
 }
 
+# What Python calls functions that are not the solver's, where comments speak of them.
+FUNCTION_NAMES = {
+    "shx_distance_grid_bake": "bake_distance_grid",
+    "shx_last_error": "errors.last_error",
+    "shx_render_pose_evaluate": "RenderPose.evaluate",
+    "shx_suggest_elements": "suggest_elements",
+}
+
 IDS = {"shx_strand_id": "StrandId", "shx_body_id": "BodyId", "shx_constraint_id": "ConstraintId"}
 
 
@@ -139,7 +147,7 @@ class Generator:
                 return "StrandDefs" if name == "shx_strand_def" else IDS.get(name) or camel(name)
             if name.startswith("shx_solver_"):
                 return "Solver." + name.removeprefix("shx_solver_")
-            return "Solver" if name == "shx_solver" else name
+            return FUNCTION_NAMES.get(name, "Solver" if name == "shx_solver" else name)
 
         def constant(match: re.Match[str]) -> str:
             name = match[0]
@@ -150,6 +158,8 @@ class Generator:
 
         text = re.sub(r"\bshx_\w+", function, text)
         text = re.sub(r"\bSHX_\w+", constant, text)
+        # "Shape.BOX, _HULL or _MESH" lists members by their endings.
+        text = re.sub(r"(?<=[ (])_([A-Z][A-Z0-9_]+)\b", r"\1", text)
         return text.replace("\\", "\\\\").replace('"""', "'''")
 
     def doc(self, text: str, indent: str, end: str = "") -> list[str]:
@@ -267,7 +277,7 @@ class Generator:
         names = []
         first_uses = self.first_uses()
         for enumeration in self.api.enumerations:
-            if enumeration.name in ("SHX_ERROR_", "SHX_FORMAT_"):
+            if enumeration.name == "SHX_FORMAT_":
                 continue
             name = enum_name(enumeration.name)
             names.append(name)
@@ -400,7 +410,7 @@ class Generator:
 
     def files(self) -> dict[Path, str]:
         """Every generated file's text."""
-        folder = HERE / "superhelix"
+        folder = HERE / "src" / "superhelix"
         return {folder / "_capi.py": self.capi(), folder / "enums.py": self.enums(), folder / "records.py": self.records()}
 
 

@@ -76,7 +76,7 @@ class BuildWithLibrary(build_py):
     def run(self) -> None:
         """Runs the command."""
         super().run()
-        folder = HERE / "superhelix" if self.editable_mode else Path(self.build_lib) / "superhelix"
+        folder = HERE / "src" / "superhelix" if self.editable_mode else Path(self.build_lib) / "superhelix"
         folder.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(built_library(), folder / library_name())
         if not self.editable_mode:

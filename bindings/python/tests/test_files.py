@@ -122,6 +122,8 @@ def test_follicles_stand_on_their_scalp() -> None:
             scalp.follicles_at_uvs([[0.5, 0.5]])
         with pytest.raises(shx.InvalidArgumentError):
             scalp.scatter()
+        with pytest.raises(ValueError, match=f"density: 3 numbers; {len(vertices)} expected"):
+            scalp.scatter(10, density=[1.0, 1.0, 1.0])
 
 
 def test_follicles_at_texture_coordinates() -> None:

@@ -7,7 +7,7 @@ import pytest
 from conftest import GROOMS, ROOT, hanging, sphere_mesh
 
 import superhelix as shx
-from superhelix.groom import motion_from_samples, prepare, read_motion, read_obj_mesh
+from superhelix import motion_from_samples, prepare, read_motion, read_obj_mesh
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +48,7 @@ def test_a_groom_rests_as_drawn_and_goes_with_a_walking_head(sintel, tmp_path) -
     pivot = drawn[:, 0].mean(axis=0)
     motion = motion_from_samples(times, poses)
     first, now = motion(times[0]), motion(times[0] + 0.5)
-    frame = shx.groom.carried(first, now, pivot)
+    frame = shx.carried(first, now, pivot)
     back = shx.frames.rotate(frame[3:] * [-1, -1, -1, 1], last - frame[:3])
     lengths = np.linalg.norm(np.diff(drawn, axis=1), axis=-1).sum(axis=1)
     distance = np.linalg.norm(back - drawn, axis=-1).mean(axis=1) / lengths

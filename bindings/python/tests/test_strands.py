@@ -34,6 +34,16 @@ def test_definitions_with_different_numbers_of_elements(solver, rng) -> None:
     np.testing.assert_array_equal(solver.natural_curvatures(some[1]), rows[6:])
 
 
+def test_more_rows_than_there_are_are_never_read(solver) -> None:
+    defs = shx.StrandDefs(2, length=0.1, natural_curvatures=np.zeros((2, 4, 3)))
+    defs.data["element_count"] = 5
+    with pytest.raises(ValueError, match="element_count: changed after rows"):
+        solver.add_strands(defs)
+    plain = shx.StrandDefs(2, length=0.1)
+    plain.data["element_count"] = 5
+    assert solver.element_counts(solver.add_strands(plain)).tolist() == [5, 5]
+
+
 def test_one_row_of_elements_serves_all_strands(solver) -> None:
     ids = solver.add_strands(shx.StrandDefs(5, length=0.1, natural_curvatures=[[0, 1, 0], [0, 2, 0]]))
     np.testing.assert_array_equal(solver.natural_curvatures(ids[4]), [[0, 1, 0], [0, 2, 0]])

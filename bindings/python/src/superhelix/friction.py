@@ -16,7 +16,7 @@ from superhelix.strand_defs import StrandDefs
 
 
 class FrictionFit(NamedTuple):
-    """The outcome of a fit, and the best curve's values (nan before report.first_compared)."""
+    """Result of a fit: a report, and the values of the best curve (NaN before report.first_compared)."""
 
     report: FrictionFitReport
     curve: npt.NDArray[np.float64]
@@ -49,9 +49,7 @@ def fit_friction(
     options = (SolverDef() if solver is None else solver).copy()
     report = FrictionFitReport()
     best = np.empty(len(moments))
-    data = np.ascontiguousarray(strand.data)
-    if len(data) != 1:
-        raise ValueError(f"strand: {len(data)} definitions; 1 expected")
+    data = strand._ready(1)
     check(
         functions.shx_fit_friction(
             ctypes.byref(options._c),

@@ -1,4 +1,4 @@
-"""Bodies that hair meets: shapes, and meshes baked into distance grids."""
+"""Definitions of bodies, and baking of distance grids."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from superhelix.ids import BodyId
 
 
 class BodyDef(records.BodyDef):
-    """What a body is made from: make one with sphere, capsule, ellipsoid, box, half_space, hull, mesh, grid or shared.
+    """Definition of a body: create it with sphere, capsule, ellipsoid, box, half_space, hull, mesh, grid or shared.
 
-    The keywords of all of these, beside the shape's own: pose (a Frame: where it is), thickness (how far outside its shape the surface lies, m),
-    friction_scale and viscous_friction_scale (factors on the strands' coefficients), groups and mask (bits for filtering).
+    All of these take, beside the arguments of the shape: pose (a Frame), thickness (distance of the surface from the shape, m), friction_scale and
+    viscous_friction_scale (factors on the strands' coefficients), groups and mask (collision groups, bits).
     """
 
     __slots__ = ("_arrays",)

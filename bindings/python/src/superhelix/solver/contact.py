@@ -1,4 +1,4 @@
-"""Contact: its options, what strands are to it, what meets, what may overlap."""
+"""Contact: options, contact properties of strands, contacts, permitted overlaps."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from superhelix.solver._packed import packed
 
 
 class Overlaps(NamedTuple):
-    """How deep each strand is in others and in bodies, m, and in which it is deepest (null ids: in none)."""
+    """Depth of each strand in other strands and in bodies, m, and the strand and the body that it is deepest in (null ids: none)."""
 
     hair_depths: Numbers
     strands: StrandIds
@@ -29,8 +29,8 @@ class Overlaps(NamedTuple):
 
 
 class PermittedOverlap(NamedTuple):
-    """What a strand may overlap, at some arclengths along it (m): what is left of its wisp's radius (0 to 1), and how far its surface may be in a
-    body (m).
+    """Permitted overlap at points along a strand: their arclengths (m from the root), the fraction of the wisp radius that remains (0 to 1), and
+    the permitted depth of the strand's surface in a body (m).
     """
 
     arclengths: Numbers
@@ -39,8 +39,8 @@ class PermittedOverlap(NamedTuple):
 
 
 class PushedOut(NamedTuple):
-    """Curves pushed out of a body: their points, and for each curve how deep it was in the body, how far a point was moved at most (m), and
-    whether no way out was found.
+    """Curves pushed out of a body: their points, and for each curve its depth in the body, the largest displacement of a point (m), and whether
+    no way out was found.
     """
 
     points: Numbers
@@ -55,17 +55,17 @@ class Contact(SolverBase):
     __slots__ = ()
 
     def set_contact_options(self, options: ContactOptions) -> None:
-        """Changes how contact is answered, from the next step on."""
+        """Sets the contact options, from the next step on."""
         self._call(functions.shx_solver_set_contact_options, reference("options", options, ContactOptions))
 
     def contact_options(self) -> ContactOptions:
-        """How contact is answered."""
+        """Returns the contact options."""
         options = ContactOptions()
         self._call(functions.shx_solver_get_contact_options, ctypes.byref(options._c))
         return options
 
     def set_strand_contact(self, contact: StrandContact | Sequence[StrandContact] | None, ids: StrandsLike = None) -> None:
-        """Says what strands are to contact: one for all, or one each. None: they meet nothing, which is how strands begin."""
+        """Sets the contact properties of strands: one StrandContact for all, or one each. None: no contact, as new strands have."""
         bits = self._strands(ids)
         if contact is None:
             self._call(functions.shx_solver_set_strand_contact, address(bits), len(bits), None, 0)
@@ -75,20 +75,20 @@ class Contact(SolverBase):
         self._call(functions.shx_solver_set_strand_contact, address(bits), len(bits), address(data), stride)
 
     def strand_contact(self, id: StrandId) -> StrandContact | None:
-        """What a strand is to contact; None where it meets nothing."""
+        """Returns the contact properties of a strand; None for a strand without contact."""
         contact, touches = StrandContact(), ctypes.c_uint32()
         self._call(functions.shx_solver_get_strand_contact, self._strand(id), ctypes.byref(contact._c), ctypes.byref(touches))
         return contact if touches.value else None
 
     def contacts(self) -> ContactTable:
-        """The contacts that carried a force at the end of the last substep."""
+        """Returns the contacts with non-zero force at the end of the last substep."""
         table = ContactTable._zeros(self._count(functions.shx_solver_contact_count))
         number = ctypes.c_size_t()
         self._call(functions.shx_solver_contacts, address(table.data), table.data.dtype.itemsize, len(table), ctypes.byref(number))
         return table[: number.value]
 
     def overlaps(self, ids: StrandsLike = None) -> Overlaps:
-        """How deep strands are in others and in bodies as they are now, less what they are permitted. Moves nothing."""
+        """Measures how deep strands are in other strands and in bodies now, beyond what is permitted. Moves nothing."""
         bits = self._strands(ids)
         hair, body = np.empty(len(bits)), np.empty(len(bits))
         strands, bodies = np.empty(len(bits), dtype=np.uint64), np.empty(len(bits), dtype=np.uint64)
@@ -104,12 +104,12 @@ class Contact(SolverBase):
         return Overlaps(hair, StrandIds(strands), body, BodyIds(bodies))
 
     def permit_overlaps(self, ids: StrandsLike = None) -> None:
-        """Permits strands what they overlap now, so that no contact presses as long as they stay as they are."""
+        """Permits the current overlaps of strands, so that no contact pushes while they stay as they are."""
         bits = self._strands(ids)
         self._call(functions.shx_solver_permit_overlaps, address(bits), len(bits))
 
     def set_permitted_overlap(self, id: StrandId, arclengths: npt.ArrayLike, wisp_fractions: npt.ArrayLike, body_depths: npt.ArrayLike) -> None:
-        """Says what a strand may overlap: see PermittedOverlap. Empty arrays: nothing."""
+        """Sets the permitted overlap of a strand: see PermittedOverlap. Empty arrays: none."""
         along = column("arclengths", arclengths, np.float64)
         fractions = column("wisp_fractions", wisp_fractions, np.float64, len(along))
         depths = column("body_depths", body_depths, np.float64, len(along))
@@ -123,7 +123,7 @@ class Contact(SolverBase):
         )
 
     def permitted_overlap(self, id: StrandId) -> PermittedOverlap:
-        """What a strand may overlap."""
+        """Returns the permitted overlap of a strand."""
         strand, number = self._strand(id), ctypes.c_size_t()
         function = functions.shx_solver_get_permitted_overlap
         self._call(function, strand, None, None, None, 0, ctypes.byref(number))
@@ -133,9 +133,9 @@ class Contact(SolverBase):
         return found
 
     def push_out_curves(self, body: BodyId, points: npt.ArrayLike, point_counts: npt.ArrayLike, clearance: float = 0.0) -> PushedOut:
-        """Pushes curves that are drawn inside a body out of it, where it is now: before strands are fitted to them. points: world, m, one curve after
-        the other; point_counts: how many each has. Roots stay, edges keep their lengths, and every point comes to at least clearance (m) from the
-        surface. A curve that would have to be moved too far stays as it is.
+        """Pushes curves that are drawn inside a body out of it. Call it before you fit strands to them. points: world space, m, curve by curve;
+        point_counts: number of points of each curve. Roots stay, edges keep their lengths, and every point ends at least clearance (m) from the
+        surface. A curve that would have to move too far stays as it is.
         """
         counts = column("point_counts", point_counts, np.uint32)
         rows = column("points", points, np.float64, int(counts.sum()), 3).copy()

@@ -67,11 +67,11 @@ class SolverBase(Owner):
         return (self.constraint_ids() if ids is None else ConstraintIds._of(ids)).bits
 
     def strand_count(self) -> int:
-        """How many strands there are."""
+        """Returns the number of strands."""
         return self._count(functions.shx_solver_strand_count)
 
     def strand_ids(self) -> StrandIds:
-        """The ids of all strands, in the order they were added."""
+        """Returns the ids of all strands, in the order they were added."""
         if self._all is None:
             bits = np.empty(self.strand_count(), dtype=np.uint64)
             self._call(functions.shx_solver_strand_ids, address(bits), len(bits))
@@ -80,21 +80,21 @@ class SolverBase(Owner):
         return self._all
 
     def body_count(self) -> int:
-        """How many bodies there are."""
+        """Returns the number of bodies."""
         return self._count(functions.shx_solver_body_count)
 
     def body_ids(self) -> BodyIds:
-        """The ids of all bodies, in the order they were added."""
+        """Returns the ids of all bodies, in the order they were added."""
         bits = np.empty(self.body_count(), dtype=np.uint64)
         self._call(functions.shx_solver_body_ids, address(bits), len(bits))
         return BodyIds(bits)
 
     def constraint_count(self) -> int:
-        """How many constraints there are."""
+        """Returns the number of constraints."""
         return self._count(functions.shx_solver_constraint_count)
 
     def constraint_ids(self) -> ConstraintIds:
-        """The ids of all constraints, in the order they were added."""
+        """Returns the ids of all constraints, in the order they were added."""
         bits = np.empty(self.constraint_count(), dtype=np.uint64)
         self._call(functions.shx_solver_constraint_ids, address(bits), len(bits))
         return ConstraintIds(bits)
@@ -110,13 +110,13 @@ class SolverBase(Owner):
         return id._value()
 
     def element_count(self, id: StrandId) -> int:
-        """How many elements a strand has."""
+        """Returns the number of elements of a strand."""
         number = ctypes.c_size_t()
         self._call(functions.shx_solver_get_element_count, self._strand(id), ctypes.byref(number))
         return number.value
 
     def element_counts(self, ids: StrandsLike = None) -> npt.NDArray[np.uint32]:
-        """How many elements each of the strands has."""
+        """Returns the number of elements of each strand."""
         bits = self._strands(ids)
         counts = np.empty(len(bits), dtype=np.uint32)
         number = ctypes.c_size_t()

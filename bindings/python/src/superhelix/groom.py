@@ -1,11 +1,10 @@
-"""Grooms in a few lines: fitted, made wisps that rest as drawn, carried by a moving head, cached, and drawn as render hair.
+"""Grooms in a few lines: fit strands, make them wisps that rest as drawn, move the head, write caches and render hair.
 
-It does what the command line's simulate and interpolate do; everything that it makes (the solver, the ids, the fit) is there to work on with.
+These functions do what the command line's simulate and interpolate do. prepare gives you the solver, the ids and the fit to continue with.
 """
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -14,23 +13,19 @@ import numpy as np
 import numpy.typing as npt
 
 from superhelix import frames as turned
-from superhelix._buffers import column, frame_rows
+from superhelix._buffers import column
 from superhelix.bodies import BodyDef
-from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, Path
+from superhelix.curves import CurveCacheWriter, CurveData, Curves, Path
 from superhelix.enums import CurveAttribute, StrandStatus, UpAxis
 from superhelix.fit import Fit, fit_strands
 from superhelix.hair import wisp_material
 from superhelix.ids import BodyId, StrandIds
-from superhelix.records import ContactOptions, FitOptions, Material, RenderSettings, Settings, StepReport, StrandContact, Wisp
-from superhelix.render import RenderGuides, RenderHair
-from superhelix.scalp import Scalp
+from superhelix.motion import Motion, carried, still
+from superhelix.records import ContactOptions, FitOptions, Material, Settings, StepReport, StrandContact, Wisp
 from superhelix.solver import Solver
 from superhelix.strand_defs import StrandDefs
 
 Numbers = npt.NDArray[np.float64]
-
-#: A head's motion: the head's frame (origin, m, and quaternion x, y, z, w) at a time, s.
-Motion = Callable[[float], npt.ArrayLike]
 
 _MOST_ELEMENTS = 100
 _REFITS = 12
@@ -38,7 +33,7 @@ _REFITS = 12
 
 @dataclass
 class Groom:
-    """Curves of a groom, root first: points (m, one curve after the other), how many each has, and which axis points up."""
+    """Curves of a groom, root first: points (m, curve by curve), the number of points of each curve, and the up axis."""
 
     points: Numbers
     point_counts: npt.NDArray[np.uint32]
@@ -55,13 +50,13 @@ class Groom:
 
     @classmethod
     def from_curves(cls, points: npt.ArrayLike, point_counts: npt.ArrayLike | None = None, up_axis: UpAxis = UpAxis.Z) -> Groom:
-        """A groom of curves in metres: (curves, points, 3), or with point_counts (points, 3)."""
+        """Creates a groom from curves in metres: (curves, points, 3), or curve by curve (points, 3) with point_counts."""
         return cls(points, point_counts, up_axis)  # type: ignore[arg-type]
 
     @classmethod
     def read(cls, path: Path, *, scale: float | None = None, up_axis: UpAxis | None = None, every: int = 1) -> Groom:
-        """Reads a groom file. scale: metres a file unit; None: what the file says, else 1, refused where hair of that size could not be. up_axis:
-        None: what the file says, else y. every: 2 takes every second strand, and so on.
+        """Reads a groom file. scale: metres per file unit; None: as the file states, else 1, with an error if no hair has such a length. up_axis: None:
+        as the file states, else y. every: 2 takes every second strand, and so on.
         """
         if every < 1:
             raise ValueError(f"every: {every}; at least 1 expected")
@@ -107,7 +102,7 @@ def _fit_with(points: Numbers, counts: npt.NDArray[np.uint32], along: Numbers | 
 
 
 def fit_groom(groom: Groom, element_count: int = 10, *, refine: bool = True, worker_count: int = 1) -> Fit:
-    """Fits a strand to each curve. refine: strands with an element that turns by more than a quarter turn are fitted again by more, up to 100."""
+    """Fits a strand to each curve. refine: strands with an element that turns by more than a quarter turn get more elements, up to 100."""
     fit = _fit_with(groom.points, groom.point_counts, groom.arclengths, element_count, worker_count)
     ends = np.cumsum(groom.point_counts).astype(np.int64)
     limits = np.minimum(4 * groom.point_counts.astype(np.int64), _MOST_ELEMENTS)
@@ -141,7 +136,7 @@ def _replace(fit: Fit, places: npt.NDArray[np.int64], other: Fit) -> None:
 
 @dataclass
 class GroomSolver:
-    """A groom in a solver, on a head: what prepare makes. A context manager that closes the solver."""
+    """Groom in a solver, on a head: the result of prepare. A context manager that closes the solver."""
 
     solver: Solver
     strands: StrandIds
@@ -158,7 +153,7 @@ class GroomSolver:
     wisp_radius: float
 
     def move_head(self, start: npt.ArrayLike, now: npt.ArrayLike, over_seconds: float = 0.0) -> None:
-        """Sends roots and body to where a head is that has moved from the frame start, in which the groom was drawn, to the frame now."""
+        """Moves roots and body with a head that went from the frame start, where the groom was drawn, to the frame now."""
         frame = carried(start, now, self.pivot)
         self.solver.set_root_frames(turned.moved(frame, self.roots), self.strands, over_seconds)
         if self.body is not None:
@@ -169,13 +164,6 @@ class GroomSolver:
 
     def __exit__(self, *_: object) -> None:
         self.solver.close()
-
-
-def carried(start: npt.ArrayLike, now: npt.ArrayLike, pivot: npt.ArrayLike) -> Numbers:
-    """The frame that takes the groom's axes along with a head that went from start to now, its joint at pivot in the groom."""
-    before, after, joint = np.asarray(start, float), np.asarray(now, float), np.asarray(pivot, float)
-    turn = turned.multiply(after[3:], before[3:] * [-1.0, -1.0, -1.0, 1.0])
-    return np.concatenate([joint + after[:3] - before[:3] - turned.rotate(turn, joint), turn])
 
 
 def prepare(
@@ -195,12 +183,12 @@ def prepare(
     gravity: Sequence[float] | None = None,
     **solver_fields: Any,
 ) -> GroomSolver:
-    """Puts a groom into a solver so that it rests as drawn: curves are pushed out of the body, fitted, given the material of wisps (of wisp's
-    hairs of material hair; bare: single hairs), made as much stiffer as rest takes, and permitted what they overlap.
+    """Adds a groom to a new solver so that it rests as drawn: pushes curves out of the body, fits strands, gives them the material of wisps (wisp: the
+    wisp; hair: the material of its hairs; bare: single hairs), stiffens them as far as rest takes, and permits the overlaps that remain.
 
-    body: what keeps hair out, in the groom's axes, m. wisp_contact_radius: above 0, strands meet each other as wisps of that radius, m. contact:
-    a StrandContact, in place of the default of that material. settings: what preset_settings gave. pivot: where the head's joint is, m (default:
-    the middle of the roots). solver_fields: fields of SolverDef.
+    body: keeps hair out, in the groom's axes, m. wisp_contact_radius: above 0, strands collide with each other as wisps of that radius, m. contact:
+    a StrandContact in place of the default. settings: the result of preset_settings. pivot: the head's joint, m (default: the mean of the roots).
+    solver_fields: fields of SolverDef.
     """
     rod = wisp_material(Wisp(hairs=1.0, hold=0.0) if bare else wisp, hair)
     down = groom.gravity if gravity is None else tuple(gravity)
@@ -236,49 +224,10 @@ def prepare(
     return GroomSolver(solver, strands, fit, indices[good], indices[~good], roots, joint, body_id, stiffening, max(rod.radius, meets.wisp_radius))
 
 
-def still(_time: float) -> Numbers:
-    """The motion of a head that stands still."""
-    return np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
-
-
-def motion_from_samples(times: npt.ArrayLike, poses: Any) -> Motion:
-    """A motion through frames at times (s, ascending): linear between them, held outside."""
-    moments = column("times", times, np.float64)
-    rows = np.array(frame_rows("poses", poses).reshape(-1, 7))
-    if len(rows) != len(moments) or len(rows) == 0 or np.any(np.diff(moments) <= 0.0):
-        raise ValueError(f"times: {len(moments)} times for {len(rows)} poses; as many, ascending, expected")
-    # The shorter way round from each to the next.
-    for place in range(1, len(rows)):
-        if rows[place, 3:] @ rows[place - 1, 3:] < 0.0:
-            rows[place, 3:] *= -1.0
-
-    def motion(time: float) -> Numbers:
-        row = np.array([np.interp(time, moments, rows[:, axis]) for axis in range(7)])
-        row[3:] /= np.linalg.norm(row[3:])
-        return row
-
-    return motion
-
-
-def read_motion(path: Path) -> tuple[Numbers, Numbers]:
-    """Times (s) and frames of a .csv of poses, with columns time_s, px_m, py_m, pz_m, qx, qy, qz, qw in any order: give them to
-    motion_from_samples.
-    """
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    names = [name.strip() for name in rows[0]]
-    wanted = ("time_s", "px_m", "py_m", "pz_m", "qx", "qy", "qz", "qw")
-    if missing := [name for name in wanted if name not in names]:
-        raise ValueError(f"{path}: no columns {', '.join(missing)} among {', '.join(names)}")
-    columns = [names.index(name) for name in wanted]
-    numbers = np.array([[float(row[place]) for place in columns] for row in rows[1:] if row])
-    return numbers[:, 0], numbers[:, 1:]
-
-
 @dataclass
 class Simulation:
-    """What simulate gives: times (s), points (frames, strands, points, 3) in m, a StepReport for each frame after the first, the indices of the
-    groom's curves that were simulated, and of those that could not be.
+    """Result of simulate: times (s), points (frames, strands, points, 3) in m, a StepReport for each step, the indices of the simulated curves and
+    of the skipped ones, the stiffening of each strand, and the indices of strands that were ever quarantined.
     """
 
     times: Numbers
@@ -304,10 +253,10 @@ def simulate(
     settings: Settings | None = None,
     **preparation: Any,
 ) -> Simulation:
-    """Simulates a groom on a moving head for duration seconds, fps frames a second, and writes a .usda cache with velocities if its path is given.
+    """Simulates a groom on a moving head for duration seconds at fps frames per second. With cache, also writes a .usda file with velocities.
 
-    motion: the head's frame at a time; the groom is as drawn at the time start. substeps: steps a frame (default: 2, or the settings').
-    progress(frame, frames) is called after each frame. preparation: what prepare takes.
+    motion: the head's frame at a time; at the time start the groom is as drawn. substeps: steps per frame (default: 2, or as settings say).
+    progress(frame, frames) is called after each frame. preparation: arguments of prepare.
     """
     if not duration > 0.0 or not fps > 0.0:
         raise ValueError(f"duration, fps: {duration}, {fps}; both above zero expected")
@@ -325,11 +274,10 @@ def simulate(
         try:
             for frame in range(frame_count):
                 if frame:
-                    reports.append(StepReport())
                     for substep in range(substeps):
                         time = start + ((frame - 1) * substeps + substep + 1) * dt
                         made.move_head(first, motion(time), dt)
-                        solver.step(dt, report=reports[-1])
+                        reports.append(solver.step(dt))
                         if reports[-1].quarantined:
                             quarantined |= solver.strand_status(strands) == StrandStatus.QUARANTINED
                 solver.sample_strands(points_per_strand, strands, out=points[frame])
@@ -364,83 +312,3 @@ def _write_frame(
         writer = CurveCacheWriter(cache, data, fps)
     writer.write(time, rows, velocities)
     return writer
-
-
-def interpolate(
-    guides: Path,
-    out: Path,
-    *,
-    roots: npt.ArrayLike | None = None,
-    scalp: Scalp | None = None,
-    count: int = 0,
-    scale: float | None = None,
-    fps: float | None = None,
-    settings: RenderSettings | None = None,
-    seed: int = 0,
-) -> int:
-    """Makes render hair of a cache of guides (.usda, as simulate writes it): a cache with a strand for each of roots, or for each of count follicles
-    scattered over a scalp near the guides, with velocities if the guides have them. The guides rest in the first frame; roots and scalp are where
-    they are then, m. Gives how many strands there are.
-    """
-    with CurveCache(guides) as cache:
-        times = cache.times()
-        with cache.sample(float(times[0])) as first:
-            units, counts = first.units(), first.point_counts()
-            metres = scale if scale is not None else (units.metres or 1.0)
-            rest = first.points(metres, dtype=np.float64)
-            moving = first.attribute(CurveAttribute.VELOCITY) is not None
-        if (roots is None) == (scalp is None):
-            raise ValueError("roots, scalp: give one of the two")
-        if scalp is not None:
-            starts = np.concatenate([[0], np.cumsum(counts)[:-1]]).astype(np.int64)
-            follicles = scalp.scatter(count, guide_roots=rest[starts], seed=seed)
-            places: npt.NDArray[Any] = scalp.root_frames(follicles)
-        else:
-            places = np.asarray(roots, dtype=np.float64)
-        step = float(np.median(np.diff(times))) if len(times) > 1 else 1.0 / 24.0
-        rate = fps if fps is not None else 1.0 / step
-        with RenderHair.from_guides(RenderGuides(rest, counts), places, settings) as hair, hair.pose() as pose:
-            shape = (hair.strand_count, hair.points_per_strand, 3)
-            velocities = np.zeros(shape, dtype=np.float32) if moving else None
-            # The first frame says what does not change.
-            first_frame = np.zeros(shape, dtype=np.float32)
-            data = CurveData(first_frame, velocities=velocities, up_axis=units.up_axis, metres_per_unit=units.metres)
-            with CurveCacheWriter(out, data, rate) as writer:
-                for time, curves in cache:
-                    pose.set_guides(_guides(curves, counts, metres, moving))
-                    points = pose.evaluate(velocities=velocities)
-                    scale = np.float32(1.0 / metres)
-                    writer.write(time, points * scale, None if velocities is None else velocities * scale)
-            return hair.strand_count
-
-
-def _guides(curves: Curves, counts: npt.NDArray[np.uint32], metres: float, moving: bool) -> RenderGuides:
-    """A frame's curves as guides, with their velocities where the cache has some."""
-    speeds = curves.attribute(CurveAttribute.VELOCITY) if moving else None
-    rows = curves.points(metres, dtype=np.float64)
-    return RenderGuides(rows, counts, velocities=None if speeds is None else speeds * np.float32(metres))
-
-
-def read_obj_mesh(path: Path, scale: float = 1.0) -> tuple[Numbers, npt.NDArray[np.uint32]]:
-    """Vertices (times scale: metres a file unit) and triangles of a Wavefront .obj with faces, for BodyDef.mesh, bake_distance_grid and Scalp.
-    Faces of more than three corners are split into fans: they should be convex.
-    """
-    vertices: list[list[float]] = []
-    triangles: list[tuple[int, int, int]] = []
-    with open(path, encoding="utf-8") as file:
-        for number, line in enumerate(file, 1):
-            words = line.split()
-            if not words or words[0] not in ("v", "f"):
-                continue
-            try:
-                if words[0] == "v":
-                    vertices.append([float(word) for word in words[1:4]])
-                    continue
-                corners = [int(word.split("/")[0]) for word in words[1:]]
-                corners = [corner - 1 if corner > 0 else len(vertices) + corner for corner in corners]
-            except ValueError as error:
-                raise ValueError(f"{path}:{number}: {error}") from None
-            if len(corners) < 3 or not all(0 <= corner < len(vertices) for corner in corners):
-                raise ValueError(f"{path}:{number}: a face whose corners are not there")
-            triangles += [(corners[0], corners[place], corners[place + 1]) for place in range(1, len(corners) - 1)]
-    return np.array(vertices, dtype=np.float64).reshape(-1, 3) * scale, np.array(triangles, dtype=np.uint32).reshape(-1, 3)

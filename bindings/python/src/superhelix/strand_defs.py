@@ -40,7 +40,7 @@ class StrandDefs:
     data is the structured array of all definitions: its columns may be changed before the strands are added.
     """
 
-    __slots__ = ("_kept", "data")
+    __slots__ = ("_counts", "_kept", "data")
 
     def __init__(
         self,
@@ -103,6 +103,8 @@ class StrandDefs:
         self._count_elements(element_count, arrays)
         for name, array in arrays.items():
             self._put_rows(name, array)
+        #: How many rows there are for each strand: more must not be read.
+        self._counts: npt.NDArray[np.uint32] = self.data["element_count"].copy()
 
     @classmethod
     def from_fit(cls, fit: Fit, *, material: Material | HairStrandTable | None = None, **fields: Any) -> StrandDefs:
@@ -127,6 +129,7 @@ class StrandDefs:
         if material is not None or "radius" in fields:
             defs.data["radius"] = radius
         defs._kept["fit lengths"], defs._kept["fit curvatures"] = fit.element_lengths, fit.curvatures
+        defs._counts = defs.data["element_count"].copy()
         return defs
 
     def set_material(self, material: Material | HairStrandTable) -> None:
@@ -190,14 +193,16 @@ class StrandDefs:
     def __getitem__(self, index: slice | npt.NDArray[Any] | list[int]) -> StrandDefs:
         """Some of the definitions."""
         other = StrandDefs(0)
-        other.data, other._kept = self.data[index], self._kept
+        other.data, other._kept, other._counts = self.data[index], self._kept, self._counts[index]
         return other
 
     def __repr__(self) -> str:
         return f"StrandDefs({len(self)})"
 
-    def _one(self) -> int:
-        """The address of the only definition; the array must live on meanwhile."""
-        if len(self.data) != 1:
-            raise ValueError(f"strand: {len(self.data)} definitions; 1 expected")
-        return address(self.data)
+    def _ready(self, count: int | None = None) -> npt.NDArray[Any]:
+        """The definitions as functions take them; count: how many there must be."""
+        if count is not None and len(self.data) != count:
+            raise ValueError(f"strand: {len(self.data)} definitions; {count} expected")
+        if self._kept and not np.array_equal(self.data["element_count"], self._counts):
+            raise ValueError("element_count: changed after rows for the elements were given; create the definitions anew")
+        return np.ascontiguousarray(self.data)

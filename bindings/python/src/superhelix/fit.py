@@ -1,4 +1,4 @@
-"""From curves to strands: fitting, splines, and natural shapes that do not sag."""
+"""From curves to strands: fitting, splines, sag-free natural shapes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Numbers = npt.NDArray[np.float64]
 
 
 class PolylineStrand(NamedTuple):
-    """A strand fitted to one polyline: its root, length and errors, its elements' lengths (m) and curvatures (rad/m)."""
+    """Strand fitted to one polyline: root, length and errors, lengths (m) and curvatures (rad/m) of its elements."""
 
     fit: PolylineFit
     element_lengths: Numbers
@@ -30,8 +30,8 @@ class PolylineStrand(NamedTuple):
 
 
 class Fit:
-    """Strands fitted to curves. strands: a table with a row for each curve; element_lengths (strands, elements), m; curvatures (strands,
-    elements, 3), rad/m. A strand has strands.element_count elements; what lies beyond is 0.
+    """Strands fitted to curves. strands: a table with a row per curve; element_lengths (strands, elements), m; curvatures (strands, elements, 3),
+    rad/m. Strand i has strands.element_count[i] elements; the rest of its rows is 0.
     """
 
     __slots__ = ("curvatures", "element_lengths", "strands")
@@ -43,11 +43,11 @@ class Fit:
 
     @property
     def fitted(self) -> npt.NDArray[np.bool_]:
-        """Which curves could be fitted: others have no length, or numbers that are not finite."""
+        """Which curves were fitted. Curves without length or with non-finite numbers are not."""
         return np.asarray(self.strands.result == _capi.SHX_OK)
 
     def select(self, which: slice | npt.NDArray[Any] | list[int]) -> Fit:
-        """Some of the strands: fit.select(fit.fitted) are those that could be fitted."""
+        """Selects strands: fit.select(fit.fitted) drops curves that were not fitted."""
         return Fit(
             FittedStrandTable(np.ascontiguousarray(self.strands.data[which])),
             np.ascontiguousarray(self.element_lengths[which]),
@@ -62,7 +62,7 @@ class Fit:
 
 
 def fit_polyline(polyline: npt.ArrayLike, element_count: int) -> PolylineStrand:
-    """Fits a strand of element_count elements to one polyline (m, root first, a row a point)."""
+    """Fits a strand of element_count elements to one polyline (m, root first, one row per point)."""
     view = input_rows("polyline", polyline)
     count = whole("element_count", element_count)
     fit = PolylineFit()
@@ -89,9 +89,9 @@ def fit_strands(
     roots: Any = None,
     parallel_for: ParallelFor | None = None,
 ) -> Fit:
-    """Fits a strand to each of many curves. points: m, root first, one curve after the other, (curves, points, 3) or with point_counts (points, 3).
-    arclengths: of each point, m, where curves are longer than their polylines. widths: the hair's width at each point, m. frames: a material
-    frame at each point (rows of seven, or quaternions). roots: a root's frame, or the direction in which it leaves, for each curve.
+    """Fits a strand to each of many curves. points: m, root first, (curves, points, 3), or curve by curve (points, 3) with point_counts.
+    arclengths: arclength of each point, m, for curves that are longer than their polylines. widths: width of the hair at each point, m.
+    frames: a material frame at each point (rows of seven, or quaternions). roots: a root frame or a root direction for each curve.
     """
     rows = as_rows("points", points)
     if point_counts is None:
@@ -144,14 +144,14 @@ def fit_strands(
 
 
 def sag_free_curvatures(defs: StrandDefs, curvatures: npt.ArrayLike, gravity: npt.ArrayLike = (0.0, 0.0, -9.81)) -> Numbers:
-    """Natural curvatures for which strands of these definitions hang still under gravity (m/s^2) in the shapes of curvatures: rows of all
-    strands, one after the other, rad/m. Solver.adopt_rest_shapes does the same for strands of a solver.
+    """Computes natural curvatures for which strands of these definitions rest under gravity (m/s^2) in the shapes given by curvatures: rows strand by
+    strand, rad/m. Solver.adopt_rest_shapes does the same for strands of a solver.
     """
     counts = defs.data["element_count"].astype(np.int64)
     rows = column("curvatures", curvatures, np.float64, int(counts.sum()), 3)
     down = vector("gravity", gravity)
     natural = np.empty_like(rows)
-    data = np.ascontiguousarray(defs.data)
+    data = defs._ready()
     place = 0
     for strand, count in enumerate(counts.tolist()):
         check(
@@ -175,7 +175,7 @@ def spline_points(
     *,
     dtype: npt.DTypeLike = np.float64,
 ) -> tuple[npt.NDArray[Any], Numbers]:
-    """Points of a cubic curve with the given control points, and the arclength of each: give both to fit_strands."""
+    """Samples a cubic curve: returns its points and the arclength of each. Pass both to fit_strands."""
     definition = _capi.shx_spline_def()
     initialize(definition)
     definition.kind, definition.ends = whole("kind", kind), whole("ends", ends)

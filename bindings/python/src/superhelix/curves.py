@@ -27,14 +27,14 @@ def _path(path: Path) -> bytes:
 
 
 class Units(NamedTuple):
-    """Metres a file unit (0 where the file does not say), and the axis that points up."""
+    """Metres per file unit (0: unknown), and the up axis."""
 
     metres: float
     up_axis: UpAxis
 
 
 class Curves(Owner):
-    """The strands of a groom file: polylines, root first, in the file's units. It never changes."""
+    """Strands of a groom file: polylines, root first, in file units. Immutable."""
 
     __slots__ = ()
 
@@ -56,19 +56,19 @@ class Curves(Owner):
 
     @property
     def strand_count(self) -> int:
-        """How many strands there are."""
+        """Number of strands."""
         return self._counts()[0]
 
     @property
     def point_count(self) -> int:
-        """How many points there are in all."""
+        """Number of points of all strands."""
         return self._counts()[1]
 
     def __len__(self) -> int:
         return self.strand_count
 
     def point_counts(self) -> npt.NDArray[np.uint32]:
-        """The number of points of each strand."""
+        """Returns the number of points of each strand."""
         counts = np.empty(self.strand_count, dtype=np.uint32)
         check(functions.shx_curves_point_counts(self._handle, address(counts), len(counts)))
         return counts
@@ -82,7 +82,7 @@ class Curves(Owner):
         dtype: npt.DTypeLike = np.float32,
         out: npt.NDArray[Any] | None = None,
     ) -> npt.NDArray[Any]:
-        """The points of strands, one strand after the other, each number times scale (metres a file unit)."""
+        """Returns the points of strands, strand by strand, times scale (metres per file unit)."""
         counts = self.point_counts()
         first = whole("first_strand", first_strand, 0, 2**63)
         number = max(len(counts) - first, 0) if strand_count is None else whole("strand_count", strand_count, 0, 2**63)
@@ -94,7 +94,7 @@ class Curves(Owner):
         return out
 
     def attribute(self, attribute: CurveAttribute) -> npt.NDArray[np.float32] | None:
-        """What the file says beside the points, a row or number for each point or strand; None where it does not say."""
+        """Returns an attribute of the file, one row or number per point or strand; None if the file does not have it."""
         which, count = whole("attribute", attribute), ctypes.c_size_t()
         check(functions.shx_curves_attribute(self._handle, which, None, 0, ctypes.byref(count)))
         if count.value == 0:
@@ -105,7 +105,7 @@ class Curves(Owner):
         return numbers if width == 1 else numbers.reshape(-1, width)
 
     def units(self) -> Units:
-        """Metres a file unit and the axis that points up, where the file says them."""
+        """Returns metres per file unit and the up axis, as the file states them."""
         metres, up = ctypes.c_double(), ctypes.c_uint32()
         check(functions.shx_curves_units(self._handle, ctypes.byref(metres), ctypes.byref(up)))
         return Units(metres.value, UpAxis(up.value))
@@ -123,8 +123,8 @@ def _counts_of(points: npt.NDArray[Any], point_counts: npt.ArrayLike | None) -> 
 
 
 class CurveData:
-    """Curves to write: points (m or file units, one strand after the other, (strands, points, 3) or with point_counts (points, 3)), and what is
-    to be said beside them. Arrays have a row or number for each point, or for each strand.
+    """Curves to write: points (file units, (strands, points, 3), or strand by strand (points, 3) with point_counts) and attributes: one row or
+    number per point, strand_... per strand.
     """
 
     __slots__ = ("_c", "_kept")
@@ -171,7 +171,7 @@ class CurveData:
 
 
 def write_curves(path: Path, data: CurveData | npt.ArrayLike, point_counts: npt.ArrayLike | None = None) -> None:
-    """Writes curves to a .hair, .tfx, .obj or .usda file: CurveData with all that the format has a place for, or points alone."""
+    """Writes curves to a .hair, .tfx, .obj or .usda file: CurveData with all attributes that the format can store, or points alone."""
     if isinstance(data, CurveData):
         check(functions.shx_curve_data_write(_path(path), ctypes.byref(data._c)))
         return
@@ -182,7 +182,7 @@ def write_curves(path: Path, data: CurveData | npt.ArrayLike, point_counts: npt.
 
 
 class CurveCache(Owner):
-    """Curves over time, from a .usda file with time samples. It never changes."""
+    """Curves over time, from a .usda file with time samples. Immutable."""
 
     __slots__ = ()
 
@@ -191,7 +191,7 @@ class CurveCache(Owner):
         self._open = made(functions.shx_curve_cache_destroy, lambda out: functions.shx_curve_cache_read(name, out))
 
     def times(self) -> npt.NDArray[np.float64]:
-        """The times of the frames, s, ascending."""
+        """Returns the times of the frames, s, ascending."""
         count = ctypes.c_size_t()
         check(functions.shx_curve_cache_times(self._handle, None, 0, ctypes.byref(count)))
         times = np.empty(count.value)
@@ -199,7 +199,7 @@ class CurveCache(Owner):
         return times
 
     def sample(self, time: float) -> Curves:
-        """The curves at a time, s: a frame's own at its time, between frames straight from one to the next, outside held."""
+        """Returns the curves at a time, s, linear between frames and constant outside."""
         handle = self._handle
         return Curves._from(made(functions.shx_curves_destroy, lambda out: functions.shx_curve_cache_sample(handle, time, out)))
 
@@ -209,15 +209,13 @@ class CurveCache(Owner):
 
 
 class CurveCacheWriter(Owner):
-    """A cache that is being written, a .usda file, which appears when the writer is closed. As a context manager it is given up where the block
-    raises: nothing is left of it then.
-    """
+    """Writes a cache, a .usda file, which appears when the writer is closed. As a context manager it abandons the file if the block raises."""
 
     __slots__ = ("frame_count",)
     frame_count: int
 
     def __init__(self, path: Path, first: CurveData, frames_per_second: float) -> None:
-        """first has the numbers of points and what does not change over time; whether it has velocities says whether frames have."""
+        """first: point counts and attributes that do not change over time. If it has velocities, frames have velocities too."""
         name = _path(path)
 
         def create(out: Any) -> int:
@@ -227,14 +225,14 @@ class CurveCacheWriter(Owner):
         self.frame_count = 0
 
     def write(self, time: float, points: npt.ArrayLike, velocities: npt.ArrayLike | None = None) -> None:
-        """Writes a frame: its time, s, after that of the frame before, the points of all strands, and their velocities if the first had some."""
+        """Writes a frame: its time, s, later than the previous one, the points of all strands, and their velocities if the first had velocities."""
         view = input_rows("points", points)
         speeds = None if velocities is None else input_rows("velocities", velocities)
         check(functions.shx_curve_cache_writer_write(self._handle, time, ctypes.byref(view), None if speeds is None else ctypes.byref(speeds)))
         self.frame_count += 1
 
     def close(self) -> None:
-        """Ends the cache and puts the file in its place. Raises where no frame was written."""
+        """Finishes the cache and moves the file into place. Raises if no frame was written."""
         handle = self._open
         if handle is not None:
             self._open = None
@@ -244,7 +242,7 @@ class CurveCacheWriter(Owner):
             check(result)
 
     def abandon(self) -> None:
-        """Gives the cache up: nothing is left of it."""
+        """Abandons the cache and deletes what was written."""
         self._open = None
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:

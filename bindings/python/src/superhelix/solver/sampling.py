@@ -1,4 +1,4 @@
-"""Points, frames, velocities and forces of strands."""
+"""Sampling: points, frames, velocities and root forces of strands."""
 
 from __future__ import annotations
 
@@ -36,12 +36,11 @@ class Sampling(SolverBase):
         frames: npt.NDArray[Any] | None = None,
         velocities: npt.NDArray[Any] | None = None,
     ) -> npt.NDArray[Any]:
-        """The points of strands, uniform in arclength, root and tip included, m: an array (strands, points, 3) of dtype float32 or float64.
+        """Returns points of strands, uniform in arclength, including root and tip, m: an array (strands, points, 3) of dtype float32 or float64.
 
         out: an array to write the points to instead, without a copy: any strided view with items of three numbers, or four, the fourth the
         strand's radius. frames and velocities: arrays for the frames along the strands (seven float64, or quaternions x, y, z, w) and the velocities
-        of the points (m/s), in the same way. origin is subtracted from positions before they
-        are narrowed to float32, m.
+        of the points (m/s). origin is subtracted from positions before they are rounded to float32, m.
         """
         bits = self._strands(ids)
         definition = _capi.shx_sample_def()
@@ -67,14 +66,14 @@ class Sampling(SolverBase):
         return out
 
     def sample_frames(self, points_per_strand: int = 33, ids: StrandsLike = None) -> npt.NDArray[np.float64]:
-        """The frames along strands, (strands, points, 7): origin, m, and quaternion x, y, z, w; n0 is the tangent."""
+        """Returns frames along strands, (strands, points, 7): origin, m, and quaternion x, y, z, w; n0 is the tangent."""
         bits = self._strands(ids)
         frames = np.empty((len(bits), whole("points_per_strand", points_per_strand), 7))
         self._sample_one("frames", frames, bits, points_per_strand)
         return frames
 
     def sample_velocities(self, points_per_strand: int = 33, ids: StrandsLike = None, dtype: npt.DTypeLike = np.float64) -> npt.NDArray[Any]:
-        """The velocities of material points of strands, (strands, points, 3), m/s."""
+        """Returns velocities of material points of strands, (strands, points, 3), m/s."""
         bits = self._strands(ids)
         velocities = np.empty((len(bits), whole("points_per_strand", points_per_strand), 3), dtype=float_type("dtype", dtype))
         self._sample_one("velocities", velocities, bits, points_per_strand)
@@ -107,7 +106,7 @@ class Sampling(SolverBase):
         frames: npt.NDArray[Any] | None = None,
         velocities: npt.NDArray[Any] | None = None,
     ) -> npt.NDArray[Any]:
-        """Points of one strand at arclengths from the root (m, in any order); the outputs as in sample_strands."""
+        """Returns points of one strand at arclengths from the root (m, in any order). Other outputs as in sample_strands."""
         along = column("arclengths", arclengths, np.float64)
         start = None if origin is None else vector("origin", origin)
         if out is None:
@@ -128,7 +127,7 @@ class Sampling(SolverBase):
         return out
 
     def root_wrenches(self, ids: StrandsLike = None, dtype: npt.DTypeLike = np.float64) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
-        """What strands do to their follicles as of the last step: forces (N) and torques about the roots (N m), world axes."""
+        """Returns the forces (N) and torques about the roots (N m) that strands exerted on their follicles in the last step, world axes."""
         bits = self._strands(ids)
         forces, torques = (np.empty((len(bits), 3), dtype=float_type("dtype", dtype)) for _ in range(2))
         views = [Output("forces", forces, (3,), len(bits)).view, Output("torques", torques, (3,), len(bits)).view]

@@ -19,8 +19,8 @@ from superhelix.solver._packed import packed
 
 
 class Brushed(NamedTuple):
-    """What a brush did to each strand: whether a point of it was in the brush, and the root mean square distance of these points from where they
-    were to go, m.
+    """Result of a brush for each strand: whether a point of it was in the brush, and the root mean square distance of these points from their
+    targets, m.
     """
 
     touched: npt.NDArray[np.bool_]
@@ -53,8 +53,8 @@ class Posing(SolverBase):
         *,
         movable: npt.ArrayLike | None = None,
     ) -> Numbers:
-        """Drags a point of each strand, at arclengths (m from the root), to targets (world, m, a row each). Strands are at rest then. movable: 1 or
-        0 for each element of each strand, one strand after the other: whether it may change. Gives how far each point is from its target, m.
+        """Drags a point of each strand, at arclengths (m from the root), to targets (world space, m, one row each). Strands are at rest afterwards.
+        movable: 1 or 0 for each element, strand by strand: whether it may change. Returns the distance of each point from its target, m.
         """
         bits = self._strands(ids)
         along = column("arclengths", arclengths, np.float64, len(bits))
@@ -73,7 +73,7 @@ class Posing(SolverBase):
         return distances
 
     def brush_strands(self, brush: Brush, ids: StrandsLike = None, options: PoseOptions | None = None, *, movable: npt.ArrayLike | None = None) -> Brushed:
-        """Moves a brush over strands: the points in it follow, by its falloff. Strands with no point in it are left alone to the bit."""
+        """Moves a brush through strands: the points in it follow, weighted by its falloff. Strands with no point in it do not change."""
         bits = self._strands(ids)
         chosen = pose_options(options, movable)
         touched, distances = np.empty(len(bits), dtype=np.uint8), np.empty(len(bits))
@@ -89,21 +89,21 @@ class Posing(SolverBase):
         return Brushed(touched.astype(bool), distances)
 
     def change_elements(self, changes: ElementChange | Sequence[ElementChange], ids: StrandsLike = None) -> None:
-        """Changes an element of each strand: twists, bends and lengthens it. One change for all strands, or one each."""
+        """Changes one element of each strand: twist, bend, length. One ElementChange for all strands, or one each."""
         bits = self._strands(ids)
         listed = [changes] * len(bits) if isinstance(changes, ElementChange) else changes
         data, size, _ = packed("changes", listed, ElementChange, len(bits))
         self._call(functions.shx_solver_change_elements, address(bits), len(bits), address(data), size)
 
     def cut_strands(self, arclengths: npt.ArrayLike, ids: StrandsLike = None) -> None:
-        """Cuts each strand at an arclength (m from the root). What is left keeps its shape and its velocities."""
+        """Cuts each strand at an arclength (m from the root). The rest keeps its shape and velocities."""
         bits = self._strands(ids)
         along = column("arclengths", arclengths, np.float64, len(bits))
         self._call(functions.shx_solver_cut_strands, address(bits), len(bits), address(along))
 
     def grow_strands(self, length: float, ids: StrandsLike = None, *, element_count: int = 0, curvatures: npt.ArrayLike | None = None) -> None:
-        """Lets strands grow at their tips by length, m. element_count elements are added; 0: the last one becomes longer. curvatures: three
-        numbers, rad/m, of the added elements; None: those of the last one.
+        """Grows strands at their tips by length, m. Adds element_count elements; 0: the last element becomes longer. curvatures: three numbers,
+        rad/m, for the added elements; None: those of the last one.
         """
         bits = self._strands(ids)
         added = None if curvatures is None else vector("curvatures", curvatures)
@@ -117,7 +117,7 @@ class Posing(SolverBase):
         )
 
     def mirror_strands(self, point: npt.ArrayLike, normal: npt.ArrayLike, ids: StrandsLike = None) -> StrandIds:
-        """Adds the images of strands in the plane through point (m) across normal, and gives their ids."""
+        """Adds mirror images of strands in the plane through point (m) with the given normal, and returns their ids."""
         bits = self._strands(ids)
         through, across = vector("point", point), vector("normal", normal)
         images = np.empty(len(bits), dtype=np.uint64)

@@ -735,7 +735,7 @@ class ConstraintDef(Record):
 
     __slots__ = ()
     _STRUCT = _capi.shx_constraint_def
-    kind = EnumField(ConstraintKind, "ConstraintKind.POINT (default), _DIRECTION, _FRAME, _RING or _TIE.")
+    kind = EnumField(ConstraintKind, "ConstraintKind.POINT (default), DIRECTION, FRAME, RING or TIE.")
     strand = IdField(StrandId, "The constrained strand. Default null id: set it.")
     arclength = FloatField(
         "Arclength of the constrained point from the root, m; 0 to the length of the strand. A ring starts near it. Default 0."
@@ -962,7 +962,7 @@ class Settings(Record):
 
 
 class SuggestDef(Record):
-    """Options of shx_suggest_elements."""
+    """Options of suggest_elements."""
 
     __slots__ = ()
     _STRUCT = _capi.shx_suggest_def
@@ -992,7 +992,7 @@ class SuggestDef(Record):
 
 
 class Suggestion(Record):
-    """Result of shx_suggest_elements."""
+    """Result of suggest_elements."""
 
     __slots__ = ()
     _STRUCT = _capi.shx_suggestion
@@ -1031,10 +1031,10 @@ class FrictionFitDef(Record):
     observable = EnumField(Observable, "Meaning of the recorded values: Observable. Default Observable.SPAN.")
     coefficients = EnumField(
         FrictionCoefficient,
-        "Coefficients to fit: FrictionCoefficient.INTERNAL, _VISCOSITY and _AIR_DRAG bits, at least one. Default 0: set it."
+        "Coefficients to fit: FrictionCoefficient.INTERNAL, VISCOSITY and AIR_DRAG bits, at least one. Default 0: set it."
     )
     start = EnumField(FrictionStart, "Initial state of the strand: FrictionStart. Default FrictionStart.SETTLED.")
-    direction = VectorField(3, "Direction for Observable.OFFSET and _ANGLE, any length above zero. Default (1, 0, 0).")
+    direction = VectorField(3, "Direction for Observable.OFFSET and ANGLE, any length above zero. Default (1, 0, 0).")
     internal_friction_range = VectorField(
         2,
         "Smallest and largest gamma to try, kg m^3/s; above zero, ascending. Default 1e-12, 1e-8."
@@ -1365,8 +1365,8 @@ class RenderSettings(Record):
     )
     worker_count = IntField(
         "Threads that evaluate strands. 0 or 1 (default): the calling thread. 2 to 256: a pool that lives as long as the hair "
-        "and its poses. With a task system, leave it at 0 and call shx_render_pose_evaluate from your tasks, each for some of "
-        "the strands."
+        "and its poses. With a task system, leave it at 0 and call RenderPose.evaluate from your tasks, each for some of the "
+        "strands."
     )
 
     def __init__(

@@ -51,12 +51,11 @@ class Stepping(SolverBase):
         cancel: Cancel | None = None,
         report: StepReport | None = None,
     ) -> StepReport:
-        """Moves time on by dt seconds in substeps equal parts, each a full solve, and tells how that went. Other Python threads run meanwhile.
+        """Advances the solver by dt seconds in equal substeps, each a full solve, and returns a report. Other Python threads run meanwhile.
 
-        With limits the step ends early, every strand whole and finite, and report.stop_reason says why. max_work: most work on strands in contact
-        or constrained, in each substep, in units of about a microsecond of one core; counted, so that results are the same on every machine.
-        max_seconds: wall-clock time; results then depend on the clock. cancel: a flag that another thread sets. A report that is given is
-        overwritten and returned: a loop needs only one.
+        With limits the step may stop early; all strands stay finite, and report.stop_reason says why. max_work: maximum work per substep on strands
+        in contact or with constraints, in units of about a microsecond of one core; counted, so results are the same on every machine.
+        max_seconds: wall-clock time; results then depend on the clock. cancel: a flag that another thread sets. Pass report to reuse one.
         """
         if report is None:
             report = StepReport()
@@ -88,13 +87,13 @@ class Stepping(SolverBase):
         self._call(functions.shx_solver_set_wind, address(numbers))
 
     def memory_usage(self) -> int:
-        """Bytes of memory that the solver holds, all its strands, bodies and constraints included."""
+        """Returns the memory of the solver, bytes, including all strands, bodies and constraints."""
         number = ctypes.c_uint64()
         self._call(functions.shx_solver_memory_usage, ctypes.byref(number))
         return number.value
 
     def snapshot(self) -> bytes:
-        """An image of everything that a step depends on: strands, roots, states, bodies, constraints, gravity, wind, options."""
+        """Returns an image of everything that a step depends on: strands, roots, states, bodies, constraints, gravity, wind, options."""
         size = ctypes.c_size_t()
         self._call(functions.shx_solver_snapshot, None, 0, ctypes.byref(size))
         image = ctypes.create_string_buffer(max(size.value, 1))
@@ -102,13 +101,13 @@ class Stepping(SolverBase):
         return image.raw[: size.value]
 
     def restore(self, image: bytes | bytearray | memoryview) -> None:
-        """Puts the solver into the state of a snapshot. Ids are those that were valid when it was taken. Stepping on gives the same bits."""
+        """Restores a snapshot, with the ids that were valid when it was taken. Further steps give the same bits."""
         data: Any = bytes(image)
         self._call(functions.shx_solver_restore, data, len(data))
         self._all = None
 
     def state_hash(self) -> int:
-        """A hash of everything that a step depends on: equal states give equal hashes."""
+        """Returns a hash of everything that a step depends on: equal states give equal hashes."""
         number = ctypes.c_uint64()
         self._call(functions.shx_solver_state_hash, ctypes.byref(number))
         return number.value

@@ -1,4 +1,4 @@
-"""Bodies in a solver: adding, moving, deforming them, and what strands do to them."""
+"""Bodies of a solver: adding, moving and deforming them, and the forces on them."""
 
 from __future__ import annotations
 
@@ -23,41 +23,41 @@ class Bodies(SolverBase):
     __slots__ = ()
 
     def add_bodies(self, defs: Sequence[BodyDef]) -> BodyIds:
-        """Adds bodies, all or none, and gives their ids. Strands meet them once set_strand_contact has made them to."""
+        """Adds bodies, all or none, and returns their ids. Only strands with contact collide with bodies: see set_strand_contact."""
         data, size, count = packed("defs", defs, BodyDef, None)
         bits = np.empty(count, dtype=np.uint64)
         self._call(functions.shx_solver_add_bodies, address(data), size, count, address(bits))
         return BodyIds(bits)
 
     def add_body(self, definition: BodyDef) -> BodyId:
-        """Adds a body."""
+        """Adds a body and returns its id."""
         return self.add_bodies([definition])[0]
 
     def remove_bodies(self, ids: BodiesLike) -> None:
-        """Removes bodies, all or none. Their ids are stale from then on."""
+        """Removes bodies, all or none. Their ids become invalid."""
         bits = self._bodies(ids)
         self._call(functions.shx_solver_remove_bodies, address(bits), len(bits))
 
     def has_body(self, id: BodyId) -> bool:
-        """Whether an id names a body of this solver."""
+        """Returns whether an id names a body of this solver."""
         return bool(functions.shx_solver_has_body(self._handle, self._body(id)))
 
     def set_body_frames(self, frames: Any, ids: BodiesLike = None, over_seconds: float = 0.0) -> None:
         """Moves bodies smoothly to frames (float64 rows of origin, m, and quaternion x, y, z, w; one for each body) over the next over_seconds of
-        simulated time (0: within the next substep); they push what lies between.
+        simulated time (0: within the next substep). They push the strands in between.
         """
         bits = self._bodies(ids)
         view = input_frames("frames", frames, len(bits))
         self._call(functions.shx_solver_set_body_frames, address(bits), len(bits), ctypes.byref(view), over_seconds)
 
     def teleport_bodies(self, frames: Any, ids: BodiesLike = None) -> None:
-        """Puts bodies at frames at once, at rest: they push nothing that lies between."""
+        """Moves bodies to frames at once, at rest. They do not push strands in between."""
         bits = self._bodies(ids)
         view = input_frames("frames", frames, len(bits))
         self._call(functions.shx_solver_teleport_bodies, address(bits), len(bits), ctypes.byref(view))
 
     def body_frames(self, ids: BodiesLike = None, out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
-        """The frames of bodies as they are now, rows of origin and quaternion. out: as in root_frames."""
+        """Returns the current frames of bodies, rows of origin and quaternion. out: as in root_frames."""
         bits = self._bodies(ids)
         array = np.empty((len(bits), 7)) if out is None else out
         output = Output("out", array, (7, 4), len(bits))
@@ -65,22 +65,22 @@ class Bodies(SolverBase):
         return array
 
     def set_body_vertices(self, id: BodyId, vertices: npt.ArrayLike, over_seconds: float = 0.0) -> None:
-        """Sends the vertices of a mesh (m, the body's axes, as many as it was made with) to new places over the next over_seconds of simulated time.
-        For skin that deforms: once a frame.
+        """Moves the vertices of a mesh (m, body axes, as many as it was created with) to new positions over the next over_seconds of simulated time.
+        Call it once per frame for deforming skin.
         """
         view = input_rows("vertices", vertices, (3,))
         self._call(functions.shx_solver_set_body_vertices, self._body(id), ctypes.byref(view), over_seconds)
 
     def set_body_surface(self, id: BodyId, thickness: float, friction_scale: float = 1.0, viscous_friction_scale: float = 1.0) -> None:
-        """Changes how far outside its shape a body's surface lies (m), and the factors on the strands' coefficients of friction."""
+        """Sets the thickness of a body (m) and its factors on the strands' friction coefficients."""
         self._call(functions.shx_solver_set_body_surface, self._body(id), thickness, friction_scale, viscous_friction_scale)
 
     def set_body_filter(self, id: BodyId, groups: int, mask: int) -> None:
-        """Changes which groups a body is in and which it meets (bits)."""
+        """Sets the collision groups of a body and the groups that it collides with (bits)."""
         self._call(functions.shx_solver_set_body_filter, self._body(id), whole("groups", groups), whole("mask", mask))
 
     def body_wrenches(self, ids: BodiesLike = None, dtype: npt.DTypeLike = np.float64) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
-        """What strands did to bodies in the last substep: forces (N) and torques about the bodies' origins (N m), world axes."""
+        """Returns the forces (N) and torques about the bodies' origins (N m) that strands exerted on bodies in the last substep, world axes."""
         bits = self._bodies(ids)
         forces, torques = (np.empty((len(bits), 3), dtype=float_type("dtype", dtype)) for _ in range(2))
         views = [Output("forces", forces, (3,), len(bits)).view, Output("torques", torques, (3,), len(bits)).view]

@@ -1,4 +1,4 @@
-"""Kinds of hair: measured types, their strands, and the wisps that guides stand for."""
+"""Hair types, their strands, and the wisps that guides represent."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from superhelix.records import HairSliders, HairStrandTable, HairType, Material,
 
 
 def hair_type(name: str) -> HairType:
-    """What was measured of a kind of hair: "asian", "caucasian1", "caucasian2", "african" (Bertails et al. 2006, appendix B), "h1", "h2", "ga1",
+    """Returns a measured hair type: "asian", "caucasian1", "caucasian2", "african" (Bertails et al. 2006, appendix B), "h1", "h2", "ga1",
     "gc3" (Bonanni and Kmoch 2008, table 1).
     """
     found = HairType()
@@ -26,9 +26,7 @@ def hair_type(name: str) -> HairType:
 
 
 class HairStrands(NamedTuple):
-    """Strands of a kind: what each is made of (give it to StrandDefs as material), and their natural twist and curvatures, rad/m, one strand after
-    the other.
-    """
+    """Strands of a hair type: their materials (pass them to StrandDefs as material), and their natural curvatures, rad/m, strand by strand."""
 
     strands: HairStrandTable
     natural_curvatures: npt.NDArray[np.float64]
@@ -42,8 +40,8 @@ def hair_strands(
     sliders: HairSliders | None = None,
     first_strand: int = 0,
 ) -> HairStrands:
-    """Makes strands of a kind, numbered first_strand and on: the same number always gives the same strand. element_counts: the number of elements
-    of each strand; element_lengths: their lengths, m, one strand after the other.
+    """Generates strands of a hair type, numbered from first_strand. The same number always gives the same strand. element_counts: number of
+    elements of each strand; element_lengths: their lengths, m, strand by strand.
     """
     counts = column("element_counts", element_counts, np.uint32)
     lengths = column("element_lengths", element_lengths, np.float64, int(counts.sum()))
@@ -61,7 +59,7 @@ def hair_strands(
 
 
 class WispMaterial(NamedTuple):
-    """The rod that moves as a wisp does: its material, the radius within which the hairs lie (m, for StrandContact.wisp_radius), and the margin for
+    """Rod that moves as a wisp does: its material, the radius of the wisp (m, for StrandContact.wisp_radius), and the margin for
     Solver.stiffen_strands with which it rests as drawn.
     """
 
@@ -71,7 +69,7 @@ class WispMaterial(NamedTuple):
 
 
 def wisp_material(wisp: Wisp | None = None, hair: Material | None = None) -> WispMaterial:
-    """The material of the rod that moves as a wisp of such hairs does: docs/wisps.md has the model."""
+    """Computes the material of a rod that moves as a wisp of such hairs does. docs/wisps.md has the model."""
     chosen, single, material = wisp or Wisp(), hair or Material(), Material()
     radius, margin = ctypes.c_double(), ctypes.c_double()
     check(

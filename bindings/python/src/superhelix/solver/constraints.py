@@ -1,4 +1,4 @@
-"""Constraints: strands held at points, in frames, by rings, to each other."""
+"""Constraints: points, directions, frames, rings and ties."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Constraints(SolverBase):
     __slots__ = ()
 
     def add_constraints(self, defs: Sequence[ConstraintDef]) -> ConstraintIds:
-        """Adds constraints, all or none, and gives their ids. They hold from the end of the next substep on."""
+        """Adds constraints, all or none, and returns their ids. They hold from the end of the next substep on."""
         data, size, count = packed("defs", defs, ConstraintDef, None)
         bits = np.empty(count, dtype=np.uint64)
         self._call(functions.shx_solver_add_constraints, address(data), size, count, address(bits))
@@ -34,12 +34,12 @@ class Constraints(SolverBase):
         return self.add_constraints([definition])[0]
 
     def remove_constraints(self, ids: ConstraintsLike) -> None:
-        """Removes constraints, all or none. Their ids are stale from then on."""
+        """Removes constraints, all or none. Their ids become invalid."""
         bits = self._constraints(ids)
         self._call(functions.shx_solver_remove_constraints, address(bits), len(bits))
 
     def has_constraint(self, id: ConstraintId) -> bool:
-        """Whether an id names a constraint of this solver."""
+        """Returns whether an id names a constraint of this solver."""
         if type(id) is not ConstraintId:
             raise TypeError(f"id: {type(id).__name__}; ConstraintId expected")
         return bool(functions.shx_solver_has_constraint(self._handle, id._value()))
@@ -53,7 +53,7 @@ class Constraints(SolverBase):
         self._call(functions.shx_solver_set_constraint_targets, address(bits), len(bits), ctypes.byref(view), over_seconds)
 
     def constraint_targets(self, ids: ConstraintsLike = None, out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
-        """The targets of constraints as they are now, rows of origin and quaternion. out: as in root_frames."""
+        """Returns the current targets of constraints, rows of origin and quaternion. out: as in root_frames."""
         bits = self._constraints(ids)
         array = np.empty((len(bits), 7)) if out is None else out
         output = Output("out", array, (7, 4), len(bits))
@@ -61,7 +61,7 @@ class Constraints(SolverBase):
         return array
 
     def constraint_states(self, ids: ConstraintsLike = None) -> ConstraintStateTable:
-        """What constraints did in the last substep: whether they hold, where, and with which force and torque."""
+        """Returns the state of constraints after the last substep: status, error, force and torque."""
         bits = self._constraints(ids)
         table = ConstraintStateTable._zeros(len(bits))
         self._call(functions.shx_solver_constraint_states, address(bits), len(bits), address(table.data), table.data.dtype.itemsize)

@@ -16,9 +16,12 @@ from superhelix.enums import *  # noqa: F403
 from superhelix.errors import *  # noqa: F403
 from superhelix.fit import Fit, fit_polyline, fit_strands, sag_free_curvatures, spline_points
 from superhelix.friction import fit_friction
-from superhelix.groom import Groom, interpolate, simulate
+from superhelix.groom import Groom, prepare, simulate
 from superhelix.hair import hair_strands, hair_type, wisp_material
 from superhelix.ids import BodyId, BodyIds, ConstraintId, ConstraintIds, StrandId, StrandIds
+from superhelix.interpolation import interpolate
+from superhelix.meshes import read_obj_mesh
+from superhelix.motion import carried, motion_from_samples, read_motion
 from superhelix.records import *  # noqa: F403
 from superhelix.render import RenderGuides, RenderHair, RenderPose
 from superhelix.scalp import Scalp
@@ -53,6 +56,7 @@ __all__ = [
     "abi_version",
     "bake_distance_grid",
     "build_info",
+    "carried",
     "enums",
     "errors",
     "fit_friction",
@@ -64,8 +68,12 @@ __all__ = [
     "hair_type",
     "interpolate",
     "log_to_logging",
+    "motion_from_samples",
     "parallel_for_on",
+    "prepare",
     "preset_settings",
+    "read_motion",
+    "read_obj_mesh",
     "records",
     "sag_free_curvatures",
     "simulate",

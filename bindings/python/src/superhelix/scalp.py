@@ -1,4 +1,4 @@
-"""Scalps: meshes on which follicles stand."""
+"""Scalps: meshes with follicles."""
 
 from __future__ import annotations
 
@@ -18,9 +18,11 @@ from superhelix.records import FollicleTable
 
 
 class Scalp(Owner):
-    """A triangle mesh at rest, on which follicles stand. It never changes."""
+    """Triangle mesh at rest that carries follicles. Immutable."""
 
-    __slots__ = ()
+    __slots__ = ("vertex_count",)
+    #: Number of vertices.
+    vertex_count: int
 
     def __init__(
         self,
@@ -31,10 +33,11 @@ class Scalp(Owner):
         reference_axis: npt.ArrayLike | None = None,
     ) -> None:
         """vertices: m; triangles: three indices each, anticlockwise seen from outside. uvs: texture coordinates of the three corners of each
-        triangle, (triangles, 3, 2). reference_axis: without uvs, the axis that n1 follows as it lies on the scalp (default x).
+        triangle, (triangles, 3, 2). reference_axis: without uvs, the axis that n1 follows, projected on the scalp (default x).
         """
         view = input_rows("vertices", vertices)
         corners = column("triangles", triangles, np.uint32, width=3)
+        self.vertex_count = int(view.count)
         definition = _capi.shx_scalp_def()
         initialize(definition)
         definition.vertices = view
@@ -58,9 +61,9 @@ class Scalp(Owner):
         guide_roots: npt.ArrayLike | None = None,
         max_guide_distance: float = 0.0,
     ) -> FollicleTable:
-        """Scatters follicles over the scalp at rest, evenly: count of them, or so that no two are nearer than spacing, m. density: a relative density
-        for each vertex, or a picture (rows from v = 0 on) over the texture coordinates. guide_roots: only where these points (m) cover the
-        scalp, or no farther from them than max_guide_distance, m.
+        """Scatters follicles evenly over the scalp at rest: count of them, or with a minimum distance of spacing, m. density: a relative density for
+        each vertex, or an image (rows from v = 0) over the texture coordinates. guide_roots: points (m); follicles only where these cover the
+        scalp, or within max_guide_distance (m) of one.
         """
         definition = _capi.shx_scatter_def()
         initialize(definition)
@@ -69,7 +72,10 @@ class Scalp(Owner):
         kept: list[Any] = []
         if density is not None:
             picture = np.asarray(density)
-            kept.append(column("density", picture, np.float64))
+            if picture.ndim not in (1, 2):
+                raise ValueError(f"density: shape {picture.shape}; ({self.vertex_count},) or (rows, pixels) expected")
+            # A density for each vertex has no count of its own.
+            kept.append(column("density", picture, np.float64, self.vertex_count if picture.ndim == 1 else None))
             definition.density = address(kept[-1])
             if picture.ndim == 2:
                 definition.density_height, definition.density_width = picture.shape
@@ -86,7 +92,7 @@ class Scalp(Owner):
         check(functions.shx_scalp_scatter(self._handle, ctypes.byref(definition), place, room, ctypes.byref(number), None))
 
     def follicles_at_uvs(self, uvs: npt.ArrayLike, jitter: float = 0.0, seed: int = 0) -> FollicleTable:
-        """The follicles at texture coordinates (u and v, a row each), each offset at random by up to jitter."""
+        """Returns the follicles at texture coordinates (u and v, one row each), offset at random by up to jitter."""
         coordinates = column("uvs", uvs, np.float64, width=2)
         table = FollicleTable._zeros(len(coordinates))
         check(
@@ -102,7 +108,7 @@ class Scalp(Owner):
         return table
 
     def root_frames(self, follicles: FollicleTable, vertices: npt.ArrayLike | None = None) -> npt.NDArray[np.float64]:
-        """The frames of follicles, rows of origin and quaternion: n0 is the scalp's normal. vertices: the scalp as it is now, m; None: at rest."""
+        """Returns the frames of follicles, rows of origin and quaternion; n0 is the normal of the scalp. vertices: the deformed scalp, m; None: at rest."""
         data = np.ascontiguousarray(follicles.data)
         view = None if vertices is None else input_rows("vertices", as_rows("vertices", vertices))
         frames = np.empty((len(data), 7))

@@ -1,4 +1,4 @@
-"""Render hair: many strands drawn from few guides."""
+"""Render hair: many strands interpolated from few guides."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def _places(name: str, values: Any, count: int | None = None) -> Any:
 
 
 class RenderGuides:
-    """Guides at one moment, as curves: points (m, root first, (guides, points, 3), or with point_counts (points, 3)); roots: how each follicle is
-    turned (frames, or quaternions); velocities of the points, m/s; root_angular_velocities, rad/s.
+    """Guides at one moment, as curves: points (m, root first, (guides, points, 3), or guide by guide (points, 3) with point_counts); roots:
+    orientation of each follicle (frames, or quaternions); velocities of the points, m/s; root_angular_velocities, rad/s.
     """
 
     __slots__ = ("_c", "_kept")
@@ -75,7 +75,7 @@ class RenderGuides:
 
 
 class RenderHair(Owner):
-    """Which guides each render strand follows, and how. It never changes. Make one with from_guides, from_solver or load."""
+    """Binding of render strands to their guides. Immutable. Create it with from_guides, from_solver or load."""
 
     __slots__ = ("_failures", "_guessed", "points_per_strand", "strand_count")
     _failures: Failures
@@ -111,9 +111,7 @@ class RenderHair(Owner):
         *,
         parallel_for: ParallelFor | None = None,
     ) -> RenderHair:
-        """Makes render hair of guides in their rest pose. roots: where the render strands' roots are at the same moment (m, or frames): one strand
-        for each.
-        """
+        """Creates render hair from guides in their rest pose. roots: the roots of the render strands in that pose (m, or frames), one per strand."""
         view = _places("roots", roots)
 
         def make(chosen: Any, out: Any) -> int:
@@ -131,7 +129,7 @@ class RenderHair(Owner):
         *,
         parallel_for: ParallelFor | None = None,
     ) -> RenderHair:
-        """Makes render hair whose guides are strands of a solver, as they are now: call it while they rest."""
+        """Creates render hair whose guides are strands of a solver in their current shapes. Call it while they rest."""
         view, bits = _places("roots", roots), solver._strands(ids)
 
         def make(chosen: Any, out: Any) -> int:
@@ -142,7 +140,7 @@ class RenderHair(Owner):
 
     @classmethod
     def load(cls, image: bytes, settings: RenderSettings | None = None, *, parallel_for: ParallelFor | None = None, points_per_strand: int) -> RenderHair:
-        """Makes render hair of bytes that save gave. Of settings only worker_count is looked at; points_per_strand must be that of the hair."""
+        """Creates render hair from the bytes of save. Uses only worker_count of settings. points_per_strand must be that of the hair."""
 
         def make(chosen: Any, out: Any) -> int:
             return functions.shx_render_hair_load(image, len(image), chosen, out)
@@ -167,7 +165,7 @@ class RenderHair(Owner):
         return functions.shx_render_hair_wisps(self._handle, count, 0, ctypes.byref(guide), None) == _capi.SHX_OK
 
     def save(self) -> bytes:
-        """The hair as bytes: load makes the same hair of them, so that binding need not be done again."""
+        """Returns the hair as bytes, for load: the same hair without binding it again."""
         size = ctypes.c_size_t()
         check(functions.shx_render_hair_save(self._handle, None, 0, ctypes.byref(size)))
         image = ctypes.create_string_buffer(max(size.value, 1))
@@ -175,7 +173,7 @@ class RenderHair(Owner):
         return image.raw[: size.value]
 
     def without_guides(self, gone: npt.ArrayLike) -> RenderHair:
-        """Hair that has lost guides (their numbers, counted as at creation): strands that follow none of them stay as they are."""
+        """Returns hair without some guides (indices as at creation). Strands that follow none of them do not change."""
         numbers = column("gone", gone, np.uint32)
         handle = self._handle
 
@@ -187,7 +185,7 @@ class RenderHair(Owner):
         return hair
 
     def wisps(self, first_strand: int = 0, strand_count: int | None = None) -> tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint32]]:
-        """The guide that each strand follows first, and the number of its wisp about that guide."""
+        """Returns the first guide of each strand, and the index of its wisp around that guide."""
         first = whole("first_strand", first_strand, 0, 2**63)
         count = max(self.strand_count - first, 0) if strand_count is None else whole("strand_count", strand_count, 0, 2**63)
         guides, wisps = np.empty(count, dtype=np.uint32), np.empty(count, dtype=np.uint32)
@@ -195,12 +193,12 @@ class RenderHair(Owner):
         return guides, wisps
 
     def pose(self) -> RenderPose:
-        """A pose of this hair. Set it before it is evaluated."""
+        """Creates a pose of this hair. Set its guides before you evaluate it."""
         return RenderPose(self)
 
 
 class RenderPose(Owner):
-    """Where the guides of render hair are at one moment."""
+    """Guides of render hair at one moment."""
 
     __slots__ = ("hair",)
     hair: RenderHair
@@ -212,11 +210,11 @@ class RenderPose(Owner):
         self.hair = hair
 
     def set_guides(self, guides: RenderGuides) -> None:
-        """Sets where the guides are, in the number and order of creation."""
+        """Sets the guides, in the number and order of creation."""
         check(functions.shx_render_pose_set_guides(self._handle, ctypes.byref(guides._c)))
 
     def set_from_solver(self, solver: Solver, ids: StrandsLike = None, *, velocities: bool = False) -> None:
-        """Sets where the guides are from strands of a solver as they are now; velocities: whether strands' velocities will be wanted."""
+        """Sets the guides from the current strands of a solver. velocities: whether evaluate will be asked for velocities."""
         bits = solver._strands(ids)
         solver._call(functions.shx_solver_set_render_pose, address(bits), len(bits), int(velocities), self._handle)
 
@@ -235,10 +233,10 @@ class RenderPose(Owner):
         frames: npt.NDArray[Any] | None = None,
         velocities: npt.NDArray[Any] | None = None,
     ) -> npt.NDArray[Any]:
-        """The points of render strands, m: (strands, points, 3) float32. out: an array to write them to instead, float32, items of three numbers, or
-        four, the fourth the radius. frames: an array for quaternions x, y, z, w (float32); velocities: one for velocities, m/s (float32). solver:
-        strands are kept out of its bodies. previous_pose: a pose in which the strands were interval seconds ago, for velocities. roots: where the
-        roots are (m, or frames; None: they go with their guides' roots).
+        """Evaluates render strands: returns points, m, (strands, points, 3) float32. out: an array to write them to instead, float32, items of three
+        numbers, or four, the fourth the radius. frames: an array for quaternions x, y, z, w (float32); velocities: an array for velocities, m/s
+        (float32). solver: strands stay out of its bodies. previous_pose: the pose interval seconds earlier, for velocities. roots: the current
+        roots (m, or frames; None: they move with the roots of their guides).
         """
         count = max(self.hair.strand_count - first_strand, 0) if strand_count is None else whole("strand_count", strand_count, 0, 2**63)
         view = _capi.shx_render_view()
