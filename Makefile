@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test python demo soak bench contact pictures fit instructions figures tradeoff peers clean
+.PHONY: help lib test python cpp csharp demo soak bench contact pictures fit instructions figures tradeoff peers clean
 
 help: ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
@@ -17,12 +17,22 @@ lib: ## the shared and the static library, the header and superhelix.pc, into bu
 	@echo "build/lib/libsuperhelix.so, build/lib/libsuperhelix.a, build/include/superhelix.h"
 
 test: ## everything: format, lints, documentation, tests in Rust and C, examples (about 10 minutes on two cores)
-	@scripts/setup.sh test python
+	@scripts/setup.sh test python csharp
 	cargo fmt --check
 	cargo clippy --locked --all-targets --all-features -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --all-features
 	cargo test --locked --all-features
 	scripts/test_python.sh
+	scripts/test_cpp.sh
+	scripts/test_csharp.sh
+
+cpp: ## the tests of the C++ binding alone: C++17 and C++20, with and without exceptions, sanitizers, the game loop (a minute)
+	@scripts/setup.sh test python
+	scripts/test_cpp.sh
+
+csharp: ## the tests of the C# binding alone, under mono: arrays, spans, the Unity component and its package (half a minute)
+	@scripts/setup.sh test csharp
+	scripts/test_csharp.sh
 
 python: ## the tests of the Python binding alone: lints, types, pytest, the guide's examples, an installed wheel (two minutes)
 	@scripts/setup.sh test python

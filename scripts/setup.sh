@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sees to it that the tools named on the command line are there: installs what is missing by apt-get when run by root on Debian or
-# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|python|figures ...
+# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|python|csharp|figures ...
 set -euo pipefail
 
 missing=()
@@ -23,6 +23,11 @@ for part in "$@"; do
       need readelf binutils
       # valgrind looks for the C library's symbols when it starts.
       command -v valgrind >/dev/null 2>&1 || missing+=(valgrind libc6-dbg)
+      ;;
+    csharp)
+      need python3 python3
+      need mcs mono-mcs
+      need mono mono-runtime
       ;;
     figures | python)
       need python3 python3

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tests the C++ binding: generated headers, warnings in C++17 and C++20, exceptions, results, no exceptions, sanitizers, every C function called, the
-# example of a game loop on a real groom. Environment:
+# example of a game loop on a real groom,
+# the code of docs/cpp.md. Environment:
 #   SUPERHELIX_BUILD   a folder with lib/ and include/ to test; else SHX_PROFILE=test scripts/build_lib.sh, into build/test
 #   CXX                the compiler, default c++
 set -euo pipefail
@@ -25,6 +26,12 @@ compile() { # compile NAME SOURCES AND FLAGS ...
 }
 tests=bindings/cpp/tests
 sanitize=(-fsanitize=address,undefined -fno-sanitize-recover=all)
+# The guide's code, as one program.
+{
+  printf '#undef NDEBUG\n#include <superhelix/superhelix.hpp>\n#include <cassert>\n#include <thread>\nint main() {\n'
+  sed -n '/^```cpp$/,/^```$/{/^```/d;p}' docs/cpp.md
+  printf '}\n'
+} >"$out/guide.cpp"
 # Two at a time: a name each, then how it is compiled.
 builds=(
   "tests17 -std=c++17 $tests/main.cpp"
@@ -32,6 +39,7 @@ builds=(
   "results -std=c++17 -DSUPERHELIX_USE_RESULTS=1 ${sanitize[*]} $tests/main.cpp"
   "no_exceptions -std=c++17 -fno-exceptions $tests/main.cpp"
   "sanitized -std=c++17 ${sanitize[*]} $tests/main.cpp"
+  "guide -std=c++17 ${sanitize[*]} $out/guide.cpp"
   "mixed -std=c++17 $tests/mixed/exceptions.cpp $tests/mixed/results.cpp"
   "game_loop -std=c++17 -O1 bindings/cpp/examples/hair_component.cpp bindings/cpp/examples/game_loop.cpp"
 )
@@ -47,6 +55,7 @@ for program in tests17 tests20 results no_exceptions sanitized; do
   "$out/$program" "$out/files"
 done
 "$out/mixed"
+"$out/guide"
 
 # Inline functions are compiled where they are called: what the tests link is what they call.
 nm -u "$out/tests17" | sed -n 's/^ *U \(shx_[a-z0-9_]*\).*/\1/p' | LC_ALL=C sort >"$out/called.txt"

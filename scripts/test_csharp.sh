@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tests the C# binding under mono: generated files, warnings, the tests with arrays alone and with spans, every C function called, the Unity component on
-# stubs of UnityEngine and a real groom, the package file. Environment:
+# stubs of UnityEngine and a real groom, the package file, the code of
+# docs/csharp.md. Environment:
 #   SUPERHELIX_BUILD   a folder with lib/ and include/ to test; else SHX_PROFILE=test scripts/build_lib.sh, into build/test
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -32,11 +33,20 @@ for way in arrays spans; do
   LD_LIBRARY_PATH=$library MONO_LOG_LEVEL=debug MONO_LOG_MASK=dll mono --debug "$folder/tests.exe" "$out/files" "$PWD/tests/data/grooms" >"$folder/log.txt" 2>&1 ||
     { grep -v "^Mono: " "$folder/log.txt" >&2; exit 1; }
   grep -a "tests passed" "$folder/log.txt" | sed "s/$/, with $way/"
-  grep -a -o "\bshx_[a-z0-9_]*" "$folder/log.txt" | LC_ALL=C sort -u >"$folder/called.txt"
+  grep -a -o "Found as 'shx_[a-z0-9_]*" "$folder/log.txt" | sed "s/.*'//" | LC_ALL=C sort -u >"$folder/called.txt"
   nm -D --defined-only "$library/libsuperhelix.so" | awk '{ print $3 }' | LC_ALL=C sort >"$out/exported.txt"
   missed=$(LC_ALL=C comm -13 "$folder/called.txt" "$out/exported.txt")
   [ -z "$missed" ] || { echo "test_csharp.sh: the tests do not call $missed" >&2; exit 1; }
 done
+
+# The guide's code.
+{
+  printf 'using System;\nusing Superhelix;\ninternal static class Guide\n{\n  private static void Main()\n  {\n'
+  sed -n '/^```csharp$/,/^```$/{/^```/d;p}' docs/csharp.md
+  printf '  }\n}\n'
+} >"$out/guide.cs"
+"${compiler[@]}" -r:"$out/plain.dll" -out:"$out/guide.exe" "$out/guide.cs"
+LD_LIBRARY_PATH=$library mono --debug "$out/guide.exe"
 
 # What a user of Unity installs: a .meta file beside everything, the library where Unity finds it.
 python3 "$binding/pack.py" "$out/superhelix.tgz" --linux "$library/libsuperhelix.so"
