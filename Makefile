@@ -16,7 +16,7 @@ lib: ## the shared and the static library, the header and superhelix.pc, into bu
 	scripts/build_lib.sh
 	@echo "build/lib/libsuperhelix.so, build/lib/libsuperhelix.a, build/include/superhelix.h"
 
-test: ## everything: format, lints, documentation, tests in Rust and C, examples (about 10 minutes on two cores)
+test: ## everything: format, lints, documentation, tests in Rust, C and of all bindings, examples (about 10 minutes on two cores)
 	@scripts/setup.sh test python csharp
 	cargo fmt --check
 	cargo clippy --locked --all-targets --all-features -- -D warnings

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes a Unity package file of the binding and native libraries: what the Package Manager installs by "Add package from tarball".
 
-    python3 bindings/csharp/pack.py OUTPUT.tgz --linux build/lib/libsuperhelix.so [--windows superhelix.dll] [--macos libsuperhelix.dylib]
+python3 bindings/csharp/pack.py OUTPUT.tgz --linux build/lib/libsuperhelix.so [--windows superhelix.dll] [--macos libsuperhelix.dylib]
 """
 
 from __future__ import annotations
@@ -36,7 +36,8 @@ def plugin_meta(path: Path, editor: str, player: str) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    """The command line."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("output", type=Path)
     for platform in PLATFORMS:
         parser.add_argument(f"--{platform}", type=Path)
