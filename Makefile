@@ -6,15 +6,37 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib test python cpp csharp demo soak bench contact pictures fit instructions figures tradeoff peers clean
+.PHONY: help lib install uninstall dist dist-check deb test python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit \
+	instructions figures tradeoff peers clean
 
 help: ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)$$/make \1\t\2/p' Makefile | expand -t 16
 
 lib: ## the shared and the static library, the header and superhelix.pc, into build/
 	@scripts/setup.sh build
 	scripts/build_lib.sh
 	@echo "build/lib/libsuperhelix.so, build/lib/libsuperhelix.a, build/include/superhelix.h"
+
+# scripts/install.sh reads these from the environment.
+export PREFIX LIBDIR INCLUDEDIR CMAKEDIR DESTDIR
+install: ## what `make lib` built, into PREFIX (default /usr/local; LIBDIR, INCLUDEDIR, CMAKEDIR, DESTDIR: docs/install.md)
+	@[ -f $${SHX_BUILD_DIR:-build}/lib/pkgconfig/superhelix.pc ] || $(MAKE) lib
+	scripts/install.sh
+
+uninstall: ## removes it, with the same variables
+	scripts/install.sh --uninstall
+
+dist: ## the release archive, against an old C library, with licences and a bill of materials: out/dist/
+	@scripts/setup.sh dist
+	scripts/dist/archive.sh
+
+dist-check: dist ## the archive, and Debian packages where there is dpkg, unpacked; programs built against them and run
+	@scripts/setup.sh test
+	if command -v dpkg-deb >/dev/null; then scripts/dist/debian.sh; fi
+	scripts/dist/check.sh
+
+deb: dist ## Debian packages of the release: out/dist/*.deb
+	scripts/dist/debian.sh
 
 test: ## everything: format, lints, documentation, tests in Rust, C and of all bindings, examples (about 10 minutes on two cores)
 	@scripts/setup.sh test python csharp
@@ -25,6 +47,8 @@ test: ## everything: format, lints, documentation, tests in Rust, C and of all b
 	scripts/test_python.sh
 	scripts/test_cpp.sh
 	scripts/test_csharp.sh
+	$(MAKE) --no-print-directory abi wasm
+	SHX_PROFILE=test DIST=$(TARGET)/dist $(MAKE) dist-check
 
 cpp: ## the tests of the C++ binding alone: C++17 and C++20, with and without exceptions, sanitizers, the game loop (a minute)
 	@scripts/setup.sh test python
@@ -37,6 +61,23 @@ csharp: ## the tests of the C# binding alone, under mono: arrays, spans, the Uni
 python: ## the tests of the Python binding alone: lints, types, pytest, the guide's examples, an installed wheel (two minutes)
 	@scripts/setup.sh test python
 	scripts/test_python.sh
+
+abi: ## the binary interface against its baseline (docs/abi.md)
+	@scripts/setup.sh abi
+	python3 abi/test_abi.py
+	python3 abi/abi.py check
+	python3 abi/abi.py abidiff
+
+abi-baseline: ## makes the present header and the present examples what later ones are held to
+	python3 abi/abi.py baseline
+
+wasm: ## the library as WebAssembly, and the golden hashes under node (docs/platforms.md); says so where it is skipped
+	@scripts/setup.sh wasm
+	scripts/wasm.sh
+
+platforms: ## what can be checked here for Windows and macOS: compiled for both, linked for Windows and run under wine; says so where it is skipped
+	@scripts/setup.sh platforms
+	scripts/platforms.sh
 
 # The profile `demo` compiles in a third of the time of `release` and runs nearly as fast.
 demo: ## a head of hair on a recorded walk, hosted by a C program, drawn lit: out/demo/ holds an animation, a contact sheet, the frames (under 3 minutes)
@@ -59,7 +100,7 @@ contact: ## what contact costs and errs by, a thousand guides on a shaken head: 
 	@scripts/setup.sh build figures
 	scripts/bench_contact.sh
 
-pictures: ## the pictures of docs/: scenes with contact (docs/figures/contact_*.png), and those that open README where pip has Mitsuba, which path-traces one (docs/figures/hair_walk.jpg, shake_*.png; ten minutes)
+pictures: ## the pictures of docs/ and README: scenes with contact (docs/figures/contact_*.png), and where pip has Mitsuba those that it path-traces (docs/figures/*.jpg; a quarter of an hour)
 	@scripts/setup.sh build figures
 	scripts/contact_figures.sh
 	scripts/path_traced.sh

@@ -1,7 +1,7 @@
 //! Kinds of hair before and after: the natural shapes of a lock of each, and its rest under gravity; and what the sliders do to hair at rest.
 //!
-//! `cargo run --profile demo --example hair_types -- docs/figures POINTS.csv` writes docs/figures/hair_types.csv and hair_sliders.csv (the
-//! tables of docs/hair_types.md) and the points of the locks for its picture.
+//! `cargo run --profile demo --example hair_types -- docs/figures` writes docs/figures/hair_types.csv and hair_sliders.csv, the tables of
+//! docs/hair_types.md.
 
 use std::fmt::Write as _;
 
@@ -14,7 +14,7 @@ use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::step::equilibrium::EquilibriumOptions;
 
-/// Length of the locks, m, and points that are written of a strand.
+/// Length of the locks, m, and points that are looked at of a strand.
 const LENGTH: f64 = 0.15;
 const POINTS: usize = 120;
 
@@ -71,24 +71,15 @@ fn spread(strands: &[Vec<Vector3<f64>>]) -> f64 {
 }
 
 fn main() {
-    let mut arguments = std::env::args().skip(1);
-    let (figures, points) = (arguments.next().expect("a directory"), arguments.next().expect("a file for the points"));
+    let figures = std::env::args().nth(1).expect("a directory");
     let mut table = String::from(
         "type,a1_um,a2_um,modulus_gpa,ei0,ei1,ei2,twist,curvature,paper_twist,paper_curvature,span_natural,span_rest,droop,unsettled\n",
     );
-    let mut drawn = String::from("type,when,strand,x,y,z\n");
     for kind in HairType::ALL {
         let measured = kind.measured();
         let alike = measured.parameters(CurlFormula::Exact).expect("a published type");
         let hair = HairParameters { variation: Variation::natural(), ..alike };
         let (before, after, unsettled) = lock(&hair, 16, LENGTH, -Vector3::z());
-        for (when, strands) in [("natural", &before), ("rest", &after)] {
-            for (index, strand) in strands.iter().enumerate() {
-                for point in strand {
-                    let _ = writeln!(drawn, "{},{when},{index},{:.5},{:.5},{:.5}", kind.name(), point.x, point.y, point.z);
-                }
-            }
-        }
         // 5 cm of one strand without variation that leaves its root level.
         let (_, level, lost) = lock(&alike, 1, 0.05, Vector3::x());
         let droop = -(level[0][POINTS - 1] - level[0][0]).z / 0.05;
@@ -112,7 +103,6 @@ fn main() {
         );
     }
     std::fs::write(format!("{figures}/hair_types.csv"), table).expect("the table is written");
-    std::fs::write(points, drawn).expect("the points are written");
 
     let mut table = String::from("slider,type,measure,minus_1,minus_half,zero,half,one\n");
     let mut sweep = |slider: &str, kind: HairType, measure: &str, of: &dyn Fn(&HairParameters) -> f64| {

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Builds the C library: build/lib/libsuperhelix.so.X.Y.Z with its links, build/lib/libsuperhelix.a, build/lib/pkgconfig/superhelix.pc,
-# build/include/superhelix.h. Environment:
+# Builds the C library into a folder that serves as an installation: build/lib/libsuperhelix.so.X.Y.Z with its links,
+# build/lib/libsuperhelix.a, build/include/superhelix.h, pkg-config files and a CMake package. Environment:
 #   SHX_PROFILE     cargo profile, default release (dev compiles in a third of the time and runs slower); test links what `cargo test`
 #                   has compiled, with all features, and compiles nothing itself
+#   SHX_LINKAGE     shared, static or both (the default)
 #   SHX_BUILD_DIR   where to, default build
-#   SHX_PREFIX      the prefix that superhelix.pc states, default the absolute SHX_BUILD_DIR
+#   SHX_LINKER      the linker, as rustc's -C linker; default that of cargo's configuration
 #
 # The artifacts are made with `cargo rustc --crate-type`: crate-type = ["lib", "cdylib", "staticlib"] in Cargo.toml would make cargo
 # drop link-time optimisation silently, and a plain cdylib has no SONAME.
@@ -17,6 +18,16 @@ version=$(sed -n 's/^version = "\(.*\)"$/\1/p' Cargo.toml | head -n 1)
 major=${version%%.*}
 soname=libsuperhelix.so.$major
 target=${CARGO_TARGET_DIR:-target}
+linkage=${SHX_LINKAGE:-both}
+case $linkage in
+  shared) types=(cdylib) ;;
+  static) types=(staticlib) ;;
+  both) types=(cdylib staticlib) ;;
+  *)
+    echo "build_lib.sh: SHX_LINKAGE is '$linkage': it must be shared, static or both" >&2
+    exit 1
+    ;;
+esac
 what=(--lib --profile "$profile")
 output=$target/$profile/libsuperhelix
 case $profile in
@@ -24,47 +35,39 @@ case $profile in
   test)
     what=(--example c_library --all-features --profile dev)
     output=$target/debug/examples/libc_library
+    types=("cdylib,staticlib")
     ;;
 esac
+arguments=(-C "link-arg=-Wl,-soname,$soname" --print native-static-libs)
+[ -z "${SHX_LINKER:-}" ] || arguments+=(-C "linker=$SHX_LINKER")
 
+mkdir -p "$build/lib" "$build/include"
+rm -f "$build"/lib/libsuperhelix.* "$build/lib/native_libraries.txt"
 messages=$(mktemp)
 trap 'rm -f "$messages"' EXIT
-build_types() {
-  cargo rustc --quiet --locked "${what[@]}" --crate-type "$1" -- \
-    -C "link-arg=-Wl,-soname,$soname" --print native-static-libs 2>"$messages" || { cat "$messages" >&2; exit 1; }
-}
-mkdir -p "$build/lib/pkgconfig" "$build/include"
-if [ "$profile" = test ]; then
-  build_types cdylib,staticlib
-  install -m 755 "$output.so" "$build/lib/libsuperhelix.so.$version"
-else
-  # One at a time: with two crate types cargo drops link-time optimisation silently.
-  build_types cdylib
-  install -m 755 "$output.so" "$build/lib/libsuperhelix.so.$version"
-  build_types staticlib
-fi
-# What a program that links the static library needs beside it, as rustc says.
-libraries=$(sed -n 's/^note: native-static-libs: //p' "$messages" | tail -n 1)
-if [ -z "$libraries" ]; then
-  echo "build_lib.sh: rustc did not say which libraries the static one needs" >&2
-  exit 1
-fi
-
-ln -sf "libsuperhelix.so.$version" "$build/lib/$soname"
-ln -sf "$soname" "$build/lib/libsuperhelix.so"
-install -m 644 "$output.a" "$build/lib/libsuperhelix.a"
+# One at a time: with two crate types cargo drops link-time optimisation silently.
+for type in "${types[@]}"; do
+  cargo rustc --quiet --locked "${what[@]}" --crate-type "$type" -- "${arguments[@]}" 2>"$messages" || { cat "$messages" >&2; exit 1; }
+  if [[ $type == *cdylib* && $linkage != static ]]; then
+    install -m 755 "$output.so" "$build/lib/libsuperhelix.so.$version"
+    ln -sf "libsuperhelix.so.$version" "$build/lib/$soname"
+    ln -sf "$soname" "$build/lib/libsuperhelix.so"
+  fi
+  if [[ $type == *staticlib* && $linkage != shared ]]; then
+    # Debugging information is for those who debug; the standard library always has some.
+    strip=(--strip-debug)
+    [ "$profile" != dev ] || strip=()
+    scripts/localise_symbols.sh "$output.a" include/exports.txt "$build/lib/libsuperhelix.a" "${strip[@]}"
+    # What a program that links the static library needs beside it, as rustc says. The compiler adds the unwinder itself: libgcc_s, or
+    # libgcc_eh for a program that is wholly static.
+    sed -n 's/^note: native-static-libs: //p' "$messages" | tail -n 1 | sed 's/-lgcc_s\b *//' >"$build/lib/native_libraries.txt"
+    if [ ! -s "$build/lib/native_libraries.txt" ]; then
+      echo "build_lib.sh: rustc did not say which libraries the static one needs" >&2
+      exit 1
+    fi
+  fi
+done
 install -m 644 include/superhelix.h "$build/include/superhelix.h"
-
-prefix=${SHX_PREFIX:-$(cd "$build" && pwd)}
-cat >"$build/lib/pkgconfig/superhelix.pc" <<PC
-prefix=$prefix
-includedir=\${prefix}/include
-libdir=\${prefix}/lib
-
-Name: superhelix
-Description: A hair engine: strands as Super-Helices
-Version: $version
-Cflags: -I\${includedir}
-Libs: -L\${libdir} -lsuperhelix
-Libs.private: $libraries
-PC
+[ -f "$build/lib/native_libraries.txt" ] || : >"$build/lib/native_libraries.txt"
+prefix=$(cd "$build" && pwd)
+scripts/package_files.sh "$prefix" "$prefix/lib" "$prefix/include" "$prefix/lib/cmake/superhelix" "$(cat "$build/lib/native_libraries.txt")"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes every figure and measured table of docs/: runs the programs that measure, into docs/figures/*.csv, then draws them with
-# matplotlib in an environment of its own, build/venv. The contact sheet of the README is the demonstration's.
+# matplotlib in an environment of its own, build/venv. The contact sheet is the demonstration's; path-traced pictures are `make pictures`'s.
 # docs/extremes.md shows what the last `make soak` recorded.
 #   FIGURES_MEASURE=no   draws from the committed numbers without measuring again
 set -euo pipefail
@@ -17,8 +17,7 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   cargo run --quiet --locked --profile demo --example quadrature -- motions docs/figures/quadrature_motions.csv
   scripts/quadrature_cost.sh
   cargo run --quiet --locked --profile demo --example single_precision -- docs/figures/single_precision.csv
-  mkdir -p out
-  cargo run --quiet --locked --profile demo --example hair_types -- docs/figures out/hair_types_points.csv
+  cargo run --quiet --locked --profile demo --example hair_types -- docs/figures
   VALIDATION_CSV="$PWD/docs/figures" cargo test --quiet --locked --test physics -- statics:: vibration:: dynamics:: whirl::
   cargo run --quiet --locked --profile demo --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv
   scripts/demo.sh
@@ -32,6 +31,5 @@ build/venv/bin/python docs/figures/plot.py
 build/venv/bin/python docs/figures/plot_performance.py
 build/venv/bin/python docs/figures/plot_validation.py
 build/venv/bin/python docs/figures/plot_single_precision.py
-# The picture needs the points of the locks, which are not committed.
-build/venv/bin/python docs/figures/plot_hair_types.py $([ -f out/hair_types_points.csv ] && echo out/hair_types_points.csv)
+build/venv/bin/python docs/figures/plot_hair_types.py
 scripts/render_hair.sh

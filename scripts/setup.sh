@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sees to it that the tools named on the command line are there: installs what is missing by apt-get when run by root on Debian or
-# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|python|csharp|figures ...
+# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|python|csharp|abi|wasm|platforms|figures|dist ...
 set -euo pipefail
 
 missing=()
@@ -14,6 +14,7 @@ for part in "$@"; do
       need cc gcc
       need make make
       need install coreutils
+      need objcopy binutils
       ;;
     test)
       need cc gcc
@@ -21,6 +22,8 @@ for part in "$@"; do
       need make make
       need nm binutils
       need readelf binutils
+      need cmake cmake
+      need pkg-config pkg-config
       # valgrind looks for the C library's symbols when it starts.
       command -v valgrind >/dev/null 2>&1 || missing+=(valgrind libc6-dbg)
       ;;
@@ -28,6 +31,19 @@ for part in "$@"; do
       need python3 python3
       need mcs mono-mcs
       need mono mono-runtime
+      ;;
+    abi)
+      need cc gcc
+      need python3 python3
+      need abidiff abigail-tools
+      ;;
+    wasm)
+      need cc gcc
+      need node nodejs
+      ;;
+    platforms)
+      need x86_64-w64-mingw32-gcc gcc-mingw-w64-x86-64
+      need wine wine
       ;;
     figures | python)
       need python3 python3
@@ -37,6 +53,13 @@ for part in "$@"; do
           echo "setup.sh: Python 3.10 or later is needed, and python3 is $(python3 --version)" >&2
           exit 1
         fi
+      fi
+      ;;
+    dist)
+      need objdump binutils
+      need python3 python3
+      if command -v python3 >/dev/null 2>&1; then
+        python3 -c 'import venv, ensurepip' 2>/dev/null || missing+=(python3-venv)
       fi
       ;;
     *)

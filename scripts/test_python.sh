@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tests the bindings' description and the Python binding: generated files, format, lints, types, tests, examples of the guide, the notebook,
 # and an installed wheel in a fresh venv. Environment:
+#   SUPERHELIX_BINARY    a built `superhelix` for the tests of the farm; else that of `cargo test`
 #   SUPERHELIX_LIBRARY   a built shared library to test; else the one of SHX_PROFILE=test scripts/build_lib.sh, into build/test
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -9,16 +10,20 @@ if [ -z "${SUPERHELIX_LIBRARY:-}" ]; then
   SHX_PROFILE=test SHX_BUILD_DIR=build/test scripts/build_lib.sh
   SUPERHELIX_LIBRARY=$PWD/build/test/lib/libsuperhelix.so
 fi
-export SUPERHELIX_LIBRARY
+if [ -z "${SUPERHELIX_BINARY:-}" ]; then
+  cargo build --quiet --locked --all-features --bin superhelix
+  SUPERHELIX_BINARY=${CARGO_TARGET_DIR:-$PWD/target}/debug/superhelix
+fi
+export SUPERHELIX_LIBRARY SUPERHELIX_BINARY
 
 venv=build/python-venv
 [ -x "$venv/bin/python" ] || python3 -m venv "$venv"
-"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" matplotlib mypy nbclient ipykernel pytest ruff
+"$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib mypy nbclient ipykernel pytest ruff
 python=$PWD/$venv/bin/python
 
 cd bindings/python
-"$python" -m ruff format --check --quiet ../api.py ../coverage.py ../tables.py ../cpp ../csharp ../tables.py ../cpp ../csharp . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
-"$python" -m ruff check --quiet ../api.py ../coverage.py ../tables.py ../cpp ../csharp .
+"$python" -m ruff format --check --quiet ../../abi ../api.py ../coverage.py ../tables.py ../cpp ../csharp ../tables.py ../cpp ../csharp . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
+"$python" -m ruff check --quiet ../../abi ../api.py ../coverage.py .
 "$python" -m mypy
 for generator in ../cpp/generate.py ../csharp/generate.py ../csharp/pack.py; do
   MYPYPATH=.. "$python" -m mypy "$generator"

@@ -9,6 +9,7 @@ pub mod files;
 pub mod groom;
 pub mod math;
 pub mod meter;
+mod platform;
 pub mod rod;
 pub mod solver;
 pub mod step;

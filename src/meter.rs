@@ -2,7 +2,8 @@
 //! calls it off.
 
 use std::sync::atomic::{AtomicU8, AtomicU32, AtomicU64, Ordering};
-use std::time::Instant;
+
+use crate::platform::Instant;
 
 /// What the steps of a call may cost. The default has no limits but the one that every step has, see [`StepLimits::work`].
 #[derive(Debug, Clone, Copy, Default)]

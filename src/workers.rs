@@ -8,6 +8,7 @@ use std::thread::JoinHandle;
 
 pub(crate) use self::team::Team;
 use crate::error::{Error, Result};
+use crate::platform::{HAS_THREADS, process_id};
 
 /// A host's own task system: `run(count, min_range, task)` must call `task(begin, end, worker)` over disjoint ranges that cover
 /// `[0, count)` exactly once, on any threads, and return when all are done.
@@ -85,6 +86,13 @@ struct Pool {
 impl Pool {
     /// With `count` threads of its own.
     fn new(count: usize) -> Result<Self> {
+        if !HAS_THREADS {
+            return Err(Error::Unsupported {
+                argument: "worker_count".into(),
+                value: (count + 1).to_string(),
+                hint: "there are no threads on this platform; take 0 or 1".into(),
+            });
+        }
         let mut threads = Vec::with_capacity(count);
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(count)
@@ -99,11 +107,11 @@ impl Pool {
                 value: (count + 1).to_string(),
                 hint: format!("the threads could not be started ({error})"),
             })?;
-        Ok(Self { pool: Some(pool), threads, process: std::process::id() })
+        Ok(Self { pool: Some(pool), threads, process: process_id() })
     }
 
     fn is_here(&self) -> bool {
-        self.process == std::process::id()
+        self.process == process_id()
     }
 }
 

@@ -40,7 +40,7 @@ def compile_c(folder: Path, library: Path) -> Path:
     """bench_calls.c, linked to a library."""
     program = folder / "bench_calls"
     compiler = shlex.split(os.environ.get("CC", "cc"))
-    options = ["-std=c99", "-O2", "-D_POSIX_C_SOURCE=199309L", "-Wall", "-Wextra", "-Werror", f"-I{INCLUDE}"]
+    options = ["-std=c99", "-O2", "-D_DEFAULT_SOURCE", "-Wall", "-Wextra", "-Werror", f"-I{INCLUDE}"]
     command = [*compiler, *options, str(HERE / "bench_calls.c"), str(library), f"-Wl,-rpath,{library.parent}", "-o", str(program)]
     subprocess.run(command, check=True)
     # The library is looked for by its SONAME.
@@ -55,6 +55,7 @@ def python_time(what: str, count: int, calls: int) -> float:
         solver.add_strands(shx.StrandDefs(count, element_count=elements, length=0.2, root=roots))
         report, points = shx.StepReport(), np.zeros((count, 16, 3), dtype=np.float32)
         solver.strand_ids()
+        points.fill(0.0)
         began = time.thread_time()
         if what == "step":
             for _ in range(calls):

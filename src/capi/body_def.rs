@@ -1,7 +1,7 @@
 //! What a body is made from.
 
 use std::ffi::c_void;
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -142,9 +142,9 @@ unsafe impl Versioned for shx_body_def {
 #[cfg(target_pointer_width = "64")]
 const _: () = {
     assert!(size_of::<shx_body_def>() == 312);
-    assert!(offset_of!(shx_body_def, radius) == 64 && offset_of!(shx_body_def, vertices) == 192);
-    assert!(offset_of!(shx_body_def, sides) == 240 && offset_of!(shx_body_def, groups) == 296);
-    assert!(offset_of!(shx_body_def, shape_of) == 304);
+    assert!(std::mem::offset_of!(shx_body_def, radius) == 64 && std::mem::offset_of!(shx_body_def, vertices) == 192);
+    assert!(std::mem::offset_of!(shx_body_def, sides) == 240 && std::mem::offset_of!(shx_body_def, groups) == 296);
+    assert!(std::mem::offset_of!(shx_body_def, shape_of) == 304);
 };
 
 /// Points of three finite numbers.

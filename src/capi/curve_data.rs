@@ -1,7 +1,7 @@
 //! All that groom files may say beside the points: out of curves, and into files.
 
 use std::ffi::c_char;
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 
 use super::buffers::{POINT_FORMATS, Place, Places, Reader, array};
 use super::curves::{curves_from, path_from, shx_curves};
@@ -110,8 +110,8 @@ unsafe impl Versioned for shx_curve_data {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_curve_data>() == 184 && offset_of!(shx_curve_data, points) == 24);
-    assert!(offset_of!(shx_curve_data, thickness) == 88 && offset_of!(shx_curve_data, tfx_version) == 144);
+    assert!(size_of::<shx_curve_data>() == 184 && std::mem::offset_of!(shx_curve_data, points) == 24);
+    assert!(std::mem::offset_of!(shx_curve_data, thickness) == 88 && std::mem::offset_of!(shx_curve_data, tfx_version) == 144);
 };
 
 /// Fills *data with defaults. size is sizeof(shx_curve_data).

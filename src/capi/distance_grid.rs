@@ -1,7 +1,7 @@
 //! Meshes baked into signed distance grids.
 
 use std::ffi::c_void;
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 
 use super::body_def::{corners, points};
 use super::buffers::{Place, Places};
@@ -56,7 +56,7 @@ unsafe impl Versioned for shx_distance_grid_def {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_distance_grid_def>() == 72 && offset_of!(shx_distance_grid_def, triangles) == 40);
+    assert!(size_of::<shx_distance_grid_def>() == 72 && std::mem::offset_of!(shx_distance_grid_def, triangles) == 40);
 };
 
 /// Fills *def with defaults. size is sizeof(shx_distance_grid_def).

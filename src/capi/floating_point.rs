@@ -1,7 +1,8 @@
 //! The floating-point mode: a host may have set flush-to-zero, another rounding direction or trapping exceptions. The engine
 //! needs the default of IEEE 754, both for its accuracy and to give the same bits in every host.
 //!
-//! Done on x86-64 (MXCSR) and aarch64 (FPCR, FPSR). On other machines the mode is left alone: a host must not change it there.
+//! Done on x86-64 (MXCSR) and aarch64 (FPCR, FPSR). WebAssembly has no other mode than the default. On other machines the mode is left alone: a host
+//! must not change it there.
 
 use std::cell::Cell;
 

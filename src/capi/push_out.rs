@@ -1,6 +1,6 @@
 //! Curves drawn inside a body, pushed out of it.
 
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 
 use nalgebra::Vector3;
 
@@ -49,7 +49,7 @@ unsafe impl Versioned for shx_push_out_def {
 }
 
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(size_of::<shx_push_out_def>() == 40 && offset_of!(shx_push_out_def, point_counts) == 24);
+const _: () = assert!(size_of::<shx_push_out_def>() == 40 && std::mem::offset_of!(shx_push_out_def, point_counts) == 24);
 
 /// Fills *def with defaults. size is sizeof(shx_push_out_def).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.

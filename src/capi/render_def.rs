@@ -1,7 +1,7 @@
 //! What render hair is made from, and how it is evaluated.
 
 use std::ffi::c_void;
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -138,9 +138,14 @@ unsafe impl Versioned for shx_render_settings {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_render_settings>() == 248 && offset_of!(shx_render_settings, curliness) == 16);
-    assert!(offset_of!(shx_render_settings, wisp_profile) == 48 && offset_of!(shx_render_settings, seed) == 184);
-    assert!(offset_of!(shx_render_settings, parallel_for) == 200 && offset_of!(shx_render_settings, reserved) == 216);
+    assert!(size_of::<shx_render_settings>() == 248 && std::mem::offset_of!(shx_render_settings, curliness) == 16);
+    assert!(
+        std::mem::offset_of!(shx_render_settings, wisp_profile) == 48 && std::mem::offset_of!(shx_render_settings, seed) == 184
+    );
+    assert!(
+        std::mem::offset_of!(shx_render_settings, parallel_for) == 200
+            && std::mem::offset_of!(shx_render_settings, reserved) == 216
+    );
 };
 
 impl shx_render_settings {
@@ -269,8 +274,8 @@ unsafe impl Versioned for shx_render_guides {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_render_guides>() == 184 && offset_of!(shx_render_guides, points) == 16);
-    assert!(offset_of!(shx_render_guides, roots) == 56 && offset_of!(shx_render_guides, reserved) == 152);
+    assert!(size_of::<shx_render_guides>() == 184 && std::mem::offset_of!(shx_render_guides, points) == 16);
+    assert!(std::mem::offset_of!(shx_render_guides, roots) == 56 && std::mem::offset_of!(shx_render_guides, reserved) == 152);
 };
 
 /// Fills *guides with defaults. size is sizeof(shx_render_guides).
@@ -418,9 +423,9 @@ unsafe impl Versioned for shx_render_view {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_render_view>() == 160 && offset_of!(shx_render_view, origin) == 24);
-    assert!(offset_of!(shx_render_view, previous_pose) == 48 && offset_of!(shx_render_view, roots) == 64);
-    assert!(offset_of!(shx_render_view, reserved) == 128);
+    assert!(size_of::<shx_render_view>() == 160 && std::mem::offset_of!(shx_render_view, origin) == 24);
+    assert!(std::mem::offset_of!(shx_render_view, previous_pose) == 48 && std::mem::offset_of!(shx_render_view, roots) == 64);
+    assert!(std::mem::offset_of!(shx_render_view, reserved) == 128);
 };
 
 /// Fills *view with defaults. size is sizeof(shx_render_view).

@@ -1,7 +1,6 @@
 //! Static rest: strands put into their equilibrium under gravity.
 
 use std::mem::{offset_of, size_of};
-use std::time::Instant;
 
 use super::buffers::{Places, strand_ids};
 use super::errors::shx_result;
@@ -12,6 +11,7 @@ use super::thread::on_own_thread;
 use super::types::shx_strand_id;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result};
+use crate::platform::Instant;
 use crate::solver::Solver;
 use crate::step::equilibrium::{Equilibrium, EquilibriumOptions};
 

@@ -1,6 +1,6 @@
 //! Cubic curves made into points.
 
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 
 use nalgebra::Vector3;
 
@@ -61,7 +61,7 @@ unsafe impl Versioned for shx_spline_def {
 }
 
 #[cfg(target_pointer_width = "64")]
-const _: () = assert!(size_of::<shx_spline_def>() == 48 && offset_of!(shx_spline_def, controls) == 16);
+const _: () = assert!(size_of::<shx_spline_def>() == 48 && std::mem::offset_of!(shx_spline_def, controls) == 16);
 
 /// Fills *def with defaults. size is sizeof(shx_spline_def).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.

@@ -1,6 +1,6 @@
 //! What a step may cost.
 
-use std::mem::{offset_of, size_of};
+use std::mem::size_of;
 use std::sync::atomic::AtomicU32;
 
 use super::errors::shx_result;
@@ -50,7 +50,7 @@ unsafe impl Versioned for shx_step_limits {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_step_limits>() == 32 && offset_of!(shx_step_limits, max_seconds) == 16);
+    assert!(size_of::<shx_step_limits>() == 32 && std::mem::offset_of!(shx_step_limits, max_seconds) == 16);
 };
 
 impl shx_step_limits {

@@ -19,6 +19,8 @@ const PLATFORM: &str = if cfg!(target_os = "linux") {
     "macos"
 } else if cfg!(windows) {
     "windows"
+} else if cfg!(target_os = "unknown") {
+    "without a system"
 } else {
     "other"
 };
@@ -27,6 +29,8 @@ const MACHINE: &str = if cfg!(target_arch = "x86_64") {
     "x86_64"
 } else if cfg!(target_arch = "aarch64") {
     "aarch64"
+} else if cfg!(target_arch = "wasm32") {
+    "wasm32"
 } else {
     "other"
 };

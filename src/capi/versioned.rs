@@ -23,8 +23,8 @@ pub(crate) unsafe trait Versioned: Copy {
 }
 
 fn check_size<T: Versioned>(argument: &str, size: usize) -> Result<()> {
-    // Every structure grows by whole 8-byte fields, so no version has another size.
-    if size < T::FIRST_SIZE || size > LARGEST || !size.is_multiple_of(8) {
+    // Every structure grows by whole words, of 8 bytes where pointers have 8, so no version has another size.
+    if size < T::FIRST_SIZE || size > LARGEST || !size.is_multiple_of(size_of::<usize>()) {
         return Err(Error::StructSize { argument: argument.into(), value: size });
     }
     Ok(())

@@ -7,7 +7,7 @@
 use super::elimination::{Eliminated, Elimination};
 use super::load::Load;
 use crate::math::lane::{Kernel, Lane};
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
 use crate::math::lanes::F64x2;
 #[cfg(target_arch = "x86_64")]
 use crate::math::lanes::{F64x4, InstructionSet};
@@ -30,9 +30,9 @@ pub struct Delassus {
 struct Scratch {
     #[cfg(target_arch = "x86_64")]
     four: Vec<[F64x4; 3]>,
-    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
     two: Vec<[F64x2; 3]>,
-    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
     one: Vec<[f64; 3]>,
 }
 
@@ -46,9 +46,9 @@ impl Delassus {
         if InstructionSet::detected() >= InstructionSet::Avx2 {
             return update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.four);
         }
-        #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+        #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
         update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.two);
-        #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+        #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
         update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.one);
     }
 }

@@ -22,6 +22,8 @@ const CONSTRAINED: f64 = 1e-8;
 const RUBS_FULLY: f64 = 0.1;
 /// In how many of an island's first iterations it may grow with the force: a touch that its friction lifts off would come and go for ever.
 const ASKED: u32 = 3;
+/// After so many touches the meter is looked at.
+const LOOK: usize = 64;
 
 /// The memory of contact problems, of one island's after another's: a worker's, in whose caches it stays.
 #[derive(Debug, Default)]
@@ -56,6 +58,9 @@ impl Island {
         self.choose_parts(strands);
         self.put_in_parts(strands, partition);
         for local in &partition.strands {
+            if meter.is_halted() {
+                return Ok(());
+            }
             if !self.strand_has_part[*local as usize] {
                 space.add_strand(0);
                 continue;
@@ -66,6 +71,9 @@ impl Island {
         forces.clear();
         let lightest = self.strands.iter().map(|held| strands[*held as usize].mass).fold(f64::INFINITY, f64::min);
         for index in 0..self.parts.len() {
+            if index % LOOK == 0 && meter.is_halted() {
+                return Ok(());
+            }
             let joint = self.parts[index] as usize;
             let rubs = (self.joints[joint].pressure() / (RUBS_FULLY * lightest * GRAVITY)).min(1.0);
             let before = if self.iterations <= ASKED { 1.0 } else { self.joints[joint].rubs };

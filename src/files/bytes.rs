@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::error::{Error, Result};
+use crate::platform::process_id;
 
 /// The most that is read from something without a size of its own (a pipe): 1 GiB.
 const PIPE_LIMIT: u64 = 1 << 30;
@@ -86,7 +87,7 @@ pub(super) fn neighbour(path: &Path) -> Option<PathBuf> {
     static NEXT: AtomicU64 = AtomicU64::new(0);
     let mut name = std::ffi::OsString::from(".");
     name.push(path.file_name()?);
-    name.push(format!(".{}-{}.part", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed)));
+    name.push(format!(".{}-{}.part", process_id(), NEXT.fetch_add(1, Ordering::Relaxed)));
     Some(path.with_file_name(name))
 }
 

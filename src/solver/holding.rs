@@ -12,8 +12,6 @@ mod tests;
 pub(super) use account::Account;
 pub use account::ContactTally;
 
-use std::time::Instant;
-
 use nalgebra::Vector3;
 
 use super::bodies::Contact;
@@ -30,6 +28,7 @@ use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
 use crate::contact::shape::Bounds;
 use crate::meter::{Meter, Stopped};
+use crate::platform::Instant;
 use crate::step::options::Integrator;
 use crate::step::{Setting, StrandOutcome};
 
@@ -231,7 +230,11 @@ impl Holding {
             if scene.meter.is_halted() {
                 return self.interrupt(scene);
             }
-            if self.touching.add_missed(scene, strands, islands, &mut self.joints, h) {
+            let more = self.touching.add_missed(scene, strands, islands, &mut self.joints, h);
+            if !more && scene.meter.is_halted() {
+                return self.interrupt(scene);
+            }
+            if more {
                 contact.searches += 1;
                 crowd::thin_out(&mut self.joints, &mut self.strands[..self.count], scene.meter.left());
                 self.tie(rough);
@@ -253,7 +256,9 @@ impl Holding {
             if scene.meter.is_halted() {
                 return self.interrupt(scene);
             }
-            self.touching.tell_missed(scene, strands, islands, h);
+            if !self.touching.tell_missed(scene, strands, islands, h) {
+                self.interrupt(scene);
+            }
         }
     }
 
@@ -387,8 +392,13 @@ impl Holding {
             (held.root_gap, held.looked_ahead, held.advanced) = (f64::INFINITY, false, false);
             held.found.clear();
         }
+        // (Constraints are told of with the paths of their strands, whatever halted the step.)
+        let constrained = !scene.constraints.is_empty();
         let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         scene.crew.for_each(&mut pairs, |(strand, held), _| {
+            if !constrained && scene.meter.is_halted() {
+                return;
+            }
             strand.begin_root_way(h);
             strand.with_one(|one| held.begin(one, scene.setting, h));
             scene.meter.spend(held.half_work());

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::Ordering;
 use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::Solver;
 use super::constraints::ConstraintStatus;
@@ -15,6 +15,7 @@ use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
 use crate::meter::{Meter, StepLimits, Stopped, usual_work};
+use crate::platform::{HAS_CLOCK, Instant};
 use crate::step::options::Integrator;
 use crate::step::{Setting, Surroundings, packs, subdivision};
 
@@ -128,11 +129,16 @@ impl Solver {
     /// and the report says why. Roots and bodies are where the host has sent them in any case.
     ///
     /// # Errors
-    /// As [`Solver::step`]; [`Error::InvalidArgument`] for seconds that are not finite and above zero.
+    /// As [`Solver::step`]; [`Error::InvalidArgument`] for seconds that are not finite and above zero; [`Error::Unsupported`] for seconds where there
+    /// is no clock (`wasm32-unknown-unknown`).
     pub fn step_within(&mut self, dt: f64, substeps: u32, limits: &StepLimits) -> Result<StepReport> {
         let started = Instant::now();
         if let Some(seconds) = limits.seconds {
             check_positive(|| "limits.seconds".into(), seconds)?;
+            if !HAS_CLOCK {
+                let hint = "there is no clock on this platform; limit the work".into();
+                return Err(Error::Unsupported { argument: "limits.seconds".into(), value: seconds.to_string(), hint });
+            }
         }
         check_positive(|| "dt".into(), dt)?;
         if substeps == 0 {

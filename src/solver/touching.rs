@@ -63,6 +63,9 @@ pub(super) struct Remembered {
 const WORK_AN_ELEMENT: u64 = 1000;
 const WORK_A_CANDIDATE: u64 = 1000;
 
+/// After so many touches the meter is looked at.
+const LOOK: usize = 64;
+
 /// Pairs of strands that are looked at together.
 const PART: usize = 32;
 
@@ -279,10 +282,15 @@ impl Touching {
         best.1
     }
 
-    /// Of the touches found last, those that overlap where the strands are now and that no joint tells of.
-    fn missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &[Island], h: f64) -> Vec<Joint> {
-        let (mut missed, mut left_deep) = (Vec::new(), Vec::new());
-        for (held, touch) in self.found(strands) {
+    /// Of the touches found last, those that overlap where the strands are now and that no joint tells of. None where the meter has halted it:
+    /// strands with touches have then still moved.
+    fn missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &[Island], h: f64) -> Option<Vec<Joint>> {
+        let (mut missed, mut left_deep, mut halted) = (Vec::new(), Vec::new(), false);
+        for (index, (held, touch)) in self.found(strands).enumerate() {
+            halted = index % LOOK == 0 && scene.meter.is_halted();
+            if halted {
+                break;
+            }
             if touch.gap >= -scene.options.tolerance || islands[strands[held as usize].island as usize].is_given_up() {
                 continue;
             }
@@ -306,18 +314,23 @@ impl Touching {
         for end in left_deep {
             strands[end.held as usize].left_deep = true;
         }
-        missed
+        if halted {
+            let with_touches: Vec<u32> = self.found(strands).map(|(held, _)| held).collect();
+            with_touches.iter().for_each(|held| strands[*held as usize].held.gone = f64::INFINITY);
+        }
+        (!halted).then_some(missed)
     }
 
     /// Tells the strands, and their islands, that have touches which no joint holds, when there is to be no other search.
-    pub fn tell_missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island], h: f64) {
-        for joint in self.missed(scene, strands, islands, h) {
-            for end in joint.ends() {
-                let strand = &mut strands[end.held as usize];
-                strand.overlooked = true;
-                islands[strand.island as usize].ending.converged = false;
-            }
+    /// False where the meter has halted it.
+    pub fn tell_missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &mut [Island], h: f64) -> bool {
+        let missed = self.missed(scene, strands, islands, h);
+        for end in missed.iter().flatten().flat_map(Joint::ends) {
+            let strand = &mut strands[end.held as usize];
+            strand.overlooked = true;
+            islands[strand.island as usize].ending.converged = false;
         }
+        missed.is_some()
     }
 
     /// Adds what the last search found and no joint tells of to the islands' joints: true if there is any. All joints are then in `joints`,
@@ -331,7 +344,9 @@ impl Touching {
         h: f64,
     ) -> bool {
         joints.clear();
-        let mut missed = self.missed(scene, strands, islands, h);
+        let Some(mut missed) = self.missed(scene, strands, islands, h) else {
+            return false;
+        };
         leave_wild_ones(&mut missed, strands, islands);
         if missed.is_empty() {
             return false;

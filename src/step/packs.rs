@@ -36,7 +36,7 @@ pub fn take(
     #[cfg(target_arch = "x86_64")]
     let count = members.count();
     // Registers of one width only.
-    #[cfg(target_arch = "aarch64")]
+    #[cfg(any(target_arch = "aarch64", target_arch = "wasm32"))]
     let _ = set;
     // The narrowest registers that hold all: a wide instruction costs more than a narrow one.
     #[cfg(target_arch = "x86_64")]
@@ -52,19 +52,19 @@ pub fn take(
         }
         (Precision::F32, _) => in_lanes(members, setting, h, &mut scratch.f32x4, rule),
     }
-    #[cfg(target_arch = "aarch64")]
+    #[cfg(any(target_arch = "aarch64", target_arch = "wasm32"))]
     match setting.options.precision {
         Precision::F64 => in_lanes(members, setting, h, &mut scratch.f64x2, rule),
         Precision::F32 => in_lanes(members, setting, h, &mut scratch.f32x4, rule),
     }
-    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64")))]
+    #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
     {
         let _ = (members, setting, h, set, rule);
         unreachable!("no packs on this kind of machine")
     }
 }
 
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
 fn in_lanes<T: Lane>(
     members: &mut dyn Members,
     setting: &Setting,

@@ -30,9 +30,9 @@ pub struct Scratch {
     /// One strand at a time, f32.
     pub one_f32: Bench<f32>,
     /// Packs, narrow to wide.
-    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
     pub(crate) f64x2: Option<Box<Bench<lanes::F64x2>>>,
-    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+    #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
     pub(crate) f32x4: Option<Box<Bench<lanes::F32x4>>>,
     #[cfg(target_arch = "x86_64")]
     pub(crate) f64x4: Option<Box<Bench<lanes::F64x4>>>,

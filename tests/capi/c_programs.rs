@@ -13,14 +13,14 @@ use std::sync::OnceLock;
 
 use superhelix::files::curve_cache::CurveCache;
 
-const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+pub(super) const WARNINGS: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
-fn root() -> &'static Path {
+pub(super) fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
 /// Runs a command and wants it to succeed.
-fn run(command: &mut Command) -> Output {
+pub(super) fn run(command: &mut Command) -> Output {
     let program = command.get_program().to_string_lossy().into_owned();
     let output = command.output().unwrap_or_else(|error| {
         panic!(
@@ -37,12 +37,12 @@ fn run(command: &mut Command) -> Output {
     output
 }
 
-fn text(command: &mut Command) -> String {
+pub(super) fn text(command: &mut Command) -> String {
     String::from_utf8(run(command).stdout).expect("UTF-8")
 }
 
 /// The folder that holds lib/ and include/, built once a run.
-fn build() -> &'static Path {
+pub(super) fn build() -> &'static Path {
     static BUILD: OnceLock<PathBuf> = OnceLock::new();
     BUILD.get_or_init(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("c");
@@ -67,9 +67,9 @@ fn version() -> String {
     env!("CARGO_PKG_VERSION").to_string()
 }
 
-/// The private libraries that superhelix.pc states.
+/// The private libraries that pkg-config states.
 fn static_libraries() -> Vec<String> {
-    let file = std::fs::read_to_string(build().join("lib/pkgconfig/superhelix.pc")).expect("superhelix.pc");
+    let file = std::fs::read_to_string(build().join("lib/pkgconfig/superhelix-library.pc")).expect("superhelix-library.pc");
     let line = file.lines().find_map(|line| line.strip_prefix("Libs.private: ")).expect("Libs.private");
     line.split_whitespace().map(str::to_string).collect()
 }
@@ -123,7 +123,7 @@ fn program(name: &str) -> PathBuf {
     path
 }
 
-fn scratch(name: &str) -> PathBuf {
+pub(super) fn scratch(name: &str) -> PathBuf {
     let folder = build().join("out").join(name);
     std::fs::create_dir_all(&folder).expect("a folder");
     folder

@@ -11,6 +11,7 @@ mod info_and_picture;
 mod interpolate;
 mod posing;
 mod run;
+mod run_in_parts;
 mod scene_errors;
 mod scene_follicles;
 mod scene_grooms;

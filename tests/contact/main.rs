@@ -2,6 +2,7 @@
 
 mod comb_through_rooted_hair;
 mod contact_space_solver;
+mod crowded_scene;
 mod deforming_meshes;
 mod delassus_operator;
 mod determinism;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use nalgebra::Vector3;
 use superhelix::solver::Solver;
 use superhelix::solver::id::StrandId;
 
@@ -10,6 +11,7 @@ use crate::cache::Cache;
 use crate::failure::Failure;
 use crate::groom_strands::GroomStrand;
 use crate::moving_scalp::{ScalpFiles, ScalpRequest};
+use crate::picture::facing::face_of;
 use crate::picture::grown::{self, Grown};
 use crate::picture::moment::Moment;
 use crate::picture::sheet::{self, SheetOptions};
@@ -103,7 +105,7 @@ impl Film {
             );
             let options = SheetOptions {
                 title: Some(title),
-                views: views(arguments)?,
+                views: views(arguments, &self.moments)?,
                 manner: Manner::Hair,
                 hair: HairColour::Brown,
                 cell_width: 340,
@@ -119,8 +121,13 @@ impl Film {
     }
 }
 
-fn views(arguments: &SimulateArguments) -> Result<Vec<View>, Failure> {
-    [Stand::Front, Stand::Side].iter().map(|stand| View::new(*stand, arguments.up, arguments.face)).collect()
+fn views(arguments: &SimulateArguments, moments: &[Moment]) -> Result<Vec<View>, Failure> {
+    let bare = moments.first().and_then(|first| {
+        let roots: Vec<Vector3<f64>> = first.strands.iter().map(|strand| Vector3::from(strand[0].map(f64::from))).collect();
+        face_of(&roots, first.bodies.first()?, arguments.up)
+    });
+    let face = arguments.face.or(bare);
+    [Stand::Front, Stand::Side].iter().map(|stand| View::new(*stand, arguments.up, face)).collect()
 }
 
 /// Grows hair among the strands where they are guides, on the body where there is one. The first moment is that of the start.

@@ -39,6 +39,7 @@ mod run;
 mod run_cache;
 mod run_files;
 mod run_render;
+mod run_snapshot;
 mod sampled_frame;
 mod scene;
 mod settings;

@@ -32,6 +32,7 @@ pub struct RunResult {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     attachments: Vec<AttachmentResult>,
     report: Report,
+    state_hash: String,
     #[serde(skip)]
     requests: Vec<Request>,
     #[serde(skip)]
@@ -153,6 +154,7 @@ impl RunResult {
                 things.constraints.iter().filter(|_| asked(Output::Attachments)).map(|_| AttachmentResult { states: Vec::new() }),
             ),
             report: Report::default(),
+            state_hash: String::new(),
             requests: requests.to_vec(),
             things: Places {
                 strands: things.strands.clone(),
@@ -202,9 +204,10 @@ impl RunResult {
         Ok(())
     }
 
-    /// Sets how the steps went.
-    pub fn set_report(&mut self, report: Report) {
+    /// Sets how the steps went and what state they led to.
+    pub fn end(&mut self, report: Report, solver: &Solver) {
         self.report = report;
+        self.state_hash = format!("{:016x}", solver.state_hash());
     }
 }
 

@@ -1,6 +1,7 @@
 //! `superhelix run`: a scene file in, a result file out.
 
 use std::io::Write;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -17,6 +18,7 @@ use crate::resolution;
 use crate::rest_arguments::RestArguments;
 use crate::result::RunResult;
 use crate::run_files::RunFiles;
+use crate::run_snapshot::{RunSnapshot, SnapshotFile};
 use crate::scene::pose::Moves;
 use crate::scene::{self, Scene};
 use crate::settled;
@@ -36,6 +38,15 @@ pub struct RunArguments {
     /// The strands at the same times, with velocities, for pictures and as guides of `superhelix interpolate`: the scene's `samples` a strand.
     #[arg(long, value_name = "CACHE.usda")]
     cache: Option<PathBuf>,
+    /// End with this written state, counted from 0, instead of the scene's last.
+    #[arg(long, value_name = "STATE")]
+    until: Option<usize>,
+    /// Where the run can be gone on from: what the last written state leaves for the next.
+    #[arg(long, value_name = "FILE")]
+    snapshot: Option<PathBuf>,
+    /// Go on from a `--snapshot` of the same scene: the first written state is the one after it. The states are those of a whole run, to the bit.
+    #[arg(long, value_name = "FILE")]
+    resume: Option<PathBuf>,
     #[command(flatten)]
     rest: RestArguments,
     /// Start the strands at rest in their static equilibrium under the scene's gravity, searched for from their initial shapes.
@@ -51,6 +62,13 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let path = &arguments.scene;
     let mut scene = scene::load(path)?;
     arguments.rest.apply(&mut scene, path)?;
+    let text = scene::read_text(path)?;
+    let resumed = arguments.resume.as_deref().map(|from| RunSnapshot::read(from, &text)).transpose()?;
+    let states = states_to_write(&scene, arguments.until, resumed.as_ref().map(|snapshot| snapshot.state))?;
+    if scene.render_hair.is_some() && (resumed.is_some() || arguments.until.is_some()) {
+        let advice = "the render hair of a part of a run is not written: take a --cache and `superhelix interpolate`";
+        return Err(Failure::Other(advice.into()));
+    }
 
     // The solver has the last word on what it can do: its complaints about the scene are the scene's.
     let complain = |error: superhelix::error::Error| match error {
@@ -75,13 +93,34 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let things = Things::make(&scene, &mut solver, ids).map_err(complain)?;
 
     let mut out = AtomicFile::create(&arguments.out)?;
+    let snapshot = arguments.snapshot.as_deref().map(|path| Ok::<_, Failure>((path, SnapshotFile::create(path)?))).transpose()?;
     let mut files = RunFiles::create(arguments.cache.as_deref(), &mut scene, path, &solver, &things.strands)?;
-    let result = simulate(&scene, &mut solver, &things, &mut files, arguments.quiet)?;
+    if let Some(resumed) = &resumed {
+        resumed.restore(&mut solver)?;
+    }
+    let result = simulate(&scene, &mut solver, &things, &mut files, states.clone(), arguments.quiet)?;
     let unwritable = |error: &dyn std::fmt::Display| Failure::file(&arguments.out, format!("cannot be written: {error}"));
     serde_json::to_writer(&mut out, &result).map_err(|error| unwritable(&error))?;
     out.write_all(b"\n").map_err(|error| unwritable(&error))?;
     files.finish()?;
+    if let Some((path, file)) = snapshot {
+        file.finish(path, &text, *states.end(), &solver)?;
+    }
     out.commit()
+}
+
+/// The written states of this run, of those of the whole scene. The one that it goes on from is not written again.
+fn states_to_write(scene: &Scene, until: Option<usize>, resumed: Option<usize>) -> Result<RangeInclusive<usize>, Failure> {
+    let last = timeline::output_times(scene.duration, scene.output_interval).len() - 1;
+    let until = until.unwrap_or(last);
+    let first = resumed.map_or(0, |state| state + 1);
+    if until > last {
+        return Err(Failure::Other(format!("--until is {until}: the scene's states are 0 to {last}")));
+    }
+    if first > until {
+        return Err(Failure::Other(format!("--resume is of state {}, and the run is to end with state {until}", first - 1)));
+    }
+    Ok(first..=until)
 }
 
 /// What is in the solver, in the scene's order.
@@ -141,9 +180,12 @@ fn simulate(
     solver: &mut Solver,
     things: &Things,
     files: &mut RunFiles,
+    states: RangeInclusive<usize>,
     quiet: bool,
 ) -> Result<RunResult, Failure> {
     let times = timeline::output_times(scene.duration, scene.output_interval);
+    let begin = states.start().saturating_sub(1);
+    let times = &times[begin..=*states.end()];
     let bar = progress::bar(times.len() as u64 - 1, "states", quiet);
     let mut roots = Moving::of(&things.strands, scene.strands.iter().map(|strand| strand.motion.as_ref()));
     let mut bodies = Moving::of(&things.bodies, scene.colliders.iter().map(|collider| collider.motion.as_ref()));
@@ -157,7 +199,9 @@ fn simulate(
         files.write(time, solver, &things.strands)?;
         Ok(result.record(time, solver)?)
     };
-    record(times[0], solver)?;
+    if *states.start() == 0 {
+        record(times[0], solver)?;
+    }
     for pair in times.windows(2) {
         for (end, length) in timeline::steps_between(pair[0], pair[1], scene.time_step) {
             if let Some((ids, frames)) = roots.at(end) {
@@ -180,6 +224,6 @@ fn simulate(
     bar.finish_and_clear();
     let contact = !(scene.colliders.is_empty() && scene.attachments.is_empty()) || scene.options.contact.hair;
     report.contact = report.contact.filter(|_| contact);
-    result.set_report(report);
+    result.end(report, solver);
     Ok(result)
 }

@@ -150,7 +150,8 @@ pub struct SimulateArguments {
     /// A contact sheet of the motion.
     #[arg(long, value_name = "FILE.png", value_parser = png)]
     pub picture: Option<PathBuf>,
-    /// The axis that the face looks along, for the contact sheet. Default: +z where y is up, -y where z is up.
+    /// The axis that the face looks along, for the contact sheet. Default: where the head is bare if there is a --body and
+    /// that is clear, else +z where y is up, -y where z is up.
     #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
     pub face: Option<Face>,
     /// Moments on the contact sheet.

@@ -4,17 +4,21 @@
 //! A value of a type here must only come to be on a machine that has its instructions: so the types do not leave the crate, and whoever
 //! uses one goes by [`InstructionSet::detected`].
 
-#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
 #[macro_use]
 mod register;
 
 #[cfg(target_arch = "aarch64")]
 mod neon;
+#[cfg(target_arch = "wasm32")]
+mod simd128;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
 #[cfg(target_arch = "aarch64")]
 pub(crate) use neon::{F32x4, F64x2};
+#[cfg(target_arch = "wasm32")]
+pub(crate) use simd128::{F32x4, F64x2};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{F32x4, F32x8, F32x16, F64x2, F64x4, F64x8};
 
@@ -42,7 +46,7 @@ pub(super) fn call_scalar<K: Kernel>(kernel: K) -> K::Output {
 pub enum InstructionSet {
     /// None: strands go one by one.
     Scalar = 1,
-    /// What every machine of the kind has: SSE2 on x86-64, NEON on AArch64; 2 lanes of f64, 4 of f32. Elsewhere as `Scalar`.
+    /// What every machine of the kind has: SSE2 on x86-64, NEON on AArch64, SIMD128 on WebAssembly; 2 lanes of f64, 4 of f32. Elsewhere as `Scalar`.
     Baseline = 2,
     /// AVX2: 4 lanes of f64, 8 of f32.
     Avx2 = 3,
@@ -62,7 +66,11 @@ impl InstructionSet {
                 return Self::Avx2;
             }
         }
-        if cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) { Self::Baseline } else { Self::Scalar }
+        if cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")) {
+            Self::Baseline
+        } else {
+            Self::Scalar
+        }
     }
 
     /// The set of that number, as the C ABI has it.

@@ -1,9 +1,11 @@
 //! Lanes: whoever steps the strands, and however many side by side, the numbers are the same to the bit.
 
+mod golden;
 mod scene;
 
 use std::sync::Arc;
 
+use golden::{GOLDEN, golden_options, options};
 use nalgebra::Vector3;
 use scene::{STEP, bits, course, strand, swayed, thrown};
 use superhelix::math::frame::Frame;
@@ -19,13 +21,6 @@ use superhelix::step::options::Integrator;
 fn instruction_sets() -> Vec<InstructionSet> {
     let all = [InstructionSet::Scalar, InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512];
     all.into_iter().filter(|set| *set <= InstructionSet::detected()).collect()
-}
-
-fn options(precision: Precision, set: InstructionSet) -> SolverOptions {
-    // Roots that go further than hair can follow are what makes strands fail here.
-    let mut options = SolverOptions { instruction_set: Some(set), jump_acceleration: f64::INFINITY, ..SolverOptions::default() };
-    options.step.precision = precision;
-    options
 }
 
 /// A host's task system that hands out uneven ranges, last first, on threads of its own.
@@ -45,30 +40,11 @@ impl ParallelFor for Host {
     }
 }
 
-/// The state's hash at the end of the scene. The same on any machine: a change here is a change of numerical results, and belongs into
-/// CHANGELOG.md. They may change with the method, the order of sums, tolerances, quadrature rules, what a state consists of, and with
-/// the snapshot's layout, which the hash goes by; never with lanes, threads, compilers or machines.
-const GOLDEN: [(Integrator, Precision, u64); 6] = [
-    (Integrator::LinearlyImplicit, Precision::F64, 0x7acf_a2c3_9608_cdaf),
-    (Integrator::ImplicitEuler, Precision::F64, 0x1dc5_d929_cd34_563a),
-    (Integrator::SecondOrder, Precision::F64, 0xf485_719e_b07b_2cdd),
-    (Integrator::LinearlyImplicit, Precision::F32, 0xdf0d_fd92_1e44_727f),
-    (Integrator::ImplicitEuler, Precision::F32, 0x63a4_2450_6649_1fde),
-    (Integrator::SecondOrder, Precision::F32, 0x3764_4031_3129_0e22),
-];
-
 #[test]
 fn all_instruction_sets_and_workers_give_the_same_bits_and_reports() {
     let mut found = Vec::new();
     for (integrator, precision, golden) in GOLDEN {
-        let run = |set, workers| {
-            let mut options = SolverOptions { workers, ..options(precision, set) };
-            (options.step.integrator, options.step.max_iterations) = (integrator, 12);
-            if integrator == Integrator::SecondOrder {
-                options.step.error_tolerance = 3e-3;
-            }
-            course(options)
-        };
+        let run = |set, workers| course(SolverOptions { workers, ..golden_options(integrator, precision, set) });
         let (reports, hash) = run(InstructionSet::Scalar, Workers::Serial);
         // The scene has what it is for.
         let count = |of: fn(&superhelix::solver::report::StepReport) -> u32| reports.iter().map(of).sum::<u32>();

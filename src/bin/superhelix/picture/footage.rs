@@ -7,10 +7,11 @@ use superhelix::files::curve_cache::CurveCache;
 use superhelix::files::curves::{Curves, CurvesFormat, UpAxis};
 
 use super::body::CacheBody;
+use super::facing::face_of;
 use super::grown::{self, Grown};
 use super::moment::Moment;
 use super::replay::Replay;
-use super::view::Up;
+use super::view::{Face, Up};
 use super::{frame_number, list_frames};
 use crate::failure::Failure;
 use crate::moving_scalp::{ScalpFiles, ScalpRequest};
@@ -179,6 +180,13 @@ impl Footage {
             moment.bodies.push(body.surface(index, &roots(&moment))?);
         }
         Ok(moment)
+    }
+
+    /// Which way the head faces, where its bare skin says so.
+    pub fn face(&self, up: Up) -> Result<Option<Face>, Failure> {
+        let Some(body) = &self.body else { return Ok(None) };
+        let roots = roots(&self.guides(0)?);
+        Ok(face_of(&roots, &body.surface(0, &roots)?, up))
     }
 
     /// A frame as it is drawn.

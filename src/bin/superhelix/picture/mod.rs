@@ -4,6 +4,7 @@ mod animation;
 mod body;
 mod cell;
 pub mod colour;
+pub mod facing;
 mod footage;
 mod framing;
 pub mod grown;
@@ -83,7 +84,8 @@ pub struct PictureArguments {
     /// The axis that points up.
     #[arg(long, value_enum, default_value_t = Up::Y)]
     up: Up,
-    /// The axis that the face looks along. Default: +z where y is up, -y where z is up.
+    /// The axis that the face looks along. Default: where the head is bare if there is a --body and that is clear, else +z where y is up, -y
+    /// where z is up.
     #[arg(long, value_enum, value_name = "AXIS", allow_hyphen_values = true)]
     face: Option<Face>,
     /// Frames a second of the cache: labels are then times. Needed for an animation of a directory.
@@ -135,8 +137,6 @@ pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
     let open = |path| -> Result<(&Path, AtomicFile), Failure> { Ok((path, AtomicFile::create(path)?)) };
     let sheet = arguments.out.as_deref().map(open).transpose()?;
     let animated = arguments.animate.as_deref().map(open).transpose()?;
-    let sheet_views = views(arguments, &[Stand::Front, Stand::Side])?;
-    let animation_views = views(arguments, &[Stand::ThreeQuarter])?;
     let mut footage = Footage::open(&Request {
         inputs: &arguments.inputs,
         scene: arguments.scene.as_deref(),
@@ -148,6 +148,9 @@ pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
         hairs: arguments.hairs.map(|hairs| hairs as usize).or((arguments.manner == Manner::Lines).then_some(0)),
         threads: arguments.threads as usize,
     })?;
+    let face = arguments.face.or(footage.face(arguments.up)?);
+    let sheet_views = views(arguments, face, &[Stand::Front, Stand::Side])?;
+    let animation_views = views(arguments, face, &[Stand::ThreeQuarter])?;
     with_threads(arguments.threads, || {
         if let Some((path, mut file)) = sheet {
             draw_sheet(arguments, &mut footage, sheet_views, path, &mut file)?;
@@ -161,9 +164,9 @@ pub fn run(arguments: &PictureArguments) -> Result<(), Failure> {
     })
 }
 
-fn views(arguments: &PictureArguments, usual: &[Stand]) -> Result<Vec<View>, Failure> {
+fn views(arguments: &PictureArguments, face: Option<Face>, usual: &[Stand]) -> Result<Vec<View>, Failure> {
     let stands = if arguments.views.is_empty() { usual } else { &arguments.views };
-    stands.iter().map(|stand| View::new(*stand, arguments.up, arguments.face)).collect()
+    stands.iter().map(|stand| View::new(*stand, arguments.up, face)).collect()
 }
 
 /// Does something with so many threads at hand.

@@ -67,6 +67,18 @@ pub enum Face {
 }
 
 impl Face {
+    /// Along an axis (0 to 2), or against it.
+    pub fn along(axis: usize, ahead: bool) -> Self {
+        match (axis, ahead) {
+            (0, true) => Face::PlusX,
+            (0, false) => Face::MinusX,
+            (1, true) => Face::PlusY,
+            (1, false) => Face::MinusY,
+            (_, true) => Face::PlusZ,
+            (_, false) => Face::MinusZ,
+        }
+    }
+
     fn vector(self) -> Vector3<f32> {
         match self {
             Face::PlusX => Vector3::x(),

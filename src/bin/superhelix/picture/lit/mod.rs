@@ -3,6 +3,7 @@
 
 mod band;
 mod depth_map;
+mod eyes;
 mod fibre;
 mod hair_colour;
 mod ribbons;
@@ -84,7 +85,7 @@ pub fn draw(moment: &Moment, view: &View, window: &Window, look: &Look) -> Optio
     };
     let window = Window { middle: [0.0; 2], ..*window };
     let threads = Threads::new(&moment.strands, look.width, seen);
-    let skins: Vec<Skin> = moment.bodies.iter().map(|body| Skin::of(body, seen)).collect();
+    let skins: Vec<Skin> = moment.bodies.iter().map(|body| Skin::of(&eyes::filled(body), seen)).collect();
     let studio = Studio::new(&threads, &skins);
     let shown = shown(&threads, &skins);
     let lights = light(&threads, &shown, &studio, &look.colour);

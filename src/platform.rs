@@ -1,0 +1,54 @@
+//! What the system beneath has: a clock, threads, numbers of processes. Every desktop has all three; `wasm32-unknown-unknown`, a module in a
+//! browser or in node without imports, has none.
+
+#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+pub(crate) use std::time::Instant;
+
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+pub(crate) use stopped_clock::Instant;
+
+/// Whether time can be measured. Without a clock durations are reported as 0 and limits of time are refused.
+pub(crate) const HAS_CLOCK: bool = !cfg!(all(target_family = "wasm", target_os = "unknown"));
+
+/// Whether threads can be started.
+pub(crate) const HAS_THREADS: bool = !cfg!(all(target_family = "wasm", not(target_feature = "atomics")));
+
+/// The number of this process; 0 where there are no processes.
+pub(crate) fn process_id() -> u32 {
+    if cfg!(all(target_family = "wasm", target_os = "unknown")) { 0 } else { std::process::id() }
+}
+
+/// In place of `std::time::Instant`, which panics where there is no clock.
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+mod stopped_clock {
+    use std::time::Duration;
+
+    /// The one moment that there is, and what was added to it.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+    pub(crate) struct Instant(Duration);
+
+    impl Instant {
+        pub(crate) fn now() -> Self {
+            Self(Duration::ZERO)
+        }
+
+        pub(crate) fn elapsed(&self) -> Duration {
+            Duration::ZERO
+        }
+
+        pub(crate) fn saturating_duration_since(&self, earlier: Self) -> Duration {
+            self.0.saturating_sub(earlier.0)
+        }
+
+        pub(crate) fn checked_add(&self, duration: Duration) -> Option<Self> {
+            self.0.checked_add(duration).map(Self)
+        }
+    }
+
+    impl std::ops::Add<Duration> for Instant {
+        type Output = Self;
+        fn add(self, duration: Duration) -> Self {
+            Self(self.0.saturating_add(duration))
+        }
+    }
+}
