@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib install uninstall dist dist-check deb test python abi abi-baseline wasm platforms demo soak bench contact pictures fit \
+.PHONY: help lib install uninstall dist dist-check deb test python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit \
 	instructions figures tradeoff peers clean
 
 help: ## this list
@@ -38,15 +38,25 @@ dist-check: dist ## the archive, and Debian packages where there is dpkg, unpack
 deb: dist ## Debian packages of the release: out/dist/*.deb
 	scripts/dist/debian.sh
 
-test: ## everything: format, lints, documentation, tests in Rust and C, examples (about 10 minutes on two cores)
-	@scripts/setup.sh test python
+test: ## everything: format, lints, documentation, tests in Rust, C and of all bindings, examples (about 10 minutes on two cores)
+	@scripts/setup.sh test python csharp
 	cargo fmt --check
 	cargo clippy --locked --all-targets --all-features -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --all-features
 	cargo test --locked --all-features
 	scripts/test_python.sh
+	scripts/test_cpp.sh
+	scripts/test_csharp.sh
 	$(MAKE) --no-print-directory abi wasm
 	SHX_PROFILE=test DIST=$(TARGET)/dist $(MAKE) dist-check
+
+cpp: ## the tests of the C++ binding alone: C++17 and C++20, with and without exceptions, sanitizers, the game loop (a minute)
+	@scripts/setup.sh test python
+	scripts/test_cpp.sh
+
+csharp: ## the tests of the C# binding alone, under mono: arrays, spans, the Unity component and its package (half a minute)
+	@scripts/setup.sh test csharp
+	scripts/test_csharp.sh
 
 python: ## the tests of the Python binding alone: lints, types, pytest, the guide's examples, an installed wheel (two minutes)
 	@scripts/setup.sh test python

@@ -75,21 +75,52 @@ def public_name(names: tuple[str, ...]) -> str:
     return ".".join(shown)
 
 
-def text_calls(paths: Iterable[Path]) -> Calls:
-    """Functions named in code, comments and strings left out, by file."""
+#: How a class, and a function that users call, begin in C++ and in C#.
+CPP = (
+    re.compile(r"^(?:class|struct) (\w+)"),
+    re.compile(r"^(?:  )?(?:explicit |inline |static |const )*(?:[\w:]+(?:<.*>)?[ &*]+)?(\w+)\((?:[^;]*$|.*\{)"),
+)
+CSHARP = (
+    re.compile(r"^  (?:public |internal )?(?:sealed |static |unsafe |partial )*(?:class|struct) (\w+)"),
+    re.compile(r"^    (?:public|protected)[\w ]* [\w.<>\[\]?]+ (\w+)(?:\(|$| \{)|^    public (\w+)\("),
+)
+
+
+def code_calls(paths: Iterable[Path], patterns: tuple[re.Pattern[str], re.Pattern[str]]) -> Calls:
+    """Functions named in code, comments and strings left out, by the class and function that they are in."""
+    outer, inner = patterns
     calls: Calls = {}
     for path in paths:
         text = path.read_text(encoding="utf-8")
-        text = re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"", " ", text, flags=re.DOTALL)
-        for name in dict.fromkeys(re.findall(r"\bshx_\w+", text)):
-            calls.setdefault(name, []).append(path.name)
+        text = re.sub(r"//[^\n]*|\"(?:\\.|[^\"\\\n])*\"", " ", text)
+        kind = name = ""
+        for line in text.splitlines():
+            if match := outer.match(line):
+                kind, name = re.sub(r"^solver_(?!def)\w+", "solver", match[1]), ""
+            elif line.startswith(("inline ", "}")):
+                kind = ""
+            if match := inner.match(line):
+                name = next(group for group in match.groups() if group)
+            for function in re.findall(r"\bshx_\w+", line):
+                place = kind if name in ("", kind) else f"{kind}.{name}".lstrip(".")
+                calls.setdefault(function, []).append(place.replace(".", "::") if patterns is CPP else place)
     return calls
+
+
+def cpp_calls(paths: Iterable[Path]) -> Calls:
+    """Functions that the C++ headers call."""
+    return code_calls(paths, CPP)
+
+
+def csharp_calls(paths: Iterable[Path]) -> Calls:
+    """Functions that the C# sources call."""
+    return code_calls(paths, CSHARP)
 
 
 LANGUAGES = (
     Language("Python", "python.md", ("python/src/superhelix/*.py", "python/src/superhelix/solver/*.py"), python_calls),
-    Language("C++", "cpp.md", ("cpp/include/**/*.hpp",), text_calls),
-    Language("C#", "csharp.md", ("csharp/**/*.cs",), text_calls),
+    Language("C++", "cpp.md", ("cpp/include/**/*.hpp",), cpp_calls),
+    Language("C#", "csharp.md", ("csharp/com.superhelix.hair/Runtime/**/*.cs",), csharp_calls),
 )
 
 #: Generated files: they name everything and reach nobody.

@@ -9,9 +9,13 @@ from __future__ import annotations
 import json
 import re
 from pathlib import Path
+from typing import Any
 
-API = json.loads((Path(__file__).resolve().parent / "api.json").read_text(encoding="utf-8"))
-STRUCTS = {struct["name"]: struct for struct in API["structs"]}
+#: An item of api.json.
+Item = dict[str, Any]
+
+API: Item = json.loads((Path(__file__).resolve().parent / "api.json").read_text(encoding="utf-8"))
+STRUCTS: dict[str, Item] = {struct["name"]: struct for struct in API["structs"]}
 
 ARRAYS: dict[str, dict[str, dict[str, str]]] = {
     "shx_strand_def": {
@@ -55,20 +59,18 @@ PREFIXES = {
 BOOLS = {("shx_suggestion", "meets_tolerance")}
 
 
-def enumeration_of(struct: str, field: dict) -> dict | None:
+def enumeration_of(struct: str, field: Item) -> Item | None:
     """The enumeration that a field's numbers are of: its text names the prefix."""
     if field["type"]["name"] != "uint32_t" or field["type"]["pointer"]:
         return None
     prefix = PREFIXES.get((struct, field["name"]))
     named = [
-        enumeration
-        for enumeration in API["enumerations"]
-        if enumeration["name"] == prefix or re.search(rf"\b{enumeration['name']}(?![A-Z0-9])", field["doc"])
+        enumeration for enumeration in API["enumerations"] if enumeration["name"] == prefix or re.search(rf"\b{enumeration['name']}(?![A-Z0-9])", field["doc"])
     ]
     return named[0] if named else None
 
 
-def is_bool(struct: str, field: dict) -> bool:
+def is_bool(struct: str, field: Item) -> bool:
     """Whether a number says yes or no."""
     if (struct, field["name"]) in BOOLS:
         return True
@@ -84,8 +86,9 @@ def group_of(struct: str, name: str) -> tuple[str, dict[str, str]] | None:
     return None
 
 
-def is_reserved(field: dict) -> bool:
-    return field["name"].startswith("reserved")
+def is_reserved(field: Item) -> bool:
+    """Whether a field is room for later versions."""
+    return str(field["name"]).startswith("reserved")
 
 
 def differences(by_hand: dict[str, set[str]]) -> list[str]:

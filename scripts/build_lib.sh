@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the C library into a folder that serves as an installation: build/lib/libsuperhelix.so.X.Y.Z with its links,
-# build/lib/libsuperhelix.a, build/include/superhelix.h, pkg-config files and a CMake package. Environment:
+# build/lib/libsuperhelix.a, build/include/superhelix.h, the C++ headers in build/include/superhelix, pkg-config files and a CMake package. Environment:
 #   SHX_PROFILE     cargo profile, default release (dev compiles in a third of the time and runs slower); test links what `cargo test`
 #                   has compiled, with all features, and compiles nothing itself
 #   SHX_LINKAGE     shared, static or both (the default)
@@ -68,6 +68,11 @@ for type in "${types[@]}"; do
   fi
 done
 install -m 644 include/superhelix.h "$build/include/superhelix.h"
+# The C++ headers, which need nothing built.
+rm -rf "$build/include/superhelix"
+(cd bindings/cpp/include && find superhelix -name '*.hpp') | while read -r header; do
+  install -D -m 644 "bindings/cpp/include/$header" "$build/include/$header"
+done
 [ -f "$build/lib/native_libraries.txt" ] || : >"$build/lib/native_libraries.txt"
 prefix=$(cd "$build" && pwd)
 scripts/package_files.sh "$prefix" "$prefix/lib" "$prefix/include" "$prefix/lib/cmake/superhelix" "$(cat "$build/lib/native_libraries.txt")"

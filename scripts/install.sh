@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what scripts/build_lib.sh has built, or removes it: libraries, header, pkg-config files, CMake package, licences.
+# Installs what scripts/build_lib.sh has built, or removes it: libraries, headers of C and C++, pkg-config files, CMake package, licences.
 # Usage: scripts/install.sh [--uninstall]. Environment:
 #   SHX_BUILD_DIR   where the build is, default build
 #   PREFIX          default /usr/local
@@ -40,6 +40,10 @@ files=(
   "$libdir/superhelix/libsuperhelix.a"
   "$libdir/pkgconfig/superhelix.pc" "$libdir/pkgconfig/superhelix-library.pc"
 )
+mapfile -t headers < <(cd "$root/bindings/cpp/include" && find superhelix -name '*.hpp' | sort)
+for header in "${headers[@]}"; do
+  files+=("$includedir/$header")
+done
 for file in "$root"/packaging/cmake/*.in; do
   name=${file##*/}
   files+=("$cmakedir/${name%.in}")
@@ -54,7 +58,7 @@ case ${1:-} in
       rm -f "$destdir$file"
     done
     # Folders of its own, where nobody has put anything else.
-    for folder in "$libdir/superhelix" "$cmakedir" "$licenses"; do
+    for folder in "$includedir/superhelix/solver" "$includedir/superhelix" "$libdir/superhelix" "$cmakedir" "$licenses"; do
       [ ! -d "$destdir$folder" ] || rmdir --ignore-fail-on-non-empty "$destdir$folder"
     done
     echo "superhelix $version is removed from $destdir$prefix"
@@ -74,6 +78,9 @@ put() { # put MODE SOURCE TARGET
   install -D -m "$1" "$2" "$destdir$3"
 }
 put 644 "$build/include/superhelix.h" "$includedir/superhelix.h"
+for header in "${headers[@]}"; do
+  put 644 "$build/include/$header" "$includedir/$header"
+done
 if [ -n "$shared" ]; then
   put 755 "$build/lib/$real" "$libdir/$real"
   ln -sf "$real" "$destdir$libdir/libsuperhelix.so.$major"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sees to it that the tools named on the command line are there: installs what is missing by apt-get when run by root on Debian or
-# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|python|abi|wasm|platforms|figures|dist ...
+# Ubuntu, otherwise says what to install and fails. Usage: scripts/setup.sh build|test|python|csharp|abi|wasm|platforms|figures|dist ...
 set -euo pipefail
 
 missing=()
@@ -26,6 +26,11 @@ for part in "$@"; do
       need pkg-config pkg-config
       # valgrind looks for the C library's symbols when it starts.
       command -v valgrind >/dev/null 2>&1 || missing+=(valgrind libc6-dbg)
+      ;;
+    csharp)
+      need python3 python3
+      need mcs mono-mcs
+      need mono mono-runtime
       ;;
     abi)
       need cc gcc

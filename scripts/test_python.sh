@@ -22,9 +22,12 @@ venv=build/python-venv
 python=$PWD/$venv/bin/python
 
 cd bindings/python
-"$python" -m ruff format --check --quiet ../../abi ../api.py ../coverage.py . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
+"$python" -m ruff format --check --quiet ../../abi ../api.py ../coverage.py ../tables.py ../cpp ../csharp ../tables.py ../cpp ../csharp . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
 "$python" -m ruff check --quiet ../../abi ../api.py ../coverage.py .
 "$python" -m mypy
+for generator in ../cpp/generate.py ../csharp/generate.py ../csharp/pack.py; do
+  MYPYPATH=.. "$python" -m mypy "$generator"
+done
 PYTHONPATH=$PWD/src "$python" -m pytest --all-functions
 
 # What a user does, with the library that is built already.

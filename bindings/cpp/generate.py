@@ -11,7 +11,6 @@ and has a setter with_NAME for each field. What api.json cannot say is in bindin
 from __future__ import annotations
 
 import argparse
-import re
 import sys
 import textwrap
 from pathlib import Path
@@ -19,7 +18,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
-from tables import API, ARRAYS, OUTPUTS, STRUCTS, differences, enumeration_of, group_of, is_bool, is_reserved  # noqa: E402
+from tables import API, ARRAYS, OUTPUTS, STRUCTS, Item, differences, enumeration_of, group_of, is_bool, is_reserved  # noqa: E402
 
 INCLUDE = HERE / "include" / "superhelix"
 
@@ -171,14 +170,17 @@ def comment(doc: str, indent: str = "") -> str:
 
 
 def plain(name: str) -> str:
+    """The name without shx_."""
     return name.removeprefix("shx_")
 
 
 def enumeration_name(prefix: str) -> str:
+    """What an enumeration is called."""
     return ENUMERATIONS.get(prefix, prefix.removeprefix("SHX_").rstrip("_").lower())
 
 
 def enumerations() -> str:
+    """All enumerations."""
     docs = {constant["name"]: constant for constant in API["constants"]}
     text = ""
     for enumeration in API["enumerations"]:
@@ -193,20 +195,24 @@ def enumerations() -> str:
     return text
 
 
-def item_type(field: dict) -> str:
+def item_type(field: Item) -> str:
+    """The type of a field or of the items that it points to."""
     name = field["type"]["name"]
     return f"std::{name}" if name in SCALARS or name == "size_t" else name
 
 
 def setter(struct: str, signature: str, body: str, doc: str) -> str:
+    """A setter, from its signature after with_ and its statements."""
     return comment(doc, "  ") + f"  {plain(struct)} &with_{signature} {{\n{textwrap.indent(body, '    ')}    return *this;\n  }}\n"
 
 
-def others_set(arrays: dict, but: str) -> str:
+def others_set(arrays: Item, but: str) -> str:
+    """The condition that another array of a group is there."""
     return " || ".join(f"{name} != nullptr" for name in arrays if name != but) or "false"
 
 
-def field_setter(struct: str, field: dict) -> str:
+def field_setter(struct: str, field: Item) -> str:
+    """The setter of a field."""
     name, kind, doc = field["name"], field["type"], field["doc"]
     label = f'"{plain(struct)}.{name}"'
     if group := group_of(struct, name):
@@ -224,8 +230,8 @@ def field_setter(struct: str, field: dict) -> str:
         const = "const " if kind["const"] else ""
         return setter(struct, f"{name}({const}{kind['name']} *value)", f"{name} = value;\n", doc)
     if kind["name"] == "shx_input":
-        arrays = ARRAYS.get(struct, {}).get(f"{name}.count")
-        body = f"detail::agree({label}, value.count, {name}.count, {others_set(arrays, '')});\n" if arrays else ""
+        sized = ARRAYS.get(struct, {}).get(f"{name}.count")
+        body = f"detail::agree({label}, value.count, {name}.count, {others_set(sized, '')});\n" if sized else ""
         return setter(struct, f"{name}(const kept_input &value)", body + f"{name} = value;\n", doc)
     if field["array"]:
         size = field["array"]
@@ -239,12 +245,13 @@ def field_setter(struct: str, field: dict) -> str:
     if is_bool(struct, field):
         return setter(struct, f"{name}(bool value)", f"{name} = value ? 1 : 0;\n", doc)
     body = f"{name} = value;\n"
-    if arrays := ARRAYS.get(struct, {}).get(name):
-        body = f"detail::agree({label}, value, {name}, {others_set(arrays, '')});\n" + body
+    if counted := ARRAYS.get(struct, {}).get(name):
+        body = f"detail::agree({label}, value, {name}, {others_set(counted, '')});\n" + body
     return setter(struct, f"{name}({item_type(field)} value)", body, doc)
 
 
-def definition(struct: dict) -> str:
+def definition(struct: Item) -> str:
+    """A structure with its defaults and setters."""
     name = struct["name"]
     if not struct["init"]:
         return comment(struct["doc"]) + f"using {plain(name)} = {name};\n\n"
@@ -260,6 +267,7 @@ def definition(struct: dict) -> str:
 
 
 def file(guard: str, about: str, includes: str, body: str) -> str:
+    """A whole file."""
     return (
         f"// {about}\n//\n// Generated from bindings/api.json by bindings/cpp/generate.py: do not edit.\n"
         f"#ifndef SUPERHELIX_{guard}_HPP\n#define SUPERHELIX_{guard}_HPP\n\n{includes}\n"
@@ -278,6 +286,7 @@ def check_tables() -> None:
 
 
 def outputs() -> dict[Path, str]:
+    """What is generated, by file."""
     check_tables()
     structs = "".join(definition(struct) for struct in API["structs"] if struct["name"] not in BY_HAND)
     return {
@@ -299,7 +308,8 @@ def outputs() -> dict[Path, str]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    """The command line."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--check", action="store_true", help="compare instead of writing")
     check = parser.parse_args().check
     for path, text in outputs().items():

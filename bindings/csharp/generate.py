@@ -21,7 +21,7 @@ from xml.sax.saxutils import escape
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 
-from tables import API, ARRAYS, OUTPUTS, STRUCTS, differences, enumeration_of, group_of, is_bool, is_reserved  # noqa: E402
+from tables import API, ARRAYS, STRUCTS, Item, differences, enumeration_of, group_of, is_bool, is_reserved  # noqa: E402
 
 PACKAGE = HERE / "com.superhelix.hair"
 GENERATED = PACKAGE / "Runtime" / "Generated"
@@ -104,14 +104,17 @@ HEADER = "// Generated from bindings/api.json by bindings/csharp/generate.py: do
 
 
 def pascal(name: str) -> str:
+    """A name in C#'s spelling."""
     return "".join(part[:1].upper() + part[1:] for part in name.removeprefix("shx_").split("_"))
 
 
 def enumeration_name(prefix: str) -> str:
+    """What an enumeration is called."""
     return ENUMERATIONS.get(prefix) or pascal(prefix.removeprefix("SHX_").rstrip("_").lower())
 
 
 def summary(doc: str, indent: str = "") -> str:
+    """The text of an item as a comment."""
     lines = textwrap.wrap(escape(" ".join(doc.split())), 140 - len(indent) - 4)
     if not lines:
         return ""
@@ -136,6 +139,7 @@ def struct_name(name: str) -> str:
 
 
 def enumerations() -> str:
+    """All enumerations."""
     constants = {constant["name"]: constant for constant in API["constants"]}
     text = ""
     for enumeration in API["enumerations"]:
@@ -150,7 +154,8 @@ def enumerations() -> str:
     return text
 
 
-def field_type(struct: str, field: dict) -> str:
+def field_type(struct: str, field: Item) -> str:
+    """The type of a field."""
     kind = field["type"]
     if kind["pointer"] or kind["name"] in CALLBACKS:
         return "IntPtr"
@@ -180,7 +185,8 @@ def fields(struct: str, public: bool) -> str:
     return text
 
 
-def structure(struct: dict) -> str:
+def structure(struct: Item) -> str:
+    """A structure of the same layout."""
     name = struct["name"]
     public = not needs_class(name)
     text = summary(struct["doc"], "  ") if public else ""
@@ -194,7 +200,8 @@ def structure(struct: dict) -> str:
     return text + "  }\n\n"
 
 
-def class_property(struct: str, field: dict) -> str:
+def class_property(struct: str, field: Item) -> str:
+    """The property for a field of a class."""
     name, kind = pascal(field["name"]), field["type"]
     doc = summary(field["doc"], "    ")
     if group := group_of(struct, field["name"]):
@@ -208,14 +215,8 @@ def class_property(struct: str, field: dict) -> str:
     if is_bool(struct, field):
         return f"{doc}    public bool {name}\n    {{\n      get {{ return Raw.{name} != 0; }}\n      set {{ Raw.{name} = value ? 1u : 0u; }}\n    }}\n"
     if kind["name"] == "size_t":
-        return (
-            f"{doc}    public ulong {name}\n    {{\n      get {{ return Raw.{name}.ToUInt64(); }}\n"
-            f"      set {{ Raw.{name} = (UIntPtr)value; }}\n    }}\n"
-        )
-    return (
-        f"{doc}    public {field_type(struct, field)} {name}\n    {{\n      get {{ return Raw.{name}; }}\n"
-        f"      set {{ Raw.{name} = value; }}\n    }}\n"
-    )
+        return f"{doc}    public ulong {name}\n    {{\n      get {{ return Raw.{name}.ToUInt64(); }}\n      set {{ Raw.{name} = (UIntPtr)value; }}\n    }}\n"
+    return f"{doc}    public {field_type(struct, field)} {name}\n    {{\n      get {{ return Raw.{name}; }}\n      set {{ Raw.{name} = value; }}\n    }}\n"
 
 
 def pinning(struct: str) -> str:
@@ -244,7 +245,8 @@ def pinning(struct: str) -> str:
     return text
 
 
-def definition(struct: dict) -> str:
+def definition(struct: Item) -> str:
+    """A structure with its defaults and setters."""
     name = struct["name"]
     raw = struct_name(name)
     text = summary(struct["doc"], "  ") + f"  public sealed unsafe partial class {pascal(name)}\n  {{\n    internal {raw} Raw;\n\n"
@@ -264,7 +266,8 @@ def definition(struct: dict) -> str:
     return text + "  }\n\n"
 
 
-def parameter(function: dict, parameter: dict) -> str:
+def parameter(function: Item, parameter: Item) -> str:
+    """A parameter of a P/Invoke signature."""
     kind, name = parameter["type"], parameter["name"]
     stars = kind["pointer"] + (1 if parameter["array"] else 0)
     if kind["name"] in HANDLES:
@@ -276,6 +279,7 @@ def parameter(function: dict, parameter: dict) -> str:
 
 
 def native() -> str:
+    """The P/Invoke signatures."""
     abi = next(constant["value"] for constant in API["constants"] if constant["name"] == "SHX_ABI_VERSION")
     text = f"  internal static unsafe partial class Native\n  {{\n    internal const uint AbiVersion = {abi};\n\n"
     for function in API["functions"]:
@@ -288,6 +292,7 @@ def native() -> str:
 
 
 def handles() -> str:
+    """The owners of handles."""
     text = ""
     for name, handle in HANDLES.items():
         destroy = DESTROY.get(name) or handle["destroy"]
@@ -324,6 +329,7 @@ def handles() -> str:
 
 
 def layout() -> str:
+    """The check of sizes and offsets."""
     text = """  /// <summary>Compares the structures' sizes and offsets with those of the C library.</summary>
   public static unsafe class Layout
   {
@@ -367,12 +373,14 @@ def layout() -> str:
 
 
 def file(body: str) -> str:
+    """A whole file."""
     return (
         HEADER + "#pragma warning disable 169, 649\nusing System;\nusing System.Runtime.InteropServices;\n\nnamespace Superhelix\n{\n" + body.rstrip() + "\n}\n"
     )
 
 
 def check_tables() -> None:
+    """What the tables name must be there."""
     prefixes = {enumeration["name"] for enumeration in API["enumerations"]}
     by_hand = EXTRA | {name: {"data"} for name in ("shx_input", "shx_output")}
     wrong = [prefix for prefix in ENUMERATIONS if prefix not in prefixes] + differences(by_hand)
@@ -391,6 +399,7 @@ def guid(path: Path) -> str:
 
 
 def meta(path: Path) -> str:
+    """A file's or folder's .meta file."""
     text = f"fileFormatVersion: 2\nguid: {guid(path)}\n"
     if path.is_dir():
         return text + "folderAsset: yes\nDefaultImporter:\n  externalObjects: {}\n  userData: \n  assetBundleName: \n  assetBundleVariant: \n"
@@ -408,6 +417,7 @@ def metas(files: set[Path]) -> dict[Path, str]:
 
 
 def outputs() -> dict[Path, str]:
+    """What is generated, by file."""
     check_tables()
     structs = [struct for struct in API["structs"] if struct["name"] not in BY_HAND]
     made = {
@@ -422,7 +432,8 @@ def outputs() -> dict[Path, str]:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    """The command line."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--check", action="store_true", help="compare instead of writing")
     check = parser.parse_args().check
     GENERATED.mkdir(parents=True, exist_ok=True)

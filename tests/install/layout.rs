@@ -43,6 +43,7 @@ fn an_installation_has_these_files() {
         "share/licenses/superhelix/LICENSE-APACHE".to_string(),
         "share/licenses/superhelix/LICENSE-MIT".to_string(),
     ];
+    expected.extend(files(&root().join("bindings/cpp/include")).into_iter().map(|header| format!("include/{header}")));
     expected.sort_unstable();
     assert_eq!(files(staged()), expected);
 

@@ -59,6 +59,7 @@ TEST(follicles_stand_on_scalps) {
   EXPECT(GET(patch.scatter(scatter_def().with_count(20).with_density(front))).size() == 20);
   EXPECT(GET(patch.scatter(scatter_def().with_count(20).with_density_picture(left, 2, 1))).size() == 20);
   EXPECT(WHY(patch.scatter(scatter_def().with_count(20).with_density(left))).code() == SHX_ERROR_INVALID_ARGUMENT);
+  EXPECT(WHY(patch.scatter(scatter_def().with_count(std::size_t{1} << 60))).code() == SHX_ERROR_INVALID_ARGUMENT);
   const auto middle = GET(patch.follicles_at_uvs({{0.5, 0.25}}));
   frame root{};
   GET(patch.root_frames(middle, root));

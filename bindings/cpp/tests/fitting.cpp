@@ -30,6 +30,7 @@ TEST(polylines_are_fitted) {
   std::vector<curvature> now(6);
   GET(hair.get_curvatures(id, now));
   NEAR(now[3][1], fitted.curvatures[3][1], 1e-3);
+  EXPECT(WHY(fit_polyline(helix(60), 4000000000)).code() == SHX_ERROR_INVALID_ARGUMENT);
   EXPECT(WHY(fit_polyline(std::vector<vec3>(1), 6)).code() == SHX_ERROR_INVALID_ARGUMENT);
 }
 

@@ -31,6 +31,7 @@ namespace Superhelix.Tests
         Check.Near(now[3].K1, fitted.Curvatures[3].K1, 1e-3, "it hangs still");
       }
       Check.Fails(ErrorCode.InvalidArgument, () => Fit.Polyline(new Vec3[1], 6));
+      Check.Fails(ErrorCode.InvalidArgument, () => Fit.Polyline(Helix(60), 2000000000));
 
       int calls = 0;
       FitInput input = new FitInput
@@ -179,6 +180,7 @@ namespace Superhelix.Tests
         Check.That(scalp.Scatter(new ScatterDef { Spacing = 0.02 }).Length > 10, "by spacing");
         Check.That(scalp.Scatter(new ScatterDef { Count = 20, Density = new[] { 1.0, 1, 0, 0 } }).Length == 20, "by density");
         Check.That(scalp.Scatter(new ScatterDef { Count = 20, Density = new[] { 1.0, 0 }, DensityWidth = 2 }).Length == 20, "by a picture");
+        Check.Fails(ErrorCode.InvalidArgument, () => scalp.Scatter(new ScatterDef { Count = 1UL << 60 }));
         Check.Throws<ArgumentException>(() => scalp.Scatter(new ScatterDef { Count = 20, Density = new double[2] }), "Density holds 2");
         Follicle[] middle = scalp.FolliclesAtUvs(new[] { new Vec2(0.5, 0.25) });
         Frame[] root = new Frame[1];

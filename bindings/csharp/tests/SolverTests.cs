@@ -230,6 +230,21 @@ namespace Superhelix.Tests
       }
     }
 
+#if SUPERHELIX_SPAN
+    internal static void Spans()
+    {
+      using (Solver hair = new Solver())
+      {
+        StrandId[] ids = Check.Hanging(hair, 3);
+        double[] kinetic = Check.Many(4, -1.0);
+        // Two of three strands, into the middle of an array.
+        hair.StrandEnergies(new ReadOnlySpan<StrandId>(ids, 1, 2), new Span<double>(kinetic, 1, 2));
+        Check.That(kinetic[0] == -1 && kinetic[1] == 0 && kinetic[2] == 0 && kinetic[3] == -1, "a part of an array");
+        Check.Throws<ArgumentException>(() => hair.StrandEnergies(ids, new Span<double>(kinetic, 1, 2)), "kinetic holds 2");
+      }
+    }
+#endif
+
     internal static void State()
     {
       using (Solver hair = new Solver())

@@ -9,6 +9,16 @@
 namespace superhelix {
 inline namespace SUPERHELIX_WAY {
 
+namespace detail {
+
+// Elements to make room for. Where more are asked for than a strand can have, the library says so.
+inline std::uint32_t room_for(std::uint32_t element_count) noexcept {
+  const std::uint32_t most = 100000;
+  return element_count < most ? element_count : most;
+}
+
+}  // namespace detail
+
 // A strand fitted to a polyline.
 struct fitted_polyline {
   polyline_fit fit;
@@ -19,10 +29,10 @@ struct fitted_polyline {
 // Fits a strand of element_count elements to a polyline in metres, root first.
 inline returns<fitted_polyline> fit_polyline(const input &polyline, std::uint32_t element_count) {
   fitted_polyline fitted;
-  fitted.element_lengths.resize(element_count);
-  fitted.curvatures.resize(element_count);
+  fitted.element_lengths.resize(detail::room_for(element_count));
+  fitted.curvatures.resize(detail::room_for(element_count));
   const shx_result code = shx_fit_polyline(&polyline, element_count, &fitted.fit, fitted.element_lengths.data(),
-                                           detail::rows(span<curvature>(fitted.curvatures)), element_count);
+                                           detail::rows(span<curvature>(fitted.curvatures)), fitted.curvatures.size());
   return detail::finish(code, std::move(fitted));
 }
 
@@ -64,7 +74,7 @@ class fitted_strands {
 
 // Fits a strand to each of many curves. One that cannot be fitted leaves the others alone.
 inline returns<fitted_strands> fit_strands(const fit_input &curves, const fit_options &options = {}) {
-  fitted_strands fitted(curves.curve_count, options.element_count);
+  fitted_strands fitted(curves.curve_count, detail::room_for(options.element_count));
   const shx_result code = shx_fit_strands(&options, &curves, fitted.strands_.data(), sizeof(fitted_strand), fitted.lengths_.data(),
                                           detail::rows(span<curvature>(fitted.curvatures_)), fitted.lengths_.size());
   return detail::finish(code, std::move(fitted));

@@ -29,8 +29,10 @@ class scalp {
     detail::sizes sizes("scatter");
     if (def.density != nullptr && def.density_width == 0 && sizes.exactly("density", def.density_size(), vertex_count_).wrong())
       return sizes.failure<std::vector<follicle>>();
+    // Where def asks for more than the library makes, the library says so.
+    const std::size_t most = 10000000;
     // Asked for by number there are no more than that; by spacing the number has to be found first.
-    std::size_t count = def.count;
+    std::size_t count = def.count <= most ? def.count : 0;
     shx_result code = SHX_OK;
     if (count == 0)
       code = shx_scalp_scatter(get(), &def, nullptr, 0, &count, nullptr);

@@ -82,6 +82,12 @@ namespace Superhelix
   /// <summary>Strands fitted to curves, splines, friction fitted to recordings.</summary>
   public static unsafe class Fit
   {
+    // Elements to make room for. Where more are asked for than a strand can have, the library says so.
+    private static int RoomFor(uint elementCount)
+    {
+      return (int)Math.Min(elementCount, 100000);
+    }
+
     /// <summary>Fits a strand of elementCount elements to a polyline in metres, root first.</summary>
     public static FittedPolyline Polyline(Items polyline, int elementCount)
     {
@@ -90,8 +96,8 @@ namespace Superhelix
       FittedPolyline fitted = new FittedPolyline
       {
         Fit = PolylineFit.Default,
-        ElementLengths = new double[elementCount],
-        Curvatures = new Curvature[elementCount]
+        ElementLengths = new double[RoomFor((uint)elementCount)],
+        Curvatures = new Curvature[RoomFor((uint)elementCount)]
       };
       fixed (byte* p = &polyline.Pin())
       fixed (PolylineFit* f = &fitted.Fit)
@@ -99,7 +105,7 @@ namespace Superhelix
       fixed (Curvature* c = fitted.Curvatures)
       {
         RawView view = polyline.View(p);
-        Error.Check(Native.shx_fit_polyline(&view, (uint)elementCount, f, l, (double*)c, (UIntPtr)(uint)elementCount));
+        Error.Check(Native.shx_fit_polyline(&view, (uint)elementCount, f, l, (double*)c, (UIntPtr)(uint)fitted.Curvatures.Length));
       }
       return fitted;
     }
@@ -122,7 +128,7 @@ namespace Superhelix
     public static FittedStrands Strands(FitInput curves, FitOptions options = null)
     {
       options = options ?? new FitOptions();
-      int count = curves.PointCounts == null ? 0 : curves.PointCounts.Length, most = (int)options.ElementCount;
+      int count = curves.PointCounts == null ? 0 : curves.PointCounts.Length, most = RoomFor(options.ElementCount);
       FittedStrand[] strands = new FittedStrand[count];
       double[] lengths = new double[checked(count * most)];
       Curvature[] curvatures = new Curvature[count * most];

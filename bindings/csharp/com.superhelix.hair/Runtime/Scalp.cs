@@ -41,7 +41,8 @@ namespace Superhelix
       {
         ScatterDefRaw raw = def.Pin(pins);
         // Asked for by number there are no more than that; by spacing the number has to be found first.
-        UIntPtr count = raw.Count;
+        // Where def asks for more than the library makes, the library says so.
+        UIntPtr count = raw.Count.ToUInt64() <= 10000000 ? raw.Count : UIntPtr.Zero;
         if (count == UIntPtr.Zero)
           Error.Check(Native.shx_scalp_scatter(Handle, &raw, null, UIntPtr.Zero, &count, null));
         Follicle[] follicles = new Follicle[Error.Count(count)];
