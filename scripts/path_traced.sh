@@ -122,19 +122,19 @@ EOF
     --width 170 --pixels 540 --height 0.36 --lift -0.15 --turn 0 --radius 5.5e-5 --thin 0.7
 }
 
-# Figure 4 of Bertails et al. 2006, from every fourth of Sintel's guides.
+# Figure 4 of Bertails et al. 2006, from every fourth of Sintel's guides, drawn by the command line itself.
 make_kinds() {
-  local kind frames=() of
+  local kind name of frames=()
   mkdir -p "$out/kinds"
   for kind in "a --curliness 0 --length-variation 0" "b" "c --curliness 1 --wisps 2" "d --curliness 0 --length-variation 0 --max-tip-ratio 0.25" \
     "e --curliness 0 --length-variation 0 --max-tip-ratio 0"; do
     read -r name of <<<"$kind"
     # shellcheck disable=SC2086
-    "$superhelix" interpolate "$sintel" --scale "$scale" --every 4 --scalp "$bust" --count 40000 --points 33 --out "$out/kinds/$name.hair" $of
+    "$superhelix" interpolate "$sintel" --scale "$scale" --every 4 --scalp "$bust" --count 20000 --points 33 --out "$out/kinds/$name.hair" $of
     frames+=("$out/kinds/$name.hair")
   done
-  trace render_hair.jpg --hair "${frames[@]}" "${bust_flags[@]}" --colour auburn --labels a b c d "d, without" \
-    --width 330 --pixels 380 --height 0.35 --lift -0.04
+  "$superhelix" picture "${frames[@]}" --scale "$scale" --body "$bust" --plain --moments 5 --cell 300 --views three-quarter --hairs 0 \
+    --colour auburn --threads "$threads" --out docs/figures/render_hair.png
 }
 
 for picture in ${*:-walk hold straight curls types kinds}; do

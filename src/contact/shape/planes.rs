@@ -79,48 +79,6 @@ impl<'a> PlaneField<'a> {
     }
 }
 
-/// Places that are looked at side by side.
-pub(crate) const WIDTH: usize = 8;
-type Lane = [f32; WIDTH];
-
-impl PlaneField<'_> {
-    /// [`PlaneField::at`] for rows of x, y and z: distances and slopes, the same bits. Outside the grid distances are infinite. Reads of memory
-    /// do not wait for each other.
-    #[inline(always)]
-    pub fn at_each(&self, places: &[Lane; 3]) -> (Lane, [Lane; 3]) {
-        let mut nodes = [[0_u32; WIDTH]; 3];
-        let mut inside = [true; WIDTH];
-        for axis in 0..3 {
-            let most = self.counts[axis] as f32;
-            for k in 0..WIDTH {
-                let node = places[axis][k] + 0.5;
-                inside[k] &= node >= 0.0 && node < most;
-                nodes[axis][k] = node as u32;
-            }
-        }
-        let mut planes: [Plane; WIDTH] = [0; WIDTH];
-        for k in 0..WIDTH {
-            let row = nodes[2][k].wrapping_mul(self.counts[1]).wrapping_add(nodes[1][k]) as usize;
-            let index = row.wrapping_mul(self.counts[0] as usize).wrapping_add(nodes[0][k] as usize);
-            planes[k] = if inside[k] { self.planes.get(index).copied().unwrap_or(0) } else { 0 };
-        }
-        let mut slopes = [[0.0; WIDTH]; 3];
-        for (axis, slopes) in slopes.iter_mut().enumerate() {
-            for k in 0..WIDTH {
-                slopes[k] = f32::from((planes[k] >> (32 + 8 * axis)) as i8) * (1.0 / 127.0);
-            }
-        }
-        let mut distances = [0.0; WIDTH];
-        for k in 0..WIDTH {
-            let away = [0, 1, 2].map(|axis| places[axis][k] - nodes[axis][k] as f32);
-            let more = slopes[0][k] * away[0] + slopes[1][k] * away[1] + slopes[2][k] * away[2];
-            let distance = f32::from_bits(planes[k] as u32) + self.cell * more;
-            distances[k] = if inside[k] { distance } else { f32::INFINITY };
-        }
-        (distances, slopes)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -150,15 +108,6 @@ mod tests {
             assert!((f64::from(distance) - (point.norm() - 0.1)).abs() < 2.5e-4, "{point}");
             let slopes = Vector3::from(slopes.map(f64::from));
             assert!((slopes - point.normalize()).norm() < 0.1);
-        }
-        let odd = [[-0.6, 3.0, 3.0], [3.0, 49.6, 3.0], [f32::NAN; 3], [-0.4, 49.4, 0.0], [7.3, 20.1, 11.8], [48.9, 1e9, 0.0]];
-        let places: [Lane; 3] = std::array::from_fn(|axis| std::array::from_fn(|k| odd[k % odd.len()][axis]));
-        let (distances, slopes) = field.at_each(&places);
-        for k in 0..WIDTH {
-            match field.at(odd[k % odd.len()]) {
-                Some(one) => assert_eq!((distances[k], [0, 1, 2].map(|axis| slopes[axis][k])), one),
-                None => assert_eq!(distances[k], f32::INFINITY),
-            }
         }
         assert!(
             field.at([-0.6, 3.0, 3.0]).is_none() && field.at([3.0, 49.6, 3.0]).is_none() && field.at([f32::NAN; 3]).is_none()

@@ -50,11 +50,10 @@ const CLOSE_ENOUGH: f32 = 2e-4;
 const TRIES: usize = 4;
 /// Points deeper than this go out to the side on which their guide is, m: the nearest surface may be that of the other side.
 const DEEP: f32 = 4e-3;
-/// A point that goes no farther than this (m), where the field is as steep as a distance but for this share, needs no second look.
-const NEARBY: f32 = 2e-3;
-const LIKE_A_DISTANCE: f32 = 0.1;
 /// The steepest that strands leave their root for the surface: so much farther from it for each metre along.
 const RISE: f32 = 0.25;
+/// How much nearer than the field says a surface may be, m: what planes at nodes are off by.
+const SLACK: f32 = 5e-4;
 
 /// Distances about a body in its own axes.
 #[derive(Debug, Clone, Copy)]
@@ -116,19 +115,6 @@ impl<'a> Placed<'a> {
         })
     }
 
-    /// Places of eight points.
-    #[inline(always)]
-    fn places(&self, points: &[Lane; 3]) -> [Lane; 3] {
-        let mut places = [[0.0; STEP]; 3];
-        for (row, place) in places.iter_mut().enumerate() {
-            let ([a, b, c], shift) = (self.into[row], self.shift[row]);
-            for k in 0..STEP {
-                place[k] = (a * points[0][k] + b * points[1][k]) + (c * points[2][k] + shift);
-            }
-        }
-        places
-    }
-
     /// A direction of the body's axes, times a length in m, in the world.
     #[inline(always)]
     fn out(&self, way: [f32; 3], length: f32) -> [f32; 3] {
@@ -164,82 +150,19 @@ pub(super) fn keep_out(bodies: &[Placed], clearance: f32, points: &mut Points, r
 
 #[inline(always)]
 fn out_of(body: &Placed, clearance: f32, points: &mut Points, room: &mut Vec<f32>) {
-    let edge = points.length / (points.count - 1) as f32;
-    match body.field {
-        Field::Grid(field) => out_of_grid(body, field, clearance, edge, points),
-        Field::Shape(_) => out_of_shape(body, clearance, edge, points, room),
-    }
-}
-
-/// Eight points at a time, since what a grid has to say is quickly worked out once it is read. Those that one step along the slope brings where
-/// they are to go stay there; the others are brought out one by one.
-#[inline(always)]
-fn out_of_grid(body: &Placed, field: PlaneField, clearance: f32, edge: f32, points: &mut Points) {
     let (stride, count) = (points.stride, points.count);
-    for at in (0..stride).step_by(STEP) {
-        let here = [0, 1, 2].map(|axis| lane(&points.rows[axis * stride..][..stride], at));
-        let places = body.places(&here);
-        let (mut distances, slopes) = field.at_each(&places);
-        let (mut clear, mut near): (Lane, Lane) = ([0.0; STEP], [0.0; STEP]);
-        for k in 0..STEP {
-            distances[k] -= body.thickness;
-            clear[k] = clearance.min(RISE * edge * (at + k) as f32);
-            near[k] = if distances[k] < clear[k] { 1.0 } else { 0.0 };
-        }
-        // The root stays, and what is behind the last point is none.
-        if at == 0 {
-            near[0] = 0.0;
-        }
-        for k in count.saturating_sub(at)..STEP {
-            near[k] = 0.0;
-        }
-        if near.iter().sum::<f32>() == 0.0 {
-            continue;
-        }
-        let (mut target, mut along, mut unsure): (Lane, Lane, Lane) = ([0.0; STEP], [0.0; STEP], [0.0; STEP]);
-        for k in 0..STEP {
-            target[k] = clear[k] * clear[k] / (2.0 * clear[k] - distances[k]);
-            let size = (slopes[0][k] * slopes[0][k] + slopes[1][k] * slopes[1][k] + slopes[2][k] * slopes[2][k]).sqrt();
-            along[k] = body.unit * (target[k] - distances[k]) / (size * size.max(0.5));
-            let sure = (size - 1.0).abs() < LIKE_A_DISTANCE && target[k] - distances[k] < NEARBY;
-            unsure[k] = if sure { 0.0 } else { near[k] };
-        }
-        let mut there = here;
-        for axis in 0..3 {
-            for k in 0..STEP {
-                let out =
-                    (body.into[0][axis] * slopes[0][k] + body.into[1][axis] * slopes[1][k]) + body.into[2][axis] * slopes[2][k];
-                there[axis][k] += along[k] * out;
-            }
-        }
-        let now = if unsure.iter().sum::<f32>() > 0.0 { field.at_each(&body.places(&there)).0 } else { distances };
-        for k in 0..STEP {
-            if near[k] == 0.0 {
-                continue;
-            }
-            let now = now[k] - body.thickness;
-            let arrived = (target[k] - now).abs() < CLOSE_ENOUGH && (now >= 0.0 || now > distances[k]);
-            let out = if unsure[k] == 0.0 || (distances[k] >= -DEEP && arrived) {
-                [0, 1, 2].map(|axis| there[axis][k])
-            } else {
-                let guide = || [0, 1, 2].map(|axis| points.guide_root[axis] + points.guide[axis * stride + at + k]);
-                let point = [0, 1, 2].map(|axis| here[axis][k]);
-                brought_out(body, point, (distances[k], [0, 1, 2].map(|axis| slopes[axis][k])), clear[k], guide)
-            };
-            (0..3).for_each(|axis| points.rows[axis * stride + at + k] = out[axis]);
-        }
-    }
-}
-
-/// One point after the other: of those that are far off some are left out.
-#[inline(always)]
-fn out_of_shape(body: &Placed, clearance: f32, edge: f32, points: &mut Points, room: &mut Vec<f32>) {
-    let (stride, count) = (points.stride, points.count);
+    let edge = points.length / (count - 1) as f32;
+    // Of each point its place in the body, and its distance from the one before, squared.
     room.resize(4 * stride, 0.0);
     for at in (0..stride).step_by(STEP) {
-        let places = body.places(&[0, 1, 2].map(|axis| lane(&points.rows[axis * stride..][..stride], at)));
+        let [x, y, z] = [0, 1, 2].map(|axis| lane(&points.rows[axis * stride..][..stride], at));
         for row in 0..3 {
-            room[row * stride + at..][..STEP].copy_from_slice(&places[row]);
+            let ([a, b, c], shift) = (body.into[row], body.shift[row]);
+            let mut place: Lane = [0.0; STEP];
+            for k in 0..STEP {
+                place[k] = (a * x[k] + b * y[k]) + (c * z[k] + shift);
+            }
+            room[row * stride + at..][..STEP].copy_from_slice(&place);
         }
     }
     let mut k = 1;
@@ -253,7 +176,7 @@ fn out_of_shape(body: &Placed, clearance: f32, edge: f32, points: &mut Points, r
         let distance = distance - body.thickness;
         if distance >= clearance {
             // The points after this one are no farther off than their edges are long together.
-            k += 1 + skipped(points.rows, stride, count, k, distance - clearance);
+            k += 1 + skipped(points.rows, stride, count, k, distance - clearance - SLACK);
             continue;
         }
         let point = [0, 1, 2].map(|axis| points.rows[axis * stride + k]);

@@ -24,11 +24,6 @@ use crate::math::lanes::{F64x4, F64x8};
 /// Strands that a task takes.
 const TILE: usize = 8 * WIDTH;
 
-/// How often a strand is brought out of bodies and to its length, while that takes it beyond its end.
-const ROUNDS: usize = 3;
-/// What goes no farther beyond its end is no deeper in a body, m.
-const SHORT: f32 = 1e-3;
-
 /// Where strands' roots are: the place of strand `index` of the whole hair, m.
 pub type RootsAt<'a> = &'a (dyn Fn(usize) -> Vector3<f64> + Sync);
 
@@ -327,7 +322,13 @@ fn finish(
     let (stride, count) = (hair.reference.stride, hair.reference.points);
     let (rows, along) = rows.split_at_mut(3 * stride);
     let pushed = !bodies.is_empty();
-    // Without bodies and lengths a strand costs nothing more and keeps its bits.
+    if pushed {
+        let guide = &shape.rows[strand.guides[0] as usize * hair.reference.size() + PLACE * stride..][..3 * stride];
+        let (length, guide_root) = (along[count - 1], roots.first);
+        let mut points = Points { rows, stride, count, length, guide, guide_root };
+        keep_out(bodies, hair.settings.clearance as f32, &mut points, room);
+    }
+    // Without either a strand costs nothing more and keeps its bits.
     let wanted = if hair.settings.preserve_length || pushed {
         Wanted::Along(along, strand.length)
     } else if strand.length < 1.0 {
@@ -335,20 +336,7 @@ fn finish(
     } else {
         return false;
     };
-    if !pushed {
-        respace(wanted, stride, count, rows, lengths);
-        return true;
-    }
-    let guide = &shape.rows[strand.guides[0] as usize * hair.reference.size() + PLACE * stride..][..3 * stride];
-    for _ in 0..ROUNDS {
-        let (length, guide_root) = (along[count - 1], roots.first);
-        let mut points = Points { rows, stride, count, length, guide, guide_root };
-        keep_out(bodies, hair.settings.clearance as f32, &mut points, room);
-        // What goes on beyond its way's end may go back into the body.
-        if respace(wanted, stride, count, rows, lengths) <= SHORT {
-            break;
-        }
-    }
+    respace(wanted, stride, count, rows, lengths);
     true
 }
 

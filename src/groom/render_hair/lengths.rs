@@ -28,10 +28,9 @@ pub(super) enum Wanted<'a> {
 }
 
 /// Moves the points of rows of x, y and z (`stride` floats each, of which `points` count) along the Catmull–Rom spline through them, and beyond
-/// its end straight on; the root stays to the bit. A way that is much too short is stretched away from the root first. How far
-/// points have gone so from the way as it was, at most, m.
+/// its end straight on; the root stays to the bit. A way that is much too short is stretched away from the root first.
 #[inline(always)]
-pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [f32], room: &mut Room) -> f32 {
+pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [f32], room: &mut Room) {
     let Room { knots, edges, places } = room;
     knots.resize(points + 2, [0.0; 4]);
     edges.resize(stride, 0.0);
@@ -71,7 +70,6 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
         }
         edges[..points - 1].iter_mut().for_each(|edge| *edge *= stretch);
     }
-    let passed = end - whole;
     let whole = stretch * whole;
     let most = LONGER * whole;
     let less = if end > most { most / end } else { 1.0 };
@@ -106,7 +104,6 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
         };
         (x[k], y[k], z[k]) = (place[0], place[1], place[2]);
     }
-    passed.max(0.0)
 }
 
 /// What rows of anything along the way are at the places where points have come to lie, linearly between the points.
