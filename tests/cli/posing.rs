@@ -135,6 +135,7 @@ fn a_groom_is_stiffened_where_it_would_fall() {
             "5",
             "--youngs-modulus",
             "1e7",
+            "--bare",
             "--out",
             out.to_str().unwrap(),
         ];

@@ -38,8 +38,7 @@ fn a_groom_stands_where_it_is_put_and_hangs_as_it_is_drawn() {
     assert!(difference(&numbers(&tips[0]), &numbers(tips.last().unwrap())) > 1e-3);
 
     // Not made to rest, it sags.
-    let drawn =
-        json!({"file": file, "metres_per_unit": SCALE, "every": EVERY, "elements": 6, "natural": "as_drawn", "pose": pose});
+    let drawn = json!({"file": file, "metres_per_unit": SCALE, "every": EVERY, "elements": 6, "natural": "as_drawn", "wisp": null, "pose": pose});
     let result = run(&place, &scene(drawn));
     let sags = |strand: &Value| {
         let tips = strand["tips"].as_array().unwrap();
