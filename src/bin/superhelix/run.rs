@@ -90,13 +90,14 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         resolution::warn(definitions.iter(), resolution::Shapes::All, |index| format!("{}: strands[{index}]", path.display()));
     }
 
-    let things = Things::make(&scene, &mut solver, ids).map_err(complain)?;
+    let mut things = Things::make(&scene, &mut solver, ids).map_err(complain)?;
 
     let mut out = AtomicFile::create(&arguments.out)?;
     let snapshot = arguments.snapshot.as_deref().map(|path| Ok::<_, Failure>((path, SnapshotFile::create(path)?))).transpose()?;
     let mut files = RunFiles::create(arguments.cache.as_deref(), &mut scene, path, &solver, &things.strands)?;
     if let Some(resumed) = &resumed {
         resumed.restore(&mut solver)?;
+        things = Things::of(&solver);
     }
     let result = simulate(&scene, &mut solver, &things, &mut files, states.clone(), arguments.quiet)?;
     let unwritable = |error: &dyn std::fmt::Display| Failure::file(&arguments.out, format!("cannot be written: {error}"));
@@ -135,6 +136,11 @@ pub struct Things {
 }
 
 impl Things {
+    /// Those of a solver that holds a scene's and nothing else: a snapshot brings identifiers of its own.
+    fn of(solver: &Solver) -> Self {
+        Self { strands: solver.strand_ids(), bodies: solver.body_ids(), constraints: solver.constraint_ids() }
+    }
+
     /// Adds a scene's colliders and attachments to a solver that has its strands.
     fn make(scene: &Scene, solver: &mut Solver, strands: Vec<StrandId>) -> superhelix::error::Result<Self> {
         let bodies = solver.add_bodies(scene.colliders.iter().map(|collider| collider.definition.clone()).collect())?;
