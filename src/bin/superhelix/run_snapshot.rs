@@ -2,7 +2,7 @@
 //! state that it is of (u64), the solver's snapshot. Little-endian.
 
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use superhelix::solver::Solver;
 
@@ -18,6 +18,7 @@ const HEAD: usize = 8 + 4 + 8 + 8;
 pub struct RunSnapshot {
     /// The written state that it is of, counted from 0.
     pub state: usize,
+    path: PathBuf,
     image: Vec<u8>,
 }
 
@@ -37,12 +38,12 @@ impl RunSnapshot {
             return Err(Failure::file(path, "is a snapshot of another scene, or of this one before it was changed"));
         }
         let state = usize::try_from(number(20)).map_err(|_| Failure::file(path, "is damaged"))?;
-        Ok(Self { state, image: bytes[HEAD..].to_vec() })
+        Ok(Self { state, path: path.to_path_buf(), image: bytes[HEAD..].to_vec() })
     }
 
     /// Takes a solver of the same scene to where the run was left.
     pub fn restore(&self, solver: &mut Solver) -> Result<(), Failure> {
-        Ok(solver.restore(&self.image)?)
+        solver.restore(&self.image).map_err(|error| Failure::file(&self.path, error))
     }
 }
 
