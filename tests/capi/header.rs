@@ -124,7 +124,7 @@ fn tidy(header: &str) -> String {
     let mut tidied = String::new();
     let mut lines = header.lines();
     while let Some(line) = lines.next() {
-        if line.starts_with("SHX_API") {
+        if line.starts_with("SHX_API") || line.starts_with("typedef void (*") {
             let mut declaration = line.to_string();
             while !declaration.ends_with(");") {
                 declaration = declaration + " " + lines.next().expect("the rest of a declaration").trim();
@@ -132,8 +132,6 @@ fn tidy(header: &str) -> String {
             tidied.push_str(&wrapped(&declaration.replace("struct shx_", "shx_").replace("( ", "(")));
         } else if let Some((define, code)) = line.split_once(" -").filter(|_| line.starts_with("#define SHX_")) {
             tidied.push_str(&format!("{define} (-{code})"));
-        } else if line.starts_with("typedef void (*") {
-            tidied.push_str(&wrapped(line));
         } else if line.starts_with("typedef struct") {
             tidied.push_str(line);
         } else {
