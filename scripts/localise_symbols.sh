@@ -20,7 +20,8 @@ sed 's/^/--undefined=/' "$names" >"$work/roots"
 undefined() { "${NM:-nm}" --undefined-only --format=just-symbols "$1" | sort -u; }
 "${OBJCOPY:-objcopy}" --strip-unneeded "$work/superhelix.o" "$work/needed.o"
 comm -23 <(undefined "$work/superhelix.o") <(undefined "$work/needed.o") >"$work/unused"
-"${OBJCOPY:-objcopy}" --strip-symbols="$work/unused" "$work/superhelix.o"
+# objcopy fails on an empty list.
+[ ! -s "$work/unused" ] || "${OBJCOPY:-objcopy}" --strip-symbols="$work/unused" "$work/superhelix.o"
 
 globals=$("${NM:-nm}" --defined-only --extern-only --format=just-symbols "$work/superhelix.o" | sort)
 if [ "$globals" != "$(sort "$names")" ]; then
