@@ -161,7 +161,7 @@ fn main() {
                 velocities: input(&velocities, points.len(), SHX_FORMAT_F32X3),
                 ..guides()
             };
-            let settings = shx_render_settings { space, worker_count: threads, ..settings() };
+            let settings = shx_render_settings { interpolation: space, worker_count: threads, ..settings() };
             let (mut hair, mut pose) = (null_mut(), null_mut());
             let input_of_roots = input(&roots, strands, SHX_FORMAT_F64X3);
             // SAFETY: living structures and memory of the sizes that are stated.
