@@ -33,14 +33,15 @@ pub enum Stopped {
     Cancelled = 3,
 }
 
-/// Units of work for an element, and for so many elements at least, see [`usual_work`].
-const WORK_PER_ELEMENT: f64 = 60.0;
+/// Units of work for so many elements and for fewer, and for every further one, see [`usual_work`].
+const LEAST_WORK: f64 = 136_800.0;
 const FEWEST_ELEMENTS: usize = 2280;
+const WORK_PER_ELEMENT: f64 = 200.0;
 
-/// The work that a substep may take where nothing else is said, in units: a quarter of a second of one core for 228 strands of ten elements and for less, in
-/// proportion for more. What hair does by itself, shaken as hard as a head can, takes a fraction of it.
+/// The work that a substep may take where nothing else is said, in units: a quarter of a second of one core for 228 strands of ten elements and for less.
+/// Every further element adds what a thousand strands on each other and on a head need that is shaken as hard as a head can be.
 pub fn usual_work(elements: usize) -> u64 {
-    (WORK_PER_ELEMENT * elements.max(FEWEST_ELEMENTS) as f64) as u64
+    (LEAST_WORK + WORK_PER_ELEMENT * elements.saturating_sub(FEWEST_ELEMENTS) as f64) as u64
 }
 
 /// Nanoseconds of work, about, in a unit.
@@ -153,6 +154,6 @@ mod tests {
     #[test]
     fn usual_work_grows_with_the_elements() {
         assert_eq!(usual_work(10), usual_work(2280));
-        assert_eq!(usual_work(22800), 10 * usual_work(2280));
+        assert_eq!(usual_work(12280), usual_work(2280) + 2_000_000);
     }
 }

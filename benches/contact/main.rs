@@ -147,7 +147,8 @@ fn shake(
         solver.set_body_frames(&bodies, &[Frame { origin: Vector3::zeros(), rotation: turn }], STEP)?;
         let report = solver.step(STEP, 1)?;
         if std::env::var_os("CONTACT_PRINT").is_some() {
-            println!("{step}: {:.1} ms {:?}", report.seconds * 1e3, report.contact);
+            let (ms, units) = (1e3 * report.seconds, report.work);
+            println!("{step}: {ms:.1} ms, {units} units, {} unconverged, {:?}", report.unconverged, report.contact);
         }
         // The groom as it is drawn has hair in hair and in the bust: what that takes to come apart is not the shake's.
         if step < CALM {
