@@ -4,7 +4,6 @@
 #   SHX_PROFILE   cargo profile, default release
 #   SHX_GLIBC     the C library that is needed at least, default 2.17
 #   DIST          where to, default out/dist
-# The same sources and tools give the same bytes in the same folder.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
