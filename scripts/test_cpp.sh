@@ -1,18 +1,11 @@
 #!/usr/bin/env bash
 # Tests the C++ binding: generated headers, warnings in C++17 and C++20, exceptions, results, no exceptions, sanitizers, every C function called, the
-# example of a game loop on a real groom,
-# the code of docs/cpp.md. Environment:
-#   SUPERHELIX_BUILD   a folder with lib/ and include/ to test; else SHX_PROFILE=test scripts/build_lib.sh, into build/test
-#   CXX                the compiler, default c++
+# examples, a game loop on a real groom among them, the code of docs/cpp.md. Environment: SUPERHELIX_BUILD (scripts/test_library.sh); CXX, the compiler,
+# default c++.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if [ -z "${SUPERHELIX_BUILD:-}" ]; then
-  SUPERHELIX_BUILD=build/test
-  SHX_PROFILE=test SHX_BUILD_DIR=$SUPERHELIX_BUILD scripts/build_lib.sh
-fi
-library=$(cd "$SUPERHELIX_BUILD/lib" && pwd)
-headers=$(cd "$SUPERHELIX_BUILD/include" && pwd)
+. scripts/test_library.sh
 out=build/cpp
 mkdir -p "$out/files"
 
@@ -41,6 +34,7 @@ builds=(
   "sanitized -std=c++17 ${sanitize[*]} $tests/main.cpp"
   "guide -std=c++17 ${sanitize[*]} $out/guide.cpp"
   "mixed -std=c++17 $tests/mixed/exceptions.cpp $tests/mixed/results.cpp"
+  "hello -std=c++17 bindings/cpp/examples/hello.cpp"
   "game_loop -std=c++17 -O1 bindings/cpp/examples/hair_component.cpp bindings/cpp/examples/game_loop.cpp"
 )
 # Every header stands by itself.
@@ -56,6 +50,7 @@ for program in tests17 tests20 results no_exceptions sanitized; do
 done
 "$out/mixed"
 "$out/guide"
+prints_as_c "$out" "$out/hello"
 
 # Inline functions are compiled where they are called: what the tests link is what they call.
 nm -u "$out/tests17" | sed -n 's/^ *U \(shx_[a-z0-9_]*\).*/\1/p' | LC_ALL=C sort >"$out/called.txt"

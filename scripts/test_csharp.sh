@@ -1,16 +1,11 @@
 #!/usr/bin/env bash
 # Tests the C# binding under mono: generated files, warnings, the tests with arrays alone and with spans, every C function called, the Unity component on
-# stubs of UnityEngine and a real groom, the package file, the code of
-# docs/csharp.md. Environment:
-#   SUPERHELIX_BUILD   a folder with lib/ and include/ to test; else SHX_PROFILE=test scripts/build_lib.sh, into build/test
+# stubs of UnityEngine and a real groom, the package file, the example, the code of docs/csharp.md. Environment: SUPERHELIX_BUILD
+# (scripts/test_library.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if [ -z "${SUPERHELIX_BUILD:-}" ]; then
-  SUPERHELIX_BUILD=build/test
-  SHX_PROFILE=test SHX_BUILD_DIR=$SUPERHELIX_BUILD scripts/build_lib.sh
-fi
-library=$(cd "$SUPERHELIX_BUILD/lib" && pwd)
+. scripts/test_library.sh
 out=build/csharp
 binding=bindings/csharp
 mkdir -p "$out/files"
@@ -47,6 +42,8 @@ done
 } >"$out/guide.cs"
 "${compiler[@]}" -r:"$out/plain.dll" -out:"$out/guide.exe" "$out/guide.cs"
 LD_LIBRARY_PATH=$library mono --debug "$out/guide.exe"
+"${compiler[@]}" -r:"$out/plain.dll" -out:"$out/hello.exe" "$binding/examples/Hello.cs"
+prints_as_c "$out" env LD_LIBRARY_PATH="$library" mono "$out/hello.exe"
 
 # What a user of Unity installs: a .meta file beside everything, the library where Unity finds it.
 python3 "$binding/pack.py" "$out/superhelix.tgz" --linux "$library/libsuperhelix.so"

@@ -1,15 +1,13 @@
 #!/usr/bin/env bash
 # Tests the bindings' description and the Python binding: generated files, format, lints, types, tests, examples of the guide, the notebook,
 # and an installed wheel in a fresh venv. Environment:
-#   SUPERHELIX_BINARY    a built `superhelix` for the tests of the farm; else that of `cargo test`
-#   SUPERHELIX_LIBRARY   a built shared library to test; else the one of SHX_PROFILE=test scripts/build_lib.sh, into build/test
+#   SUPERHELIX_BINARY   a built `superhelix` for the tests of the farm; else that of `cargo test`
+#   SUPERHELIX_BUILD    as scripts/test_library.sh says
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if [ -z "${SUPERHELIX_LIBRARY:-}" ]; then
-  SHX_PROFILE=test SHX_BUILD_DIR=build/test scripts/build_lib.sh
-  SUPERHELIX_LIBRARY=$PWD/build/test/lib/libsuperhelix.so
-fi
+. scripts/test_library.sh
+SUPERHELIX_LIBRARY=$library/libsuperhelix.so
 if [ -z "${SUPERHELIX_BINARY:-}" ]; then
   cargo build --quiet --locked --all-features --bin superhelix
   SUPERHELIX_BINARY=${CARGO_TARGET_DIR:-$PWD/target}/debug/superhelix
@@ -21,8 +19,9 @@ venv=build/python-venv
 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "numpy>=1.23" bokeh distributed matplotlib mypy nbclient ipykernel pytest ruff
 python=$PWD/$venv/bin/python
 
+PYTHONPATH=bindings/python/src prints_as_c build/python "$python" bindings/python/examples/hello.py
 cd bindings/python
-"$python" -m ruff format --check --quiet ../../abi ../api.py ../coverage.py ../tables.py ../cpp ../csharp ../tables.py ../cpp ../csharp . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
+"$python" -m ruff format --check --quiet ../../abi ../api.py ../coverage.py ../tables.py ../cpp ../csharp . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
 "$python" -m ruff check --quiet ../../abi ../api.py ../coverage.py .
 "$python" -m mypy
 for generator in ../cpp/generate.py ../csharp/generate.py ../csharp/pack.py; do
