@@ -34,6 +34,7 @@ if ! command -v wine >/dev/null; then
   echo "platforms: $windows programs SKIPPED: no wine to run them"
   exit 0
 fi
+x86_64-w64-mingw32-gcc -shared -O1 -Wall -Wextra -Wpedantic -Werror tests/platforms/bcryptprimitives.c -o "$out/bcryptprimitives.dll" -ladvapi32
 export WINEPREFIX=$PWD/build/wine WINEDEBUG=-all DISPLAY=
 wine "$out/check.exe"
 wine "$out/hello.exe"

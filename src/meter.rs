@@ -47,6 +47,9 @@ pub fn usual_work(elements: usize) -> u64 {
 /// Nanoseconds of work, about, in a unit.
 const UNIT: u64 = 1000;
 
+/// How often loops over touches and the like look at the meter: it takes as long as some of them.
+const LOOK: usize = 64;
+
 /// The meter of a substep.
 #[derive(Debug)]
 pub(crate) struct Meter<'a> {
@@ -114,6 +117,12 @@ impl<'a> Meter<'a> {
         };
         self.halted.fetch_max(now as u8, Ordering::Relaxed);
         true
+    }
+
+    /// The same in a loop over many small things, at one in [`LOOK`] of them.
+    #[inline]
+    pub fn is_halted_at(&self, index: usize) -> bool {
+        index % LOOK == 0 && self.is_halted()
     }
 
     /// Why no more is to be done, if so. To be asked while no thread works.

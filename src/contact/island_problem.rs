@@ -22,8 +22,6 @@ const CONSTRAINED: f64 = 1e-8;
 const RUBS_FULLY: f64 = 0.1;
 /// In how many of an island's first iterations it may grow with the force: a touch that its friction lifts off would come and go for ever.
 const ASKED: u32 = 3;
-/// After so many touches the meter is looked at.
-const LOOK: usize = 64;
 
 /// The memory of contact problems, of one island's after another's: a worker's, in whose caches it stays.
 #[derive(Debug, Default)]
@@ -71,7 +69,7 @@ impl Island {
         forces.clear();
         let lightest = self.strands.iter().map(|held| strands[*held as usize].mass).fold(f64::INFINITY, f64::min);
         for index in 0..self.parts.len() {
-            if index % LOOK == 0 && meter.is_halted() {
+            if meter.is_halted_at(index) {
                 return Ok(());
             }
             let joint = self.parts[index] as usize;

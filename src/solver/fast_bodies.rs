@@ -1,5 +1,6 @@
-//! Bodies that go far among strands within a substep. A strand that is swept along turns as it goes, and the place where it is touched slides along it: in one
-//! step the touch that it began with says little of where it ends, and thin things came out behind it. Such a substep is taken in parts, by all.
+//! Bodies that go far among strands within a substep, and strands that swing far past thin bodies. A strand that is swept along turns as it
+//! goes, and the place where it is touched slides along it: in one step the touch that it began with says little of where it ends, and thin things
+//! came out behind it. Such a substep is taken in parts, by all.
 
 use std::f64::consts::PI;
 
@@ -15,6 +16,11 @@ use crate::math::rotation::rotation_vector;
 /// In a part a body goes among strands by no more than this part of their length, or of half its own least extent, where that is more.
 const PART_OF_LENGTH: f64 = 0.02;
 const PART_OF_EXTENT: f64 = 0.5;
+/// A body is thin where it may not go further than this part of a strand's length in a part, and half its least extent is no more than this, m. A strand
+/// goes past it by its own speed by no more than that part of its length.
+const THIN: f64 = 0.05;
+const THICK: f64 = 0.02;
+const SWING: f64 = 0.25;
 /// Most parts.
 const MOST: u32 = 32;
 /// Most parts for a body that comes after a strand: it may take several substeps.
@@ -70,45 +76,58 @@ impl Solver {
         let going = |index: usize| {
             let body = self.bodies[index].body.at(index as u32, h);
             let turn = rotation_vector(&(body.end.rotation * body.start.rotation.inverse())).norm();
-            (body, (body.end.origin - body.start.origin).norm() + body.radius() * turn)
+            (body, (body.end.origin - body.start.origin).norm() + body.radius() * turn, body.half_extent())
         };
-        let bodies = (0..self.bodies.len()).map(going).filter(|(body, _)| body.half_extent().is_finite());
-        let most = bodies.fold(1.0, |most, (body, travel)| {
-            self.strands.iter().map(|strand| strand.parts(&body, travel, h)).fold(most, f64::max)
+        let bodies = (0..self.bodies.len()).map(going).filter(|(.., extent)| extent.is_finite());
+        let most = bodies.fold(1.0, |most, (body, travel, extent)| {
+            self.strands.iter().map(|strand| strand.parts(&body, travel, extent, h)).fold(most, f64::max)
         });
         most.ceil().min(f64::from(MOST)) as u32
     }
 }
 
 impl Strand {
-    /// In how many parts a body that goes so far itself is to pass it.
-    fn parts(&self, at: &BodyAt, travel: f64, h: f64) -> f64 {
+    /// In how many parts it and a body of some half extent that goes so far itself are to pass each other.
+    fn parts(&self, at: &BodyAt, travel: f64, extent: f64, h: f64) -> f64 {
         let Some(contact) = self.contact.as_deref() else { return 1.0 };
-        if travel == 0.0 && self.root_move.is_none() && self.astray.is_none() {
+        let still = travel == 0.0 && self.root_move.is_none() && self.astray.is_none();
+        if still && extent > THICK {
             return 1.0;
         }
         let length = self.model.length();
-        let root = [self.state.root, strand::root_after(&self.root_move, &self.state.root, h)];
-        let turn = root[1].rotation * root[0].rotation.inverse();
-        // (An angle is at most π times its half's sine.)
-        let own = (root[1].origin - root[0].origin).norm() + length * PI * turn.quaternion().imag().norm();
-        let limit = limit(at, length);
-        if !at.meets(contact.groups, contact.mask) {
+        let is_thin = extent <= THICK && PART_OF_EXTENT * extent < THIN * length;
+        if still && !is_thin || !at.meets(contact.groups, contact.mask) {
             return 1.0;
         }
+        let reach = Vector3::repeat(length + contact.radius);
+        let near = |around: &Bounds| at.bounds.grown(at.thickness).meets(around);
+        let swings = || if is_thin { self.swings_by(at, h) / (SWING * length) } else { 0.0 };
+        if still {
+            return if near(&Bounds::around(self.state.root.origin, reach)) { swings() } else { 1.0 };
+        }
+        let root = [self.state.root, strand::root_after(&self.root_move, &self.state.root, h)];
         if let Some(from) = self.bodies_from().get(at.index as usize) {
             let passing = Passing::new(from, at, &root, length);
             return (passing.travel / passing.limit).min(MOST_TO_COME_AFTER);
         }
-        if travel + own <= limit {
-            return 1.0;
-        }
-        let reach = Vector3::repeat(length + contact.radius);
-        let around = Bounds::around(root[0].origin, reach).union(&Bounds::around(root[1].origin, reach));
-        if !at.bounds.grown(at.thickness).meets(&around) {
+        let turn = root[1].rotation * root[0].rotation.inverse();
+        // (An angle is at most π times its half's sine.)
+        let own = (root[1].origin - root[0].origin).norm() + length * PI * turn.quaternion().imag().norm();
+        let goes_far = travel + own > limit(at, length);
+        let around = || Bounds::around(root[0].origin, reach).union(&Bounds::around(root[1].origin, reach));
+        if !(goes_far || is_thin) || !near(&around()) {
             return 1.0;
         }
         let passing = Passing::new(&at.start, at, &root, length);
-        passing.travel / passing.limit
+        (passing.travel / passing.limit).max(swings())
+    }
+
+    /// How far it goes past a body in a substep of `h` seconds by its own speed, m.
+    fn swings_by(&self, body: &BodyAt, h: f64) -> f64 {
+        let root = self.state.root.origin;
+        let carried_to = body.end.origin + body.end.rotation * (body.start.rotation.inverse() * (root - body.start.origin));
+        let carried = (carried_to - root) / h;
+        let squares = self.state.velocities.iter().map(|v| (Vector3::from(*v) - carried).norm_squared());
+        squares.fold(0.0, f64::max).sqrt() * h
     }
 }

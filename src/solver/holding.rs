@@ -39,6 +39,10 @@ const MOST_SEARCHES: u32 = 16;
 const EARLY: u32 = 2;
 const EARLY_ITERATIONS: u32 = 2;
 
+/// A strand that is cut short goes along with its root if it is further than this from its end, rad: halfway there, strands of a tangle
+/// are flung about.
+const NEAR_END: f64 = 0.03;
+
 /// What a search takes for a joint that it finds, nanoseconds or so.
 const WORK_A_JOINT: u64 = 3000;
 
@@ -344,9 +348,10 @@ impl Holding {
             let quarantined = held.held.outcome.quarantined || island.has_lost(held);
             let fails = !converged && !quarantined;
             let behind = fails && island.is_behind(held);
-            if fails && (left || fast || strand.is_carried()) && (behind || held.behind) {
-                // What a cut iteration, or one that did not find through as a body went far, has left there is worse than where it was: it
-                // stays on its side.
+            let far = left && !(held.residual <= NEAR_END);
+            if fails && (left || fast || strand.is_carried()) && (behind || held.behind || far) {
+                // What a cut iteration, or one that did not find through as a body went far, has left behind a body, or a cut one far from its
+                // end, where strands get through bodies and into each other, is worse than where it was: it stays on its side.
                 held.held.outcome = StrandOutcome { left, ..strand.carry_along(h, bodies, setting.rules) };
                 held.carried = true;
                 return;

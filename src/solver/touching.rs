@@ -63,9 +63,6 @@ pub(super) struct Remembered {
 const WORK_AN_ELEMENT: u64 = 1000;
 const WORK_A_CANDIDATE: u64 = 1000;
 
-/// After so many touches the meter is looked at.
-const LOOK: usize = 64;
-
 /// Pairs of strands that are looked at together.
 const PART: usize = 32;
 
@@ -287,7 +284,7 @@ impl Touching {
     fn missed(&self, scene: &Scene, strands: &mut [HeldStrand], islands: &[Island], h: f64) -> Option<Vec<Joint>> {
         let (mut missed, mut left_deep, mut halted) = (Vec::new(), Vec::new(), false);
         for (index, (held, touch)) in self.found(strands).enumerate() {
-            halted = index % LOOK == 0 && scene.meter.is_halted();
+            halted = scene.meter.is_halted_at(index);
             if halted {
                 break;
             }
