@@ -34,10 +34,13 @@ const STRAIGHT: f64 = 0.01;
 const FIRST: f64 = 5e-4;
 const TRIES: usize = 3;
 const LEVEL: f64 = 0.01;
+/// At its ends the line is not nearest if the distance falls more steeply there.
+const STEEP: f64 = 0.1;
 
 impl Tooth {
-    /// The surface nearest to the straight line through `at` along `tangent` (unit) with the handle at `handle`. None where it is far.
-    pub fn nearest(&self, handle: &Frame, at: Vector3<f64>, tangent: Vector3<f64>) -> Option<Near> {
+    /// The surface nearest to the straight line through `at` along `tangent` (unit) with the handle at `handle`; the line reaches so far (m)
+    /// back and ahead. None where it is far, or nearest beyond the line's ends.
+    pub fn nearest(&self, handle: &Frame, at: Vector3<f64>, tangent: Vector3<f64>, reach: [f64; 2]) -> Option<Near> {
         let frame = handle.compose(&self.place);
         let back = frame.rotation.inverse();
         let (at, tangent) = (back * (at - frame.origin), back * tangent);
@@ -45,10 +48,10 @@ impl Tooth {
         let mut slope = best.normal.dot(&tangent);
         let (mut along, mut step) = (0.0, -slope * FIRST);
         for _ in 0..TRIES {
-            if slope.abs() <= LEVEL {
+            let next = (along + step).clamp(-reach[0].min(STRAIGHT), reach[1].min(STRAIGHT));
+            if slope.abs() <= LEVEL || next == along {
                 break;
             }
-            let next = (along + step).clamp(-STRAIGHT, STRAIGHT);
             let Some(found) = self.shape.closest(at + tangent * next, WITHIN) else { break };
             let found_slope = found.normal.dot(&tangent);
             if found.distance > best.distance {
@@ -65,6 +68,10 @@ impl Tooth {
                 step
             };
             (best, slope, along) = (found, found_slope, next);
+        }
+        let end = if slope > 0.0 { -reach[0].min(STRAIGHT) } else { reach[1].min(STRAIGHT) };
+        if slope.abs() > STEEP && along == end {
+            return None;
         }
         let (normal, point) = (frame.rotation * best.normal, frame.origin + frame.rotation * best.point);
         Some(Near { normal, point, distance: best.distance })
@@ -83,7 +90,7 @@ mod tests {
         for off in [-4e-3, -1e-3, 0.0, 3e-4, 2e-3, 6e-3] {
             // Along z, 0.2 mm before the tooth in y.
             let at = Vector3::new(0.02, 0.01 - 1.2e-3, 0.3 + off);
-            let near = tooth.nearest(&handle, at, Vector3::z()).unwrap();
+            let near = tooth.nearest(&handle, at, Vector3::z(), [0.02; 2]).unwrap();
             assert!((near.distance - 2e-4).abs() < 2e-5, "{off}: {near:?}");
             assert!(near.normal.dot(&-Vector3::y()) > 0.999, "{off}: {near:?}");
         }

@@ -13,7 +13,7 @@ use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 const MOST_OF_STRAND: usize = 16;
 /// Numbers of a message beside touches, and a touch's.
 const HEADER: usize = 32;
-const OF_TOUCH: usize = 24;
+const OF_TOUCH: usize = 28;
 
 /// Numbers that a message may have.
 pub(super) fn capacity(options: &HapticOptions) -> usize {
@@ -39,6 +39,8 @@ pub(super) struct ModelTouch {
     pub margin: f64,
     /// See [`BodyTouch`].
     pub tangent: Vector3<f64>,
+    /// See [`BodyTouch`].
+    pub reach: [f64; 2],
     pub friction: Coefficient,
     /// Force on the strand when the step ended, N.
     pub force: Vector3<f64>,
@@ -103,6 +105,7 @@ impl LocalModel {
             body: message.count(),
             margin: message.number(),
             tangent: message.numbers().into(),
+            reach: message.numbers(),
             friction: Coefficient { mean: message.number(), lean: message.numbers().into() },
             force: message.numbers().into(),
             moved: message.numbers().into(),
@@ -171,6 +174,7 @@ impl Choice {
             message.count(touch.body as usize);
             message.number(touch.margin);
             message.numbers(touch.tangent.as_slice());
+            message.numbers(&touch.reach);
             message.number(touch.friction.mean);
             message.numbers(touch.friction.lean.as_slice());
             message.numbers(touch.force.as_slice());

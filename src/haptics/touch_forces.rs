@@ -23,6 +23,9 @@ const FARTHEST: f64 = 2.0;
 /// A surface whose normal has turned from the model's by more than this cosine is another one: what it had in the model goes on to be it.
 const SAME_SIDE: f64 = 0.2;
 
+/// The gap of a touch that is none any more, m.
+const FAR: f64 = 1.0;
+
 /// A touch's part in the solve.
 #[derive(Debug, Clone, Copy)]
 struct Row {
@@ -134,12 +137,14 @@ impl TouchForces {
                 let was = touch.point + touch.normal * (touch.gap + touch.margin);
                 let now = was + touch.moved * part + way;
                 let carried = tool.origin + turn * (touch.point - model.handle.origin) - touch.point;
-                let found = self.teeth.get(touch.body).and_then(|tooth| tooth.nearest(&tool, now, touch.tangent));
-                let found = found.filter(|near| near.normal.dot(&(turn * touch.normal)) > SAME_SIDE);
+                let found = self.teeth.get(touch.body).and_then(|tooth| tooth.nearest(&tool, now, touch.tangent, touch.reach));
                 let slip = now - was - carried;
                 let (normal, gap, point) = match found {
-                    Some(near) => (near.normal, near.distance - touch.margin, near.point),
-                    None => (touch.normal, touch.gap + touch.normal.dot(&slip), touch.point + carried),
+                    Some(near) if near.normal.dot(&(turn * touch.normal)) > SAME_SIDE => {
+                        (near.normal, near.distance - touch.margin, near.point)
+                    }
+                    Some(_) => (touch.normal, touch.gap + touch.normal.dot(&slip), touch.point + carried),
+                    None => (touch.normal, FAR, touch.point + carried),
                 };
                 let row = &mut self.rows[first + k];
                 row.arm = point - tool.origin;

@@ -30,6 +30,9 @@ const ONE_PLACE: f64 = 5e-4;
 const ONE_SIDE: f64 = 0.9;
 /// What nothing presses and is deeper than so many tolerances is held apart by nothing: the strand may overlap the body there.
 const OVERLAPS: f64 = 4.0;
+/// Iterations to where a strand goes, and how near to there, rad, is near enough.
+const MOST_ITERATIONS: u32 = 4;
+const NEAR_END: f64 = 1e-4;
 
 /// A touch of a strand with one of the bodies, or a place where there soon may be one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +51,8 @@ pub struct BodyTouch {
     pub margin: f64,
     /// The strand's tangent there, unit, from root to tip.
     pub tangent: Vector3<f64>,
+    /// How much of the strand that may touch the body there is before and beyond the place, m, up to halfway to its next touch with it.
+    pub reach: [f64; 2],
     /// Coulomb friction.
     pub friction: Coefficient,
     /// Force on the strand at the end of the last substep, N, world; zero where nothing presses.
@@ -119,6 +124,21 @@ impl NearStrand {
         HeldPlace { station: station_at(&strand.model, along), along, force: force.into(), touch: None }
     }
 
+    /// What there is of the strand between two touches with one body belongs half to either.
+    fn share_reach(&mut self) {
+        for k in 0..self.places.len() {
+            let Some(touch) = self.places[k].touch else { continue };
+            let others = self.places.iter().filter(|place| place.touch.is_some_and(|other| other.body == touch.body));
+            let off = |place: &HeldPlace| place.along - self.places[k].along;
+            let [before, beyond] = others.fold(touch.reach, |[before, beyond], place| match off(place) {
+                off if off < 0.0 => [before.min(-0.5 * off), beyond],
+                off if off > 0.0 => [before, beyond.min(0.5 * off)],
+                _ => [before, beyond],
+            });
+            self.places[k].touch = Some(BodyTouch { reach: [before, beyond], ..touch });
+        }
+    }
+
     /// Works out how its places answer.
     fn condense(&mut self, strand: &mut Strand, setting: &Setting, seconds: f64) {
         self.places.sort_by(|a, b| {
@@ -132,9 +152,13 @@ impl NearStrand {
         forces.extend(places.iter().map(|place| place.force));
         let before = (strand.state.root.origin, &elements[..]);
         strand.with_one(|one| held.begin(one, setting, seconds, true));
-        // The first linear model has no tension in it: once along, and again.
-        held.linearise(stations, forces, &[]);
-        held.advance(setting, forces);
+        // The first linear model has no tension in it.
+        for _ in 0..MOST_ITERATIONS {
+            held.linearise(stations, forces, &[]);
+            if held.advance(setting, forces) <= NEAR_END {
+                break;
+            }
+        }
         held.linearise(stations, forces, &[]);
         let size = 3 * places.len();
         for (k, place) in places.iter_mut().enumerate() {
@@ -282,6 +306,7 @@ impl Solver {
                 gap,
                 margin,
                 tangent,
+                reach: [(along - contact.exempt_length).max(0.0), (strand.model.length() - along).max(0.0)],
                 friction: Coefficient::of_scales(friction.along * scale, friction.against * scale, tangent),
                 force,
                 moved: Vector3::zeros(),
@@ -314,6 +339,7 @@ impl Solver {
                 near.places.push(touch(near, body, along, found.normal, found.gap, Vector3::zeros()));
             }
         }
+        near.share_reach();
         for constraint in self.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
             if constraint.def.strand == strand.id {
                 near.places.push(near.place(strand, constraint.state.arclength, constraint.state.force));

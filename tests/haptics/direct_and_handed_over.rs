@@ -20,6 +20,15 @@ fn difference(one: &Felt, other: &Felt) -> f64 {
     rms(apart) / rms(one.iter().map(|felt| felt.0.force))
 }
 
+/// The same of the means over `ticks`.
+fn difference_of_means(one: &Felt, other: &Felt, ticks: usize) -> f64 {
+    let mean = |felt: &[(superhelix::solver::report::Wrench, superhelix::haptics::HapticState)]| {
+        felt.iter().map(|felt| felt.0.force).sum::<Vector3<f64>>() / ticks as f64
+    };
+    let (one, other): (Vec<_>, Vec<_>) = one.windows(ticks).zip(other.windows(ticks)).map(|(a, b)| (mean(a), mean(b))).unzip();
+    rms(one.iter().zip(&other).map(|(a, b)| a - b)) / rms(one.iter().copied())
+}
+
 #[test]
 fn a_stroke_feels_the_same_directly_and_handed_over() {
     let options = HapticOptions::default();
@@ -29,7 +38,7 @@ fn a_stroke_feels_the_same_directly_and_handed_over() {
         for (rate, late) in [(120.0, 0.0), (120.0, 4e-3), (120.0, 8e-3), (240.0, 0.0), (500.0, 0.0), (1000.0, 0.0)] {
             let other = handed_over(combed_hair(strands, curvature), stroke, 1.4, rate, late, &options);
             let off = difference(&felt, &other);
-            if rate == 120.0 && late == 0.0 {
+            if late == 0.0 {
                 let mut text = String::new();
                 for (k, (a, b)) in felt.iter().zip(&other).enumerate() {
                     use std::fmt::Write;
@@ -41,9 +50,13 @@ fn a_stroke_feels_the_same_directly_and_handed_over() {
                     )
                     .unwrap();
                 }
-                std::fs::write(format!("/tmp/h29_{strands}_{curvature}.csv"), text).unwrap();
+                std::fs::write(format!("/tmp/h29_{strands}_{curvature}_{rate}.csv"), text).unwrap();
             }
-            println!("{strands} strands, {curvature}/m: {force:.2e} N, {rate} Hz, {late} s late: {:.1} %", 100.0 * off);
+            let means = [8, 25, 50].map(|ticks| 100.0 * difference_of_means(&felt, &other, ticks));
+            println!(
+                "{strands} strands, {curvature}/m: {force:.2e} N, {rate} Hz, {late} s late: {:.1} %, means {means:.1?}",
+                100.0 * off
+            );
         }
     }
 }
