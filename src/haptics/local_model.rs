@@ -48,6 +48,13 @@ pub(super) struct ModelTouch {
     pub moved: Vector3<f64>,
 }
 
+impl ModelTouch {
+    /// The strand's point when the step ended.
+    pub fn strand_point(&self) -> Vector3<f64> {
+        self.point + self.normal * (self.gap + self.margin)
+    }
+}
+
 /// What a message says.
 #[derive(Debug)]
 pub(super) struct LocalModel {

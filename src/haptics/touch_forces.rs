@@ -26,6 +26,9 @@ const SAME_SIDE: f64 = 0.2;
 /// The gap of a touch that is none any more, m.
 const FAR: f64 = 1.0;
 
+/// The most that a touch may have slid into the surface within a step, m.
+const MOST_SLID: f64 = 1e-4;
+
 /// A touch's part in the solve.
 #[derive(Debug, Clone, Copy)]
 struct Row {
@@ -39,6 +42,8 @@ struct Row {
     /// What there would be with the forces that the model came with, and a tool that does not give way.
     free: Vector3<f64>,
     force: Vector3<f64>,
+    /// How much nearer the surface is than the simulation had it where the touch slid on within its step, m: what pressed there goes on to.
+    slid: f64,
 }
 
 /// What a solve came to.
@@ -97,7 +102,14 @@ impl TouchForces {
                 let own = Matrix3::from_fn(|i, j| model.response[matrix + (3 * k + j) * size + 3 * k + i]);
                 let arm = touch.point - model.handle.origin;
                 let law = law(touch, touch.normal, &own, model.seconds);
-                self.rows.push(Row { law, own, response: own, arm, free: Vector3::zeros(), force: touch.force });
+                let slid = match self.teeth.get(touch.body) {
+                    Some(tooth) if touch.force != Vector3::zeros() => {
+                        let near = tooth.nearest(&model.handle, touch.strand_point(), touch.tangent, touch.reach);
+                        near.map_or(0.0, |near| near.distance - touch.margin - touch.gap).clamp(-MOST_SLID, 0.0)
+                    }
+                    _ => 0.0,
+                };
+                self.rows.push(Row { law, own, response: own, arm, free: Vector3::zeros(), force: touch.force, slid });
             }
             (first, matrix) = (first + count, matrix + size * size);
         }
@@ -134,14 +146,14 @@ impl TouchForces {
             for (k, touch) in touches.iter().enumerate() {
                 let (rows, response) = (&self.rows[first..first + count], &model.response[matrix..]);
                 let way = Self::given_way(rows, touches, response, size, k);
-                let was = touch.point + touch.normal * (touch.gap + touch.margin);
+                let was = touch.strand_point();
                 let now = was + touch.moved * part + way;
                 let carried = tool.origin + turn * (touch.point - model.handle.origin) - touch.point;
                 let found = self.teeth.get(touch.body).and_then(|tooth| tooth.nearest(&tool, now, touch.tangent, touch.reach));
                 let slip = now - was - carried;
                 let (normal, gap, point) = match found {
                     Some(near) if near.normal.dot(&(turn * touch.normal)) > SAME_SIDE => {
-                        (near.normal, near.distance - touch.margin, near.point)
+                        (near.normal, near.distance - touch.margin - self.rows[first + k].slid, near.point)
                     }
                     Some(_) => (touch.normal, touch.gap + touch.normal.dot(&slip), touch.point + carried),
                     None => (touch.normal, FAR, touch.point + carried),

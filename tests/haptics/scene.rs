@@ -112,21 +112,13 @@ impl Simulation {
         }
         if t >= self.next - 1e-9 && self.done_at.is_none() {
             self.tool.before_step(&mut self.solver, self.step).unwrap();
-            let r = self.solver.step(self.step, 1).unwrap();
-            if std::env::var("H29").is_ok() {
-                let f: Vector3<f64> = self.tool.bodies().iter().map(|b| self.solver.body_wrench(*b).unwrap().force).sum();
-                println!(
-                    "  step at {t:.4}: {:.1} {:.1} uN, unconv {} {} pen {:e} capped {}",
-                    f.x * 1e6,
-                    f.z * 1e6,
-                    r.unconverged,
-                    r.contact.unconverged,
-                    r.contact.penetration,
-                    r.contact.capped
-                );
-            }
-            self.done_at = Some(t + self.late);
+            self.solver.step(self.step, 1).unwrap();
             self.next += self.step;
+            if self.late == 0.0 {
+                self.tool.after_step(&mut self.solver).unwrap();
+            } else {
+                self.done_at = Some(t + self.late);
+            }
         }
     }
 }
