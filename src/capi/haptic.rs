@@ -15,9 +15,9 @@ use crate::math::frame::Frame;
 use crate::solver::id::BodyId;
 
 /// Bodies of a solver that move as one rigid tool in a hand, and the forces that the hand feels.
-/// shx_haptic_create makes it, you own it, shx_haptic_destroy frees it. It has two sides that
-/// may be used at the same time: that of the simulation (shx_haptic_before_step,
-/// shx_haptic_after_step) and that of the device (shx_haptic_update). Neither waits for the other.
+/// shx_haptic_create makes it, you own it, shx_haptic_destroy frees it. It has two sides that may be used at
+/// the same time: that of the simulation (shx_haptic_before_step, shx_haptic_after_step) and that of the
+/// device (shx_haptic_update). Neither waits for the other.
 pub struct shx_haptic {
     tool: Side<Tool>,
     device: Side<Device>,
@@ -72,11 +72,11 @@ unsafe fn haptic_from<'a>(haptic: *const shx_haptic) -> Result<&'a shx_haptic> {
     unsafe { haptic.as_ref() }.ok_or_else(|| Error::NullArgument { argument: "haptic".into() })
 }
 
-/// Creates a haptic object of count bodies, which move as one rigid tool from their present places. def may be null: all
-/// defaults. The device moves the bodies from the first step after its first update on: do not move them yourself.
-/// You own *out_haptic; free it with shx_haptic_destroy, before or after the solver.
+/// Creates a haptic object of count bodies, which move as one rigid tool from their present places. def may
+/// be null: all defaults. The device moves the bodies from the first step after its first update on: do not
+/// move them yourself. You own *out_haptic; free it with shx_haptic_destroy, before or after the solver.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_INVALID_ID,
-/// SHX_ERROR_UNSUPPORTED (SHX_HAPTIC_HAND_OVER with a contact model other than SHX_CONTACT_COULOMB).
+/// SHX_ERROR_UNSUPPORTED (SHX_HAPTIC_MODE_HAND_OVER with a contact model other than SHX_CONTACT_COULOMB).
 /// Threads: shared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_create(
@@ -115,11 +115,11 @@ pub unsafe extern "C" fn shx_haptic_destroy(haptic: *mut shx_haptic) {
     });
 }
 
-/// Call it before a step, or several substeps, of dt seconds in all: moves the bodies over dt to where the device is now. The
-/// device's first pose is where they are placed at once, without sweeping the space in between. Does nothing
-/// before the first shx_haptic_update.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (dt), SHX_ERROR_INVALID_ID (a body was removed,
-/// or this is another solver), SHX_ERROR_BUSY.
+/// Call it before a step, or several substeps, of dt seconds in all: moves the bodies over dt to where the
+/// device is now. The device's first pose is where they are placed at once, without sweeping the space in
+/// between. Does nothing before the first shx_haptic_update.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (dt), SHX_ERROR_INVALID_ID (a body was
+/// removed, or this is another solver), SHX_ERROR_BUSY.
 /// Threads: exclusive for the solver and for this side; shx_haptic_update may run meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_before_step(haptic: *mut shx_haptic, solver: *mut shx_solver, dt: f64) -> shx_result {
@@ -129,10 +129,10 @@ pub unsafe extern "C" fn shx_haptic_before_step(haptic: *mut shx_haptic, solver:
     }
 }
 
-/// Call it after the step: hands what touches the tool, and how it yields, over to the device's side. In SHX_HAPTIC_HAND_OVER it
-/// costs about as much as one or two Newton iterations of the strands near the tool.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID (a body was removed, or this is another
-/// solver), SHX_ERROR_BUSY.
+/// Call it after the step: hands what touches the tool, and how it yields, over to the device's side. In
+/// SHX_HAPTIC_MODE_HAND_OVER it costs a few Newton iterations of the strands near the tool.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID (a body was removed, or this is another solver),
+/// SHX_ERROR_BUSY.
 /// Threads: exclusive for the solver and for this side; shx_haptic_update may run meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_after_step(haptic: *mut shx_haptic, solver: *mut shx_solver) -> shx_result {
@@ -140,14 +140,14 @@ pub unsafe extern "C" fn shx_haptic_after_step(haptic: *mut shx_haptic, solver: 
     unsafe { write("shx_haptic_after_step", solver, |core, _| haptic_from(haptic)?.tool.with(|tool| tool.after_step(core))) }
 }
 
-/// Gives the device's pose and its velocity (linear, m/s, then angular, rad/s, in world axes), dt seconds (above zero) after the
-/// last update, and writes the wrench for the hand: force, N, then torque about the handle's origin, N m, in world
-/// axes. It never waits, allocates nothing, and takes bounded time: at most max_sweeps over max_contacts contacts.
-/// state may be null. When it fails, keep the last wrench.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (state), SHX_ERROR_INVALID_ARGUMENT (a value that is not
-/// finite, a quaternion that is not of unit length, dt), SHX_ERROR_BUSY.
-/// Threads: exclusive for this side: one thread, that of the device. Steps of the solver, shx_haptic_before_step
-/// and shx_haptic_after_step may run meanwhile.
+/// Gives the device's pose and its velocity (linear, m/s, then angular, rad/s, in world axes), dt seconds
+/// (above zero) after the last update, and writes the wrench for the hand: force, N, then torque about the
+/// handle's origin, N m, in world axes. It never waits, allocates nothing, and takes bounded time: at most
+/// max_sweeps over max_contacts contacts. state may be null. When it fails, keep the last wrench.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (state), SHX_ERROR_INVALID_ARGUMENT (a value that
+/// is not finite, a quaternion that is not of unit length, dt), SHX_ERROR_BUSY.
+/// Threads: exclusive for this side: one thread, that of the device. Steps of the solver,
+/// shx_haptic_before_step and shx_haptic_after_step may run meanwhile.
 /// cbindgen:ptrs-as-arrays=[[velocity; 6], [out_wrench; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_update(

@@ -9,11 +9,13 @@ use crate::error::{Error, Result};
 use crate::haptics::{HapticOptions, HapticState, Mode};
 use crate::math::frame::Frame;
 
-/// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what touches
-/// the tool, and shx_haptic_update solves contact anew with the device's newest pose, at the device's rate.
-pub const SHX_HAPTIC_HAND_OVER: u32 = 1;
-/// The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last step.
-pub const SHX_HAPTIC_DIRECT: u32 = 2;
+/// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what
+/// touches the tool, and shx_haptic_update solves contact anew with the device's newest pose, at the
+/// device's rate.
+pub const SHX_HAPTIC_MODE_HAND_OVER: u32 = 1;
+/// The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last
+/// step.
+pub const SHX_HAPTIC_MODE_DIRECT: u32 = 2;
 
 /// The force or the torque was cut to max_force or max_torque.
 pub const SHX_HAPTIC_LIMIT_CLAMPED: u32 = 1;
@@ -30,10 +32,10 @@ pub const SHX_HAPTIC_LIMIT_STALE: u32 = 8;
 pub struct shx_haptic_def {
     /// Set by shx_haptic_def_init.
     pub struct_size: u32,
-    /// SHX_HAPTIC_HAND_OVER (default), _DIRECT.
+    /// SHX_HAPTIC_MODE_HAND_OVER (default), _DIRECT.
     pub mode: u32,
-    /// Frame of the handle in the axes of the first body: device poses are poses of the handle, and torques are
-    /// about its origin. Default: the body's own frame.
+    /// Frame of the handle in the axes of the first body: device poses are poses of the handle, and torques
+    /// are about its origin. Default: the body's own frame.
     pub handle: shx_frame,
     /// Stiffness of the virtual coupling between device and tool, N/m; above zero. Default 500.
     pub stiffness: f64,
@@ -55,12 +57,13 @@ pub struct shx_haptic_def {
     pub energy_allowance: f64,
     /// Largest energy that the hand is credited with for what it gave, J; zero or above. Default 0.05.
     pub max_energy_credit: f64,
-    /// Largest acceleration of the device in a hand, m/s^2; zero or above. The
-    /// energy that an update can cost is bounded with it. Default 20.
+    /// Largest acceleration of the device in a hand, m/s^2; zero or above. The energy that an update can
+    /// cost is bounded with it. Default 20.
     pub max_acceleration: f64,
     /// Largest angular acceleration of the device, rad/s^2; zero or above. Default 200.
     pub max_angular_acceleration: f64,
-    /// Age from which a local model is too old, s; above zero. The force then fades within the same time. Default 0.1.
+    /// Age from which a local model is too old, s; above zero. The force then fades within the same time.
+    /// Default 0.1.
     pub max_model_age: f64,
     /// Maximum number of contacts in a local model, 1 to 4096: those that press hardest. Default 256.
     pub max_contacts: u32,
@@ -100,9 +103,9 @@ unsafe impl Versioned for shx_haptic_def {
 impl shx_haptic_def {
     pub(super) fn options(&self) -> Result<HapticOptions> {
         let mode = match self.mode {
-            SHX_HAPTIC_HAND_OVER => Mode::HandOver,
-            SHX_HAPTIC_DIRECT => Mode::Direct,
-            other => return Err(Error::invalid("def.mode", other, "SHX_HAPTIC_HAND_OVER or _DIRECT")),
+            SHX_HAPTIC_MODE_HAND_OVER => Mode::HandOver,
+            SHX_HAPTIC_MODE_DIRECT => Mode::Direct,
+            other => return Err(Error::invalid("def.mode", other, "SHX_HAPTIC_MODE_HAND_OVER or _DIRECT")),
         };
         let options = HapticOptions {
             mode,
@@ -137,7 +140,8 @@ pub struct shx_haptic_state {
     pub struct_size: u32,
     /// What limited the wrench: SHX_HAPTIC_LIMIT_ bits; 0: nothing.
     pub limits: u32,
-    /// Frame of the handle in the simulation: the pose of the device, except for what the virtual coupling yields.
+    /// Frame of the handle in the simulation: the pose of the device, except for what the virtual coupling
+    /// yields.
     pub proxy: shx_frame,
     /// Force on the tool before limits, N.
     pub contact_force: [f64; 3],
@@ -147,8 +151,8 @@ pub struct shx_haptic_state {
     pub energy_given: f64,
     /// Energy that the hand got so far, J.
     pub energy_received: f64,
-    /// The most that energy_received ever was above energy_given, J; at most energy_allowance
-    /// while the device stays within max_acceleration and dt does not change.
+    /// The most that energy_received ever was above energy_given, J; at most energy_allowance while the
+    /// device stays within max_acceleration and dt does not change.
     pub max_energy_excess: f64,
     /// Age of the device pose that the local model was made with, s. 0 before the first model.
     pub model_age: f64,
