@@ -17,6 +17,9 @@ use crate::solver::report::Wrench;
 /// Numbers of the message with which the device tells the simulation where it is.
 pub(super) const POSE_NUMBERS: usize = 8;
 
+/// A hand-over's force goes from the model before to the new one within this part of the model's seconds.
+const BLEND: f64 = 0.5;
+
 /// How an update went.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct HapticState {
@@ -183,7 +186,7 @@ impl Device {
         }
     }
 
-    /// A hand-over's force: from what the model before came to it goes to the new one's within the model's seconds.
+    /// A hand-over's force: from what the model before came to it goes to the new one's within a part of the model's seconds.
     fn blended(&mut self, wrench: Wrench, is_new: bool, dt: f64) -> Wrench {
         if self.options.mode == Mode::Direct {
             return wrench;
@@ -193,7 +196,7 @@ impl Device {
             *off = Wrench { force: self.raw.force - wrench.force, torque: self.raw.torque - wrench.torque };
             *left = 1.0;
         }
-        *left = (*left - dt / self.model.seconds).max(0.0);
+        *left = (*left - dt / (BLEND * self.model.seconds)).max(0.0);
         Wrench { force: wrench.force + off.force * *left, torque: wrench.torque + off.torque * *left }
     }
 

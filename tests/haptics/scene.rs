@@ -95,13 +95,15 @@ pub struct Simulation {
     late: f64,
     next: f64,
     done_at: Option<f64>,
+    /// When each step began, and what hair did to the tool at its end.
+    pub steps: Vec<(f64, Vector3<f64>)>,
 }
 
 impl Simulation {
     pub fn new(scene: (Solver, Vec<BodyId>), step: f64, late: f64, options: &HapticOptions) -> (Self, Device) {
         let (solver, teeth) = scene;
         let (tool, device) = haptic(&solver, &teeth, options).unwrap();
-        (Self { solver, tool, step, late, next: 0.0, done_at: None }, device)
+        (Self { solver, tool, step, late, next: 0.0, done_at: None, steps: Vec::new() }, device)
     }
 
     /// Goes on until the device's time `t`.
@@ -113,6 +115,8 @@ impl Simulation {
         if t >= self.next - 1e-9 && self.done_at.is_none() {
             self.tool.before_step(&mut self.solver, self.step).unwrap();
             self.solver.step(self.step, 1).unwrap();
+            let force = self.tool.bodies().iter().map(|id| self.solver.body_wrench(*id).unwrap().force).sum();
+            self.steps.push((t, force));
             self.next += self.step;
             if self.late == 0.0 {
                 self.tool.after_step(&mut self.solver).unwrap();
@@ -132,8 +136,20 @@ pub fn handed_over(
     late: f64,
     options: &HapticOptions,
 ) -> Felt {
+    handed_over_and_simulated(scene, way, seconds, rate, late, options).0
+}
+
+/// The same, and the forces at the simulation's own steps, by the time of the pose that they were taken with.
+pub fn handed_over_and_simulated(
+    scene: (Solver, Vec<BodyId>),
+    way: impl Fn(f64) -> Frame,
+    seconds: f64,
+    rate: f64,
+    late: f64,
+    options: &HapticOptions,
+) -> (Felt, Vec<(f64, Vector3<f64>)>) {
     let (mut simulation, mut device) = Simulation::new(scene, 1.0 / rate, late, options);
-    (0..(seconds / TICK) as usize)
+    let felt = (0..(seconds / TICK) as usize)
         .map(|tick| {
             let t = tick as f64 * TICK;
             let (pose, velocity, spin) = motion(&way, t);
@@ -141,7 +157,8 @@ pub fn handed_over(
             simulation.until(t);
             felt
         })
-        .collect()
+        .collect();
+    (felt, simulation.steps)
 }
 
 /// A small reproducible source of numbers in [0, 1).

@@ -14,7 +14,7 @@ from superhelix._library import functions
 from superhelix._record import reference
 from superhelix.errors import check
 from superhelix.ids import BodyId, BodyIds
-from superhelix.records import HapticDef, HapticState
+from superhelix.records import Frame, HapticDef, HapticState
 from superhelix.solver import Solver
 
 
@@ -52,12 +52,12 @@ class Haptic(Owner):
         """Call it after the step: hands what touches the tool, and how it yields, over to the device's side."""
         check(functions.shx_haptic_after_step(self._handle, solver._handle))
 
-    def update(self, pose: npt.ArrayLike, velocity: npt.ArrayLike = (0.0,) * 6, *, dt: float) -> HapticUpdate:
+    def update(self, pose: npt.ArrayLike | Frame, velocity: npt.ArrayLike = (0.0,) * 6, *, dt: float) -> HapticUpdate:
         """Gives the device's pose (origin, m, and quaternion x, y, z, w) and velocity (linear, m/s, then angular, rad/s, world axes), dt seconds after
         the last update, and returns what the hand is to feel. The library itself takes microseconds and never waits; Python may, for its own lock: drive
         a device from C.
         """
-        frame = frame_rows("pose", np.asarray(pose, dtype=np.float64).reshape(1, -1))
+        frame = frame_rows("pose", pose if isinstance(pose, Frame) else np.asarray(pose, dtype=np.float64).reshape(1, -1))
         twist = np.ascontiguousarray(velocity, dtype=np.float64)
         if twist.shape != (6,):
             raise ValueError(f"velocity: shape {twist.shape}; (6,) expected")
