@@ -44,6 +44,8 @@ pub(super) struct ModelTouch {
     pub friction: Coefficient,
     /// Force on the strand when the step ended, N.
     pub force: Vector3<f64>,
+    /// See [`BodyTouch`].
+    pub most_force: f64,
     /// How far the strand's point goes within [`LocalModel::seconds`] under such forces, m.
     pub moved: Vector3<f64>,
 }
@@ -115,6 +117,7 @@ impl LocalModel {
             reach: message.numbers(),
             friction: Coefficient { mean: message.number(), lean: message.numbers().into() },
             force: message.numbers().into(),
+            most_force: message.number(),
             moved: message.numbers().into(),
         }));
         let numbers: usize = self.counts.iter().map(|count| 9 * count * count).sum();
@@ -185,6 +188,7 @@ impl Choice {
             message.number(touch.friction.mean);
             message.numbers(touch.friction.lean.as_slice());
             message.numbers(touch.force.as_slice());
+            message.number(touch.most_force);
             message.numbers(touch.moved.as_slice());
         }
         let (mut first, mut matrix) = (0, 0);

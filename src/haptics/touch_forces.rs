@@ -18,6 +18,8 @@ use crate::solver::report::Wrench;
 
 /// Sweeps end when no force changes by more than this part of the largest.
 const CHANGE: f64 = 1e-4;
+/// Where the last sweep changes forces by more than this part of the largest they go half of the way.
+const UNSOLVED: f64 = 0.01;
 /// How much further than the simulation's next step strands are foreseen.
 const FARTHEST: f64 = 2.0;
 /// A surface whose normal has turned from the model's by more than this cosine is another one: what it had in the model goes on to be it.
@@ -42,6 +44,8 @@ struct Row {
     /// What there would be with the forces that the model came with, and a tool that does not give way.
     free: Vector3<f64>,
     force: Vector3<f64>,
+    /// The update before's.
+    before: Vector3<f64>,
     /// How much nearer the surface is than the simulation had it where the touch slid on within its step, m: what pressed there goes on to.
     slid: f64,
 }
@@ -109,7 +113,16 @@ impl TouchForces {
                     }
                     _ => 0.0,
                 };
-                self.rows.push(Row { law, own, response: own, arm, free: Vector3::zeros(), force: touch.force, slid });
+                self.rows.push(Row {
+                    law,
+                    own,
+                    response: own,
+                    arm,
+                    free: Vector3::zeros(),
+                    force: touch.force,
+                    before: touch.force,
+                    slid,
+                });
             }
             (first, matrix) = (first + count, matrix + size * size);
         }
@@ -177,6 +190,7 @@ impl TouchForces {
     pub fn solve(&mut self, model: &LocalModel, handle: &Frame, age: f64, max_sweeps: u32, compliance: Compliance) -> Solved {
         let part = (age / model.seconds).clamp(0.0, FARTHEST);
         let mut sum = self.look(model, handle, part, compliance);
+        self.rows.iter_mut().for_each(|row| row.before = row.force);
         let mut solved = Solved::default();
         while solved.sweeps < max_sweeps && !self.rows.is_empty() {
             let (mut change, mut largest) = (0.0_f64, f64::MIN_POSITIVE);
@@ -190,6 +204,9 @@ impl TouchForces {
                     let row = &mut self.rows[first + k];
                     u += row.free + sum.force * compliance.linear + sum.moment.cross(&row.arm) * compliance.angular;
                     let force = row.law.solve(u - row.response * row.force);
+                    let size = force.norm();
+                    let most = touches[k].most_force.max(touches[k].force.norm());
+                    let force = if size > most { force * (most / size) } else { force };
                     let by = force - row.force;
                     if by.iter().all(|x| x.is_finite()) {
                         row.force = force;
@@ -204,6 +221,14 @@ impl TouchForces {
             solved.change = change / largest;
             if solved.change <= CHANGE {
                 break;
+            }
+        }
+        if solved.change > UNSOLVED {
+            // What jams has no one solution: it is not to jump from one to another.
+            sum = Sum::default();
+            for row in &mut self.rows {
+                row.force = 0.5 * (row.force + row.before);
+                sum.add(&row.arm, &row.force);
             }
         }
         solved.pressing = self.rows.iter().filter(|row| row.force != Vector3::zeros()).count() as u32;

@@ -57,6 +57,8 @@ pub struct BodyTouch {
     pub friction: Coefficient,
     /// Force on the strand at the end of the last substep, N, world; zero where nothing presses.
     pub force: Vector3<f64>,
+    /// The force that takes the strand its own length in [`TouchCompliance::seconds`] and bends its elements by a radian, N: more it does not press with.
+    pub most_force: f64,
     /// How far the strand's point goes in [`TouchCompliance::seconds`] if all forces on the strand stay as they are, m, world.
     pub moved: Vector3<f64>,
 }
@@ -160,6 +162,10 @@ impl NearStrand {
             }
         }
         held.linearise(stations, forces, &[]);
+        let shortest = strand.model.lengths.iter().fold(f64::INFINITY, |a: f64, length| a.min(*length));
+        let bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
+        let length = strand.model.length();
+        let most_force = length * strand.model.linear_density * length / (seconds * seconds) + bending;
         let size = 3 * places.len();
         for (k, place) in places.iter_mut().enumerate() {
             let Some(touch) = &mut place.touch else { continue };
@@ -171,7 +177,7 @@ impl NearStrand {
                     moved += Vector3::new(column[0], column[1], column[2]) * *force;
                 }
             }
-            touch.moved = moved;
+            (touch.moved, touch.most_force) = (moved, most_force);
         }
     }
 
@@ -309,6 +315,7 @@ impl Solver {
                 reach: [(along - contact.exempt_length).max(0.0), (strand.model.length() - along).max(0.0)],
                 friction: Coefficient::of_scales(friction.along * scale, friction.against * scale, tangent),
                 force,
+                most_force: 0.0,
                 moved: Vector3::zeros(),
             });
             place
