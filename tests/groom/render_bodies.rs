@@ -43,8 +43,8 @@ fn strands_stay_out_of_a_head_and_wisps_stay_wisps() {
         println!(
             "curliness {curliness}: deeper than 1 mm {share_before:.3} (deepest {deepest_before:.4}) to {share:.5} ({deepest:.4})"
         );
-        // (In disjoint locks a strand that is given its length again at its tip may go in there anew: one of these 4000 does, by 3 cm.)
-        assert!(deepest < if curliness < 1.0 { 1.1 * deepest_before } else { 0.035 }, "{deepest_before} {deepest}");
+        // (In creases, where the nearest ways out cross, and where splines cut corners, a point may stay in by some millimetres.)
+        assert!(deepest < 7e-3, "{deepest_before} {deepest}");
         assert!(share_before > 0.005 && share < 0.005 && share < 0.4 * share_before, "{share_before} {share}");
         // Segments keep their lengths but for the corners that splines cut.
         let mut changed: Vec<f64> = free

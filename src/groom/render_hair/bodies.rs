@@ -50,10 +50,12 @@ const CLOSE_ENOUGH: f32 = 2e-4;
 const TRIES: usize = 4;
 /// Points deeper than this go out to the side on which their guide is, m: the nearest surface may be that of the other side.
 const DEEP: f32 = 4e-3;
+/// If that is no farther from them than so many times their depth: what is farther is beside something else.
+const BESIDE: f32 = 4.0;
+/// A way out is one along which the distance grows by so much a metre at least.
+const STRAIGHT_OUT: f32 = 0.5;
 /// The steepest that strands leave their root for the surface: so much farther from it for each metre along.
 const RISE: f32 = 0.25;
-/// How much nearer than the field says a surface may be, m: what planes at nodes are off by.
-const SLACK: f32 = 5e-4;
 
 /// Distances about a body in its own axes.
 #[derive(Debug, Clone, Copy)]
@@ -115,6 +117,18 @@ impl<'a> Placed<'a> {
         })
     }
 
+    #[inline(always)]
+    fn places(&self, [x, y, z]: [Lane; 3]) -> [Lane; 3] {
+        [0, 1, 2].map(|row| {
+            let ([a, b, c], shift) = (self.into[row], self.shift[row]);
+            let mut place: Lane = [0.0; STEP];
+            for k in 0..STEP {
+                place[k] = (a * x[k] + b * y[k]) + (c * z[k] + shift);
+            }
+            place
+        })
+    }
+
     /// A direction of the body's axes, times a length in m, in the world.
     #[inline(always)]
     fn out(&self, way: [f32; 3], length: f32) -> [f32; 3] {
@@ -139,53 +153,69 @@ pub(super) struct Points<'a> {
 /// Brings points that are nearer to a body than `clearance` out of it, or, those outside, to where those that come out leave them room: one
 /// `d` from the surface goes to c²/(2c − d), c the clearance, which is less near the root. The root stays.
 #[inline(always)]
-pub(super) fn keep_out(bodies: &[Placed], clearance: f32, points: &mut Points, room: &mut Vec<f32>) {
+pub(super) fn keep_out(bodies: &[Placed], clearance: f32, points: &mut Points) {
     // What one body pushes out another may have to push back.
     for _ in 0..bodies.len().min(2) {
         for body in bodies {
-            out_of(body, clearance, points, room);
+            match body.field {
+                Field::Grid(field) => out_of_grid(body, &field, clearance, points),
+                Field::Shape(_) => out_of_shape(body, clearance, points),
+            }
         }
     }
 }
 
 #[inline(always)]
-fn out_of(body: &Placed, clearance: f32, points: &mut Points, room: &mut Vec<f32>) {
+fn out_of_grid(body: &Placed, field: &PlaneField, clearance: f32, points: &mut Points) {
     let (stride, count) = (points.stride, points.count);
-    let edge = points.length / (count - 1) as f32;
-    // Of each point its place in the body, and its distance from the one before, squared.
-    room.resize(4 * stride, 0.0);
+    let steps = field.steps(body.thickness + clearance);
     for at in (0..stride).step_by(STEP) {
-        let [x, y, z] = [0, 1, 2].map(|axis| lane(&points.rows[axis * stride..][..stride], at));
-        for row in 0..3 {
-            let ([a, b, c], shift) = (body.into[row], body.shift[row]);
-            let mut place: Lane = [0.0; STEP];
-            for k in 0..STEP {
-                place[k] = (a * x[k] + b * y[k]) + (c * z[k] + shift);
-            }
-            room[row * stride + at..][..STEP].copy_from_slice(&place);
+        let place = body.places([0, 1, 2].map(|axis| lane(&points.rows[axis * stride..][..stride], at)));
+        let mut near = field.nearer(&place, steps);
+        // The root stays, and what fills up the rows is no point.
+        if at == 0 {
+            near &= !1;
+        }
+        if at + STEP > count {
+            near &= (1 << (count - at)) - 1;
+        }
+        while near != 0 {
+            let k = near.trailing_zeros() as usize;
+            near &= near - 1;
+            keep_point_out(body, clearance, points, at + k, [0, 1, 2].map(|axis| place[axis][k]));
         }
     }
+}
+
+#[inline(always)]
+fn out_of_shape(body: &Placed, clearance: f32, points: &mut Points) {
+    let (stride, count) = (points.stride, points.count);
     let mut k = 1;
     while k < count {
-        let place = [0, 1, 2].map(|row| room[row * stride + k]);
-        let clearance = clearance.min(RISE * edge * k as f32);
-        let Some((distance, slopes)) = body.field.at(place, body.thickness + clearance) else {
-            k += 1;
-            continue;
-        };
-        let distance = distance - body.thickness;
-        if distance >= clearance {
-            // The points after this one are no farther off than their edges are long together.
-            k += 1 + skipped(points.rows, stride, count, k, distance - clearance - SLACK);
-            continue;
-        }
-        let point = [0, 1, 2].map(|axis| points.rows[axis * stride + k]);
-        let out = brought_out(body, point, (distance, slopes), clearance, || {
-            [0, 1, 2].map(|axis| points.guide_root[axis] + points.guide[axis * stride + k])
-        });
-        (0..3).for_each(|axis| points.rows[axis * stride + k] = out[axis]);
-        k += 1;
+        let place = body.place([0, 1, 2].map(|axis| points.rows[axis * stride + k]));
+        let room = keep_point_out(body, clearance, points, k, place);
+        // The points after this one are no farther off than their edges are long together.
+        k += 1 + if room > 0.0 { skipped(points.rows, stride, count, k, room) } else { 0 };
     }
+}
+
+/// Keeps point `k`, which is at that place of a body's, out of it. How much farther from it than the clearance it is, m, as far as that is known.
+#[inline(always)]
+fn keep_point_out(body: &Placed, clearance: f32, points: &mut Points, k: usize, place: [f32; 3]) -> f32 {
+    let stride = points.stride;
+    let Some((distance, slopes)) = body.field.at(place, body.thickness + clearance) else { return 0.0 };
+    let distance = distance - body.thickness;
+    let room = distance - clearance;
+    let clearance = clearance.min(RISE * points.length * (k as f32 / (points.count - 1) as f32));
+    if distance >= clearance {
+        return room;
+    }
+    let point = [0, 1, 2].map(|axis| points.rows[axis * stride + k]);
+    let out = brought_out(body, point, (distance, slopes), clearance, || {
+        [0, 1, 2].map(|axis| points.guide_root[axis] + points.guide[axis * stride + k])
+    });
+    (0..3).for_each(|axis| points.rows[axis * stride + k] = out[axis]);
+    0.0
 }
 
 /// How many points after point `k` lie surely within `reach` of it, by the edges between them.
@@ -221,7 +251,9 @@ fn brought_out(
     let mut side = None;
     if distance < -DEEP {
         let beside = guide();
-        if let Some((there, way)) = body.field.at(body.place(beside), f32::INFINITY) {
+        let apart = [0, 1, 2].map(|axis| beside[axis] - point[axis]);
+        let is_beside = dot(apart, apart) < (BESIDE * distance) * (BESIDE * distance);
+        if is_beside && let Some((there, way)) = body.field.at(body.place(beside), f32::INFINITY) {
             side = Some(way);
             if dot(way, slopes) <= 0.0 {
                 // The guide is beyond the middle: from where it is, it is not far.
@@ -239,12 +271,13 @@ fn brought_out(
         }
         let mut way = slopes.map(|slope| slope / size);
         if let Some(side) = side {
-            let size = dot(side, side).sqrt();
-            if size > 1e-3 && distance < 0.0 {
-                way = side.map(|slope| slope / size);
+            let of_side = dot(side, side).sqrt();
+            // Where that leads along the surface, or in, it may come out anywhere.
+            if distance < 0.0 && dot(side, slopes) > STRAIGHT_OUT * of_side * size {
+                way = side.map(|slope| slope / of_side);
             }
         }
-        let step = (target - distance) / dot(way, slopes).max(0.5);
+        let step = (target - distance) / dot(way, slopes).max(STRAIGHT_OUT);
         let more = body.out(way, step);
         (0..3).for_each(|axis| point[axis] += more[axis]);
         match body.field.at(body.place(point), f32::INFINITY) {

@@ -266,7 +266,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                 let roots = roots(&pose.now, strand, given.unwrap_or(followed), view.origin);
                 let range = 3 * stride * lane..3 * stride * (lane + 1);
                 mix(hair, &pose.now, strand, &roots, bends.places.get(range.clone()).filter(|_| hair.reference.curved), now);
-                let moved = finish(hair, &pose.now, strand, &roots, around[0], now, (room, lengths));
+                let moved = finish(hair, &pose.now, strand, &roots, around[0], now, lengths);
                 if let Some(earlier) = &earlier {
                     let back = follow(earlier.shape, strand);
                     let root = match (earlier.carry, given) {
@@ -276,7 +276,7 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                     let roots = self::roots(earlier.shape, strand, root, view.origin);
                     let bent = bends_before.places.get(range).filter(|_| hair.reference.curved);
                     mix(hair, earlier.shape, strand, &roots, bent, before);
-                    finish(hair, earlier.shape, strand, &roots, around[1], before, (room, lengths_before));
+                    finish(hair, earlier.shape, strand, &roots, around[1], before, lengths_before);
                     for (before, now) in before.iter_mut().zip(now.iter()) {
                         *before = (*now - *before) * earlier.rate;
                     }
@@ -317,16 +317,15 @@ fn finish(
     roots: &Roots,
     bodies: &[Placed],
     rows: &mut [f32],
-    (room, lengths): (&mut Vec<f32>, &mut lengths::Room),
+    lengths: &mut lengths::Room,
 ) -> bool {
     let (stride, count) = (hair.reference.stride, hair.reference.points);
     let (rows, along) = rows.split_at_mut(3 * stride);
+    let guide = &shape.rows[strand.guides[0] as usize * hair.reference.size() + PLACE * stride..][..3 * stride];
+    let (length, guide_root) = (along[count - 1], roots.first);
     let pushed = !bodies.is_empty();
     if pushed {
-        let guide = &shape.rows[strand.guides[0] as usize * hair.reference.size() + PLACE * stride..][..3 * stride];
-        let (length, guide_root) = (along[count - 1], roots.first);
-        let mut points = Points { rows, stride, count, length, guide, guide_root };
-        keep_out(bodies, hair.settings.clearance as f32, &mut points, room);
+        keep_out(bodies, hair.settings.clearance as f32, &mut Points { rows, stride, count, length, guide, guide_root });
     }
     // Without either a strand costs nothing more and keeps its bits.
     let wanted = if hair.settings.preserve_length || pushed {
