@@ -1,5 +1,5 @@
 //! Strokes of hands that grip loosely and stiffly, with simulations that are late, at rates of 100 to 1000 Hz: none gets more energy than it gave and the
-//! allowance. `SUPERHELIX_STROKES` says how many of the cheap ones there are (a million takes about an hour).
+//! allowance. `SUPERHELIX_STROKES` says how many of the cheap ones there are (`make soak`: a million).
 
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::haptics::passivity::Passivity;
