@@ -9,6 +9,9 @@ use superhelix::solver::id::BodyId;
 
 use super::scene::{TICK, combed_hair, stroke};
 
+/// Sets a field.
+type Change = fn(&mut HapticOptions, f64);
+
 /// The argument that an error names.
 fn named<T>(result: Result<T, Error>) -> String {
     match result.err() {
@@ -22,7 +25,7 @@ fn named<T>(result: Result<T, Error>) -> String {
 #[test]
 fn options_out_of_range_are_named() {
     let (solver, teeth) = combed_hair(1, 0.0);
-    let changes: [(&str, fn(&mut HapticOptions, f64), &[f64]); 15] = [
+    let changes: [(&str, Change, &[f64]); 15] = [
         ("stiffness", |o, x| o.stiffness = x, &[0.0, -1.0, f64::NAN, f64::INFINITY]),
         ("damping", |o, x| o.damping = x, &[-1.0, f64::NAN]),
         ("angular_stiffness", |o, x| o.angular_stiffness = x, &[0.0, f64::NAN]),
