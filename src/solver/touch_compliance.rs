@@ -31,7 +31,7 @@ const ONE_SIDE: f64 = 0.9;
 /// What nothing presses and is deeper than so many tolerances is held apart by nothing: the strand may overlap the body there.
 const OVERLAPS: f64 = 4.0;
 /// Iterations to where a strand goes, and how near to there, rad, is near enough.
-const MOST_ITERATIONS: u32 = 4;
+const MOST_ITERATIONS: u32 = 2;
 const NEAR_END: f64 = 1e-4;
 
 /// A touch of a strand with one of the bodies, or a place where there soon may be one.
