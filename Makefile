@@ -84,11 +84,12 @@ demo: ## a head of hair on a recorded walk, hosted by a C program, drawn lit: ou
 	@scripts/setup.sh build
 	scripts/demo.sh
 
-soak: ## strands from the whole space for a million strand-seconds (docs/extremes.md), bodies thrown through hair for 100000 steps, and the randomised tests with 100000 cases each (an hour)
+soak: ## strands from the whole space for a million strand-seconds (docs/extremes.md), bodies thrown through hair for 100000 steps, a million strokes of hands, and the randomised tests with 100000 cases each (an hour)
 	@scripts/setup.sh test
 	EXTREMES_CASES=$${EXTREMES_CASES:-12000} EXTREMES_LONG=$${EXTREMES_LONG:-7500} EXTREMES_CSV="$(CURDIR)/docs/figures" \
 	  cargo test --locked --profile demo --test extremes -- --nocapture
 	CONTACT_SOAK_STEPS=$${CONTACT_SOAK_STEPS:-100000} cargo test --locked --profile demo --test contact_soak -- --nocapture
+	SUPERHELIX_STROKES=$${SUPERHELIX_STROKES:-1000000} cargo test --locked --profile demo --test haptics no_hand_gets -- --nocapture
 	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features --test kernels --test files_fuzz --test integrators -- \
 	  kernel_mathematics:: pose_spline:: readers_survive_anything_and_ask_for_little hard_cases:: --nocapture
 

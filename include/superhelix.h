@@ -152,6 +152,12 @@ typedef struct shx_curve_cache_writer shx_curve_cache_writer;
 // Immutable: any number of threads may use them at once.
 typedef struct shx_curves shx_curves;
 
+// Bodies of a solver that move as one rigid tool in a hand, and the forces that the hand feels.
+// shx_haptic_create makes it, you own it, shx_haptic_destroy frees it. It has two sides that may be used at
+// the same time: that of the simulation (shx_haptic_before_step, shx_haptic_after_step) and that of the
+// device (shx_haptic_update). Neither waits for the other.
+typedef struct shx_haptic shx_haptic;
+
 // The binding of render strands to guides. shx_render_hair_create, shx_solver_create_render_hair,
 // shx_render_hair_load and shx_render_hair_without_guides make it, you own it, shx_render_hair_destroy frees
 // it. Immutable: any number of threads may use it at once.
@@ -1860,6 +1866,157 @@ SHX_API shx_result shx_solver_get_constraint_targets(const shx_solver *solver, c
 // Threads: shared.
 SHX_API shx_result shx_solver_constraint_states(const shx_solver *solver, const shx_constraint_id *ids,
     size_t count, shx_constraint_state *out_states, size_t stride);
+
+// ---- Haptics ----------------------------------------------------------------------------------------------
+
+// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what
+// touches the tool, and shx_haptic_update solves contact anew with the device's newest pose, at the
+// device's rate.
+#define SHX_HAPTIC_MODE_HAND_OVER 1
+
+// The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last
+// step.
+#define SHX_HAPTIC_MODE_DIRECT 2
+
+// The force or the torque was cut to max_force or max_torque.
+#define SHX_HAPTIC_LIMIT_CLAMPED 1
+
+// It changed as fast as max_force_rate or max_torque_rate allows.
+#define SHX_HAPTIC_LIMIT_RATE 2
+
+// It was reduced to keep the hand from getting more energy than energy_allowance.
+#define SHX_HAPTIC_LIMIT_PASSIVITY 4
+
+// The local model is older than max_model_age: the force fades.
+#define SHX_HAPTIC_LIMIT_STALE 8
+
+// Definition of a haptic object. Fill it with shx_haptic_def_init, then change what you need.
+typedef struct shx_haptic_def {
+  // Set by shx_haptic_def_init.
+  uint32_t struct_size;
+  // SHX_HAPTIC_MODE_HAND_OVER (default), _DIRECT.
+  uint32_t mode;
+  // Frame of the handle in the axes of the first body: device poses are poses of the handle, and torques
+  // are about its origin. Default: the body's own frame.
+  shx_frame handle;
+  // Stiffness of the virtual coupling between device and tool, N/m; above zero. Default 500.
+  double stiffness;
+  // Damping of the coupling, N s/m; zero or above. Default 1.
+  double damping;
+  // Stiffness of the coupling in rotation, N m/rad; above zero. Default 1.
+  double angular_stiffness;
+  // Damping of the coupling in rotation, N m s/rad; zero or above. Default 0.002.
+  double angular_damping;
+  // Largest force, N; above zero. Default 5: set it to what your device can hold.
+  double max_force;
+  // Largest torque, N m; above zero. Default 0.2.
+  double max_torque;
+  // Largest rate of change of the force, N/s; above zero. Default 500, 0.5 N per millisecond.
+  double max_force_rate;
+  // Largest rate of change of the torque, N m/s; above zero. Default 20.
+  double max_torque_rate;
+  // Energy that the hand may get beyond what it gave, J; above zero. Default 0.001.
+  double energy_allowance;
+  // Largest energy that the hand is credited with for what it gave, J; zero or above. Default 0.05.
+  double max_energy_credit;
+  // Largest acceleration of the device in a hand, m/s^2; zero or above. The energy that an update can
+  // cost is bounded with it. Default 20.
+  double max_acceleration;
+  // Largest angular acceleration of the device, rad/s^2; zero or above. Default 200.
+  double max_angular_acceleration;
+  // Age from which a local model is too old, s; above zero. The force then fades within the same time.
+  // Default 0.1.
+  double max_model_age;
+  // Maximum number of contacts in a local model, 1 to 4096: those that press hardest. Default 256.
+  uint32_t max_contacts;
+  // Maximum number of sweeps over them per update, 1 to 1000. Default 10.
+  uint32_t max_sweeps;
+} shx_haptic_def;
+
+// State after an update. Fill it with shx_haptic_state_init once; each update overwrites it.
+typedef struct shx_haptic_state {
+  // Set by shx_haptic_state_init.
+  uint32_t struct_size;
+  // What limited the wrench: SHX_HAPTIC_LIMIT_ bits; 0: nothing.
+  uint32_t limits;
+  // Frame of the handle in the simulation: the pose of the device, except for what the virtual coupling
+  // yields.
+  shx_frame proxy;
+  // Force on the tool before limits, N.
+  double contact_force[3];
+  // Torque on the tool about the handle's origin before limits, N m.
+  double contact_torque[3];
+  // Energy that the hand gave so far, J.
+  double energy_given;
+  // Energy that the hand got so far, J.
+  double energy_received;
+  // The most that energy_received ever was above energy_given, J; at most energy_allowance while the
+  // device stays within max_acceleration and dt does not change.
+  double max_energy_excess;
+  // Age of the device pose that the local model was made with, s. 0 before the first model.
+  double model_age;
+  // Number of local models so far.
+  uint64_t model_count;
+  // Number of contacts in the local model, including those that do not press.
+  uint32_t contacts;
+  // Number of those that press.
+  uint32_t pressing;
+  // Number of pressing contacts beyond max_contacts: their forces remain as the simulation had them.
+  uint32_t left_out;
+  // Number of sweeps of this update.
+  uint32_t sweeps;
+  // Largest change of a force in the last sweep, relative to the largest force.
+  double residual;
+} shx_haptic_state;
+
+// Fills *def with defaults. size is sizeof(shx_haptic_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_haptic_def_init(shx_haptic_def *def, size_t size);
+
+// Fills *state with defaults. size is sizeof(shx_haptic_state).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_haptic_state_init(shx_haptic_state *state, size_t size);
+
+// Creates a haptic object of count bodies, which move as one rigid tool from their present places. def may
+// be null: all defaults. The device moves the bodies from the first step after its first update on: do not
+// move them yourself. You own *out_haptic; free it with shx_haptic_destroy, before or after the solver.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_INVALID_ID,
+// SHX_ERROR_UNSUPPORTED (SHX_HAPTIC_MODE_HAND_OVER with a contact model other than SHX_CONTACT_COULOMB).
+// Threads: shared.
+SHX_API shx_result shx_haptic_create(const shx_solver *solver, const shx_haptic_def *def,
+    const shx_body_id *bodies, size_t count, shx_haptic **out_haptic);
+
+// Frees a haptic object. Its bodies stay in the solver. Null is allowed.
+// Threads: exclusive: no call of either side may be running. The handle must not be used afterwards.
+SHX_API void shx_haptic_destroy(shx_haptic *haptic);
+
+// Call it before a step, or several substeps, of dt seconds in all: moves the bodies over dt to where the
+// device is now. The device's first pose is where they are placed at once, without sweeping the space in
+// between. Does nothing before the first shx_haptic_update.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (dt), SHX_ERROR_INVALID_ID (a body was
+// removed, or this is another solver), SHX_ERROR_BUSY.
+// Threads: exclusive for the solver and for this side; shx_haptic_update may run meanwhile.
+SHX_API shx_result shx_haptic_before_step(shx_haptic *haptic, shx_solver *solver, double dt);
+
+// Call it after the step: hands what touches the tool, and how it yields, over to the device's side. In
+// SHX_HAPTIC_MODE_HAND_OVER it costs a few Newton iterations of the strands near the tool.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID (a body was removed, or this is another solver),
+// SHX_ERROR_BUSY.
+// Threads: exclusive for the solver and for this side; shx_haptic_update may run meanwhile.
+SHX_API shx_result shx_haptic_after_step(shx_haptic *haptic, shx_solver *solver);
+
+// Gives the device's pose and its velocity (linear, m/s, then angular, rad/s, in world axes), dt seconds
+// (above zero) after the last update, and writes the wrench for the hand: force, N, then torque about the
+// handle's origin, N m, in world axes. It never waits, allocates nothing, and takes bounded time: at most
+// max_sweeps over max_contacts contacts. state may be null. When it fails, keep the last wrench.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (state), SHX_ERROR_INVALID_ARGUMENT (a value that
+// is not finite, a quaternion that is not of unit length, dt), SHX_ERROR_BUSY.
+// Threads: exclusive for this side: one thread, that of the device. Steps of the solver,
+// shx_haptic_before_step and shx_haptic_after_step may run meanwhile.
+SHX_API shx_result shx_haptic_update(shx_haptic *haptic, const shx_frame *pose, const double velocity[6],
+    double dt, double out_wrench[6], shx_haptic_state *state);
 
 // ---- Snapshots --------------------------------------------------------------------------------------------
 

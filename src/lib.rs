@@ -7,6 +7,7 @@ pub mod energy;
 pub mod error;
 pub mod files;
 pub mod groom;
+pub mod haptics;
 pub mod math;
 pub mod meter;
 mod platform;

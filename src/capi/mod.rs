@@ -31,6 +31,8 @@ mod floating_point;
 pub mod friction_fit;
 pub mod guard;
 pub mod hair_type;
+pub mod haptic;
+pub mod haptic_def;
 pub mod level_of_detail;
 pub mod log;
 pub mod materials;

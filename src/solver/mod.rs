@@ -28,6 +28,7 @@ mod side_by_side;
 mod snapshot;
 mod stepping;
 mod strand;
+pub mod touch_compliance;
 mod touching;
 mod trimming;
 mod workers;

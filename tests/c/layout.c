@@ -586,4 +586,41 @@ AT(shx_spline_def, ends, 8);
 AT(shx_spline_def, points_per_span, 12);
 AT(shx_spline_def, controls, 16);
 
+SIZE(shx_haptic_def, 176);
+AT(shx_haptic_def, struct_size, 0);
+AT(shx_haptic_def, mode, 4);
+AT(shx_haptic_def, handle, 8);
+AT(shx_haptic_def, stiffness, 64);
+AT(shx_haptic_def, damping, 72);
+AT(shx_haptic_def, angular_stiffness, 80);
+AT(shx_haptic_def, angular_damping, 88);
+AT(shx_haptic_def, max_force, 96);
+AT(shx_haptic_def, max_torque, 104);
+AT(shx_haptic_def, max_force_rate, 112);
+AT(shx_haptic_def, max_torque_rate, 120);
+AT(shx_haptic_def, energy_allowance, 128);
+AT(shx_haptic_def, max_energy_credit, 136);
+AT(shx_haptic_def, max_acceleration, 144);
+AT(shx_haptic_def, max_angular_acceleration, 152);
+AT(shx_haptic_def, max_model_age, 160);
+AT(shx_haptic_def, max_contacts, 168);
+AT(shx_haptic_def, max_sweeps, 172);
+
+SIZE(shx_haptic_state, 176);
+AT(shx_haptic_state, struct_size, 0);
+AT(shx_haptic_state, limits, 4);
+AT(shx_haptic_state, proxy, 8);
+AT(shx_haptic_state, contact_force, 64);
+AT(shx_haptic_state, contact_torque, 88);
+AT(shx_haptic_state, energy_given, 112);
+AT(shx_haptic_state, energy_received, 120);
+AT(shx_haptic_state, max_energy_excess, 128);
+AT(shx_haptic_state, model_age, 136);
+AT(shx_haptic_state, model_count, 144);
+AT(shx_haptic_state, contacts, 152);
+AT(shx_haptic_state, pressing, 156);
+AT(shx_haptic_state, left_out, 160);
+AT(shx_haptic_state, sweeps, 164);
+AT(shx_haptic_state, residual, 168);
+
 int main(void) { return 0; }

@@ -331,6 +331,23 @@ fn example_comb() {
 }
 
 #[test]
+fn example_haptic_comb() {
+    // In real time, and so not under valgrind: two seconds of combing.
+    let file = scratch("haptic_comb").join("force.csv");
+    let arguments = ["2".to_string(), "40".to_string(), file.display().to_string()];
+    let printed = text(Command::new(examples().join("shared/haptic_comb")).args(&arguments));
+    assert_eq!(printed.lines().count(), 4, "{printed}");
+    let felt = std::fs::read_to_string(&file).expect("the file");
+    assert_eq!(felt.lines().count(), 2001);
+    let force = |line: &str| -> f64 {
+        let numbers: Vec<f64> = line.split(',').map(|number| number.parse().expect("a number")).collect();
+        numbers[4..7].iter().map(|force| force * force).sum::<f64>().sqrt()
+    };
+    let strongest = felt.lines().skip(1).map(force).fold(0.0, f64::max);
+    assert!(strongest > 1e-5 && strongest < 3.0, "{strongest:e} N: {printed}");
+}
+
+#[test]
 fn example_curls() {
     let file = |linkage: &str| scratch("curls").join(format!("{linkage}.obj"));
     let printed = example("curls", |linkage| vec![file(linkage).display().to_string()]);

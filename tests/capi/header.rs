@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The subjects of the header in its order: a title, and the sources whose items stand under it, each in the order of its source.
-const SUBJECTS: [(&str, &[&str]); 29] = [
+const SUBJECTS: [(&str, &[&str]); 30] = [
     ("Version", &["version"]),
     ("Results and errors", &["errors"]),
     (HANDLES, &["guard"]),
@@ -25,6 +25,7 @@ const SUBJECTS: [(&str, &[&str]); 29] = [
     ("Contact", &["contact", "contacts"]),
     ("Overlaps", &["overlaps", "push_out"]),
     ("Constraints", &["constraints"]),
+    ("Haptics", &["haptic_def", "haptic"]),
     ("Snapshots", &["state"]),
     ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),
     ("Choosing settings", &["settings"]),

@@ -141,3 +141,27 @@ TEST(constraints_hold) {
   GET(hair.remove_constraints({held[0], tie}));
   EXPECT(GET(hair.constraint_count()) == 0 && !hair.has_constraint(tie));
 }
+
+TEST(a_hand_feels_hair) {
+  solver hair = GET(solver::create());
+  const auto ids = hanging(hair, 4);
+  GET(hair.set_strand_contact(ids, strand_contact()));
+  const body_id ball =
+      GET(hair.add_body(body_def().with_shape(shape::sphere).with_radius(0.02).with_pose(make_frame({-0.05, 0.0, -0.1}))));
+  EXPECT(WHY(haptic::create(hair, ball, haptic_def().with_stiffness(-1.0))).code() == SHX_ERROR_INVALID_ARGUMENT);
+  haptic hand = GET(haptic::create(hair, ball, haptic_def().with_max_force(1.0)));
+  EXPECT(static_cast<bool>(hand));
+  haptic_state state;
+  haptic_wrench felt;
+  for (int step = 0; step < 60; step++) {
+    for (int tick = 0; tick < 8; tick++) {
+      const double along = std::fmin((8 * step + tick) / 400.0, 1.0);
+      felt = GET(hand.update(make_frame({-0.05 + 0.08 * along, 0.0, -0.1}), {along < 1.0 ? 0.16 : 0.0, 0.0, 0.0}, {}, 1e-3, &state));
+    }
+    GET(hand.before_step(hair, 8e-3));
+    GET(hair.step(8e-3));
+    GET(hand.after_step(hair));
+  }
+  EXPECT(felt.force[0] < 0.0 && state.model_count == 59 && state.pressing > 0 && state.energy_given > 0.0);
+  EXPECT(WHY(hand.update(make_frame({}), {}, {}, 0.0)).code() == SHX_ERROR_INVALID_ARGUMENT);
+}

@@ -152,5 +152,35 @@ namespace Superhelix.Tests
         Check.That(hair.ConstraintCount() == 0 && !hair.HasConstraint(held[0]), "removed");
       }
     }
+
+    internal static void Haptics()
+    {
+      using (Solver hair = new Solver())
+      {
+        StrandId[] ids = Check.Hanging(hair, 4);
+        hair.SetStrandContact(ids, StrandContact.Default);
+        BodyId[] ball = hair.AddBodies(new BodyDef { Shape = Shape.Sphere, Radius = 0.02, Pose = At(-0.05, 0, -0.1) });
+        HapticDef def = HapticDef.Default;
+        def.MaxForce = 1;
+        using (Haptic haptic = new Haptic(hair, ball, def))
+        {
+          HapticState state = HapticState.Default;
+          Vec3 force = new Vec3(), torque;
+          for (int step = 0; step < 60; step++)
+          {
+            for (int tick = 0; tick < 8; tick++)
+            {
+              double along = Math.Min((8 * step + tick) / 400.0, 1.0);
+              Vec3 velocity = new Vec3(along < 1 ? 0.16 : 0, 0, 0);
+              haptic.Update(At(-0.05 + 0.08 * along, 0, -0.1), velocity, new Vec3(), 1e-3, out force, out torque, ref state);
+            }
+            haptic.BeforeStep(hair, 8e-3);
+            hair.Step(8e-3);
+            haptic.AfterStep(hair);
+          }
+          Check.That(force.X < 0 && state.ModelCount == 59 && state.Pressing > 0 && state.EnergyGiven > 0, "felt");
+        }
+      }
+    }
   }
 }

@@ -173,3 +173,29 @@ def test_constraints_hold(solver) -> None:
     assert solver.has_constraint(held)
     with pytest.raises(shx.InvalidArgumentError, match=r"defs\[0\]\.arclength"):
         solver.add_constraint(shx.ConstraintDef(strand=ids[0], arclength=9.0))
+
+
+def test_a_hand_feels_hair(solver) -> None:
+    ids = solver.add_strands(hanging(4, 5, 0.2))
+    solver.set_strand_contact(shx.StrandContact(), ids)
+    start = shx.Frame(origin=(-0.05, 0.0, -0.1))
+    ball = solver.add_body(shx.BodyDef.sphere(0.02, pose=start))
+    with pytest.raises(shx.InvalidArgumentError, match=r"def\.stiffness"):
+        shx.Haptic(solver, ball, shx.HapticDef(stiffness=-1.0))
+    with shx.Haptic(solver, ball, shx.HapticDef(max_force=1.0)) as haptic:
+        for frame in range(60):
+            for tick in range(8):
+                along = min((8 * frame + tick) / 400.0, 1.0)
+                pose = shx.Frame(origin=(-0.05 + 0.08 * along, 0.0, -0.1))
+                felt = haptic.update(pose, (0.16 if along < 1.0 else 0.0, 0.0, 0.0, 0.0, 0.0, 0.0), dt=1e-3)
+            haptic.before_step(solver, 8e-3)
+            solver.step(8e-3)
+            haptic.after_step(solver)
+        assert felt.force[0] < 0.0
+        assert felt.state.model_count == 59
+        assert felt.state.pressing > 0
+        assert felt.state.energy_given > 0.0
+        assert felt.state.max_energy_excess <= 1e-3
+        np.testing.assert_allclose(solver.body_frames(ball)[0, :3], felt.state.proxy.origin, atol=1e-6)
+        with pytest.raises(ValueError, match="velocity"):
+            haptic.update(pose, (0.0, 0.0), dt=1e-3)

@@ -13,6 +13,7 @@ mod fit;
 mod fit_curves;
 mod friction_fit;
 mod hair;
+mod haptic;
 mod level_of_detail;
 mod overlaps;
 mod posing;
@@ -49,6 +50,8 @@ use superhelix::capi::fit_curves::*;
 use superhelix::capi::friction_fit::*;
 use superhelix::capi::guard::shx_solver;
 use superhelix::capi::hair_type::*;
+use superhelix::capi::haptic::*;
+use superhelix::capi::haptic_def::*;
 use superhelix::capi::level_of_detail::*;
 use superhelix::capi::materials::*;
 use superhelix::capi::overlaps::*;
@@ -189,6 +192,7 @@ fn table() -> Vec<Case> {
         curve_data::cases,
         curve_cache::cases,
         hair::cases,
+        haptic::cases,
         render_hair::cases,
         scalp::cases,
     ] {

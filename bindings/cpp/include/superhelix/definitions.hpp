@@ -964,6 +964,204 @@ struct constraint_def : shx_constraint_def {
 // State of a constraint in the last substep.
 using constraint_state = shx_constraint_state;
 
+// Definition of a haptic object. Fill it with shx_haptic_def_init, then change what you need.
+struct haptic_def : shx_haptic_def {
+  haptic_def() : shx_haptic_def{} { detail::prepared(shx_haptic_def_init(this, sizeof(shx_haptic_def))); }
+
+  // SHX_HAPTIC_MODE_HAND_OVER (default), _DIRECT.
+  haptic_def &with_mode(std::uint32_t value) {
+    mode = value;
+    return *this;
+  }
+
+  // Frame of the handle in the axes of the first body: device poses are poses of the handle, and torques are about its origin. Default: the
+  // body's own frame.
+  haptic_def &with_handle(const frame &value) {
+    handle = value;
+    return *this;
+  }
+
+  // Stiffness of the virtual coupling between device and tool, N/m; above zero. Default 500.
+  haptic_def &with_stiffness(double value) {
+    stiffness = value;
+    return *this;
+  }
+
+  // Damping of the coupling, N s/m; zero or above. Default 1.
+  haptic_def &with_damping(double value) {
+    damping = value;
+    return *this;
+  }
+
+  // Stiffness of the coupling in rotation, N m/rad; above zero. Default 1.
+  haptic_def &with_angular_stiffness(double value) {
+    angular_stiffness = value;
+    return *this;
+  }
+
+  // Damping of the coupling in rotation, N m s/rad; zero or above. Default 0.002.
+  haptic_def &with_angular_damping(double value) {
+    angular_damping = value;
+    return *this;
+  }
+
+  // Largest force, N; above zero. Default 5: set it to what your device can hold.
+  haptic_def &with_max_force(double value) {
+    max_force = value;
+    return *this;
+  }
+
+  // Largest torque, N m; above zero. Default 0.2.
+  haptic_def &with_max_torque(double value) {
+    max_torque = value;
+    return *this;
+  }
+
+  // Largest rate of change of the force, N/s; above zero. Default 500, 0.5 N per millisecond.
+  haptic_def &with_max_force_rate(double value) {
+    max_force_rate = value;
+    return *this;
+  }
+
+  // Largest rate of change of the torque, N m/s; above zero. Default 20.
+  haptic_def &with_max_torque_rate(double value) {
+    max_torque_rate = value;
+    return *this;
+  }
+
+  // Energy that the hand may get beyond what it gave, J; above zero. Default 0.001.
+  haptic_def &with_energy_allowance(double value) {
+    energy_allowance = value;
+    return *this;
+  }
+
+  // Largest energy that the hand is credited with for what it gave, J; zero or above. Default 0.05.
+  haptic_def &with_max_energy_credit(double value) {
+    max_energy_credit = value;
+    return *this;
+  }
+
+  // Largest acceleration of the device in a hand, m/s^2; zero or above. The energy that an update can cost is bounded with it. Default 20.
+  haptic_def &with_max_acceleration(double value) {
+    max_acceleration = value;
+    return *this;
+  }
+
+  // Largest angular acceleration of the device, rad/s^2; zero or above. Default 200.
+  haptic_def &with_max_angular_acceleration(double value) {
+    max_angular_acceleration = value;
+    return *this;
+  }
+
+  // Age from which a local model is too old, s; above zero. The force then fades within the same time. Default 0.1.
+  haptic_def &with_max_model_age(double value) {
+    max_model_age = value;
+    return *this;
+  }
+
+  // Maximum number of contacts in a local model, 1 to 4096: those that press hardest. Default 256.
+  haptic_def &with_max_contacts(std::uint32_t value) {
+    max_contacts = value;
+    return *this;
+  }
+
+  // Maximum number of sweeps over them per update, 1 to 1000. Default 10.
+  haptic_def &with_max_sweeps(std::uint32_t value) {
+    max_sweeps = value;
+    return *this;
+  }
+};
+
+// State after an update. Fill it with shx_haptic_state_init once; each update overwrites it.
+struct haptic_state : shx_haptic_state {
+  haptic_state() : shx_haptic_state{} { detail::prepared(shx_haptic_state_init(this, sizeof(shx_haptic_state))); }
+
+  // What limited the wrench: SHX_HAPTIC_LIMIT_ bits; 0: nothing.
+  haptic_state &with_limits(std::uint32_t value) {
+    limits = value;
+    return *this;
+  }
+
+  // Frame of the handle in the simulation: the pose of the device, except for what the virtual coupling yields.
+  haptic_state &with_proxy(const frame &value) {
+    proxy = value;
+    return *this;
+  }
+
+  // Force on the tool before limits, N.
+  haptic_state &with_contact_force(const vec3 &value) {
+    detail::copy(value, contact_force);
+    return *this;
+  }
+
+  // Torque on the tool about the handle's origin before limits, N m.
+  haptic_state &with_contact_torque(const vec3 &value) {
+    detail::copy(value, contact_torque);
+    return *this;
+  }
+
+  // Energy that the hand gave so far, J.
+  haptic_state &with_energy_given(double value) {
+    energy_given = value;
+    return *this;
+  }
+
+  // Energy that the hand got so far, J.
+  haptic_state &with_energy_received(double value) {
+    energy_received = value;
+    return *this;
+  }
+
+  // The most that energy_received ever was above energy_given, J; at most energy_allowance while the device stays within max_acceleration
+  // and dt does not change.
+  haptic_state &with_max_energy_excess(double value) {
+    max_energy_excess = value;
+    return *this;
+  }
+
+  // Age of the device pose that the local model was made with, s. 0 before the first model.
+  haptic_state &with_model_age(double value) {
+    model_age = value;
+    return *this;
+  }
+
+  // Number of local models so far.
+  haptic_state &with_model_count(std::uint64_t value) {
+    model_count = value;
+    return *this;
+  }
+
+  // Number of contacts in the local model, including those that do not press.
+  haptic_state &with_contacts(std::uint32_t value) {
+    contacts = value;
+    return *this;
+  }
+
+  // Number of those that press.
+  haptic_state &with_pressing(std::uint32_t value) {
+    pressing = value;
+    return *this;
+  }
+
+  // Number of pressing contacts beyond max_contacts: their forces remain as the simulation had them.
+  haptic_state &with_left_out(std::uint32_t value) {
+    left_out = value;
+    return *this;
+  }
+
+  // Number of sweeps of this update.
+  haptic_state &with_sweeps(std::uint32_t value) {
+    sweeps = value;
+    return *this;
+  }
+
+  // Largest change of a force in the last sweep, relative to the largest force.
+  haptic_state &with_residual(double value) {
+    residual = value;
+    return *this;
+  }
+};
+
 // A strand fitted to a polyline, apart from its element lengths and curvatures. Fill it with shx_polyline_fit_init.
 struct polyline_fit : shx_polyline_fit {
   polyline_fit() : shx_polyline_fit{} { detail::prepared(shx_polyline_fit_init(this, sizeof(shx_polyline_fit))); }

@@ -274,6 +274,31 @@ struct constraint_status {
   };
 };
 
+// SHX_HAPTIC_MODE_
+struct haptic_mode {
+  enum type : std::uint32_t {
+    // The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what touches the tool, and
+    // shx_haptic_update solves contact anew with the device's newest pose, at the device's rate.
+    hand_over = SHX_HAPTIC_MODE_HAND_OVER,
+    // The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last step.
+    direct = SHX_HAPTIC_MODE_DIRECT,
+  };
+};
+
+// SHX_HAPTIC_LIMIT_
+struct haptic_limit {
+  enum type : std::uint32_t {
+    // The force or the torque was cut to max_force or max_torque.
+    clamped = SHX_HAPTIC_LIMIT_CLAMPED,
+    // It changed as fast as max_force_rate or max_torque_rate allows.
+    rate = SHX_HAPTIC_LIMIT_RATE,
+    // It was reduced to keep the hand from getting more energy than energy_allowance.
+    passivity = SHX_HAPTIC_LIMIT_PASSIVITY,
+    // The local model is older than max_model_age: the force fades.
+    stale = SHX_HAPTIC_LIMIT_STALE,
+  };
+};
+
 // SHX_FIT_LENGTHS_
 struct fit_lengths {
   enum type : std::uint32_t {

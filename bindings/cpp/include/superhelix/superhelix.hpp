@@ -9,6 +9,7 @@
 #include "enumerations.hpp"
 #include "fit.hpp"
 #include "handle.hpp"
+#include "haptic.hpp"
 #include "render_hair.hpp"
 #include "result.hpp"
 #include "scalp.hpp"

@@ -18,6 +18,7 @@ from superhelix.fit import Fit, fit_polyline, fit_strands, sag_free_curvatures, 
 from superhelix.friction import fit_friction
 from superhelix.groom import Groom, prepare, simulate
 from superhelix.hair import hair_strands, hair_type, wisp_material
+from superhelix.haptics import Haptic
 from superhelix.ids import BodyId, BodyIds, ConstraintId, ConstraintIds, StrandId, StrandIds
 from superhelix.interpolation import interpolate
 from superhelix.meshes import read_obj_mesh
@@ -44,6 +45,7 @@ __all__ = [
     "Curves",
     "Fit",
     "Groom",
+    "Haptic",
     "RenderGuides",
     "RenderHair",
     "RenderPose",

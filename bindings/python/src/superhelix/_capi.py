@@ -92,6 +92,12 @@ SHX_CONSTRAINT_STATUS_SATISFIED = 1
 SHX_CONSTRAINT_STATUS_REDUNDANT = 2
 SHX_CONSTRAINT_STATUS_VIOLATED = 3
 SHX_CONSTRAINT_STATUS_RELEASED = 4
+SHX_HAPTIC_MODE_HAND_OVER = 1
+SHX_HAPTIC_MODE_DIRECT = 2
+SHX_HAPTIC_LIMIT_CLAMPED = 1
+SHX_HAPTIC_LIMIT_RATE = 2
+SHX_HAPTIC_LIMIT_PASSIVITY = 4
+SHX_HAPTIC_LIMIT_STALE = 8
 SHX_FIT_LENGTHS_EQUAL = 1
 SHX_FIT_LENGTHS_AUTO = 2
 SHX_FIT_LENGTHS_FREE = 3
@@ -572,6 +578,55 @@ class shx_constraint_state(ctypes.Structure):
         ("error", ctypes.c_double),
         ("force", ctypes.c_double * 3),
         ("torque", ctypes.c_double * 3),
+    ]
+
+
+class shx_haptic_def(ctypes.Structure):
+    """176 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("mode", ctypes.c_uint32),
+        ("handle", shx_frame),
+        ("stiffness", ctypes.c_double),
+        ("damping", ctypes.c_double),
+        ("angular_stiffness", ctypes.c_double),
+        ("angular_damping", ctypes.c_double),
+        ("max_force", ctypes.c_double),
+        ("max_torque", ctypes.c_double),
+        ("max_force_rate", ctypes.c_double),
+        ("max_torque_rate", ctypes.c_double),
+        ("energy_allowance", ctypes.c_double),
+        ("max_energy_credit", ctypes.c_double),
+        ("max_acceleration", ctypes.c_double),
+        ("max_angular_acceleration", ctypes.c_double),
+        ("max_model_age", ctypes.c_double),
+        ("max_contacts", ctypes.c_uint32),
+        ("max_sweeps", ctypes.c_uint32),
+    ]
+
+
+class shx_haptic_state(ctypes.Structure):
+    """176 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("limits", ctypes.c_uint32),
+        ("proxy", shx_frame),
+        ("contact_force", ctypes.c_double * 3),
+        ("contact_torque", ctypes.c_double * 3),
+        ("energy_given", ctypes.c_double),
+        ("energy_received", ctypes.c_double),
+        ("max_energy_excess", ctypes.c_double),
+        ("model_age", ctypes.c_double),
+        ("model_count", ctypes.c_uint64),
+        ("contacts", ctypes.c_uint32),
+        ("pressing", ctypes.c_uint32),
+        ("left_out", ctypes.c_uint32),
+        ("sweeps", ctypes.c_uint32),
+        ("residual", ctypes.c_double),
     ]
 
 
@@ -1113,6 +1168,13 @@ class Functions:
     shx_solver_set_constraint_targets: Callable[[Pointer, Pointer, int, Pointer, float], int]
     shx_solver_get_constraint_targets: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_constraint_states: Callable[[Pointer, Pointer, int, Pointer, int], int]
+    shx_haptic_def_init: Callable[[Pointer, int], int]
+    shx_haptic_state_init: Callable[[Pointer, int], int]
+    shx_haptic_create: Callable[[Pointer, Pointer, Pointer, int, Pointer], int]
+    shx_haptic_destroy: Callable[[Pointer], None]
+    shx_haptic_before_step: Callable[[Pointer, Pointer, float], int]
+    shx_haptic_after_step: Callable[[Pointer, Pointer], int]
+    shx_haptic_update: Callable[[Pointer, Pointer, Pointer, float, Pointer, Pointer], int]
     shx_solver_snapshot: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_restore: Callable[[Pointer, Pointer, int], int]
     shx_solver_state_hash: Callable[[Pointer, Pointer], int]
@@ -1400,6 +1462,16 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
         ctypes.c_int32,
         [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t],
     ),
+    "shx_haptic_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_haptic_state_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_haptic_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_haptic_destroy": (None, [ctypes.c_void_p]),
+    "shx_haptic_before_step": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double]),
+    "shx_haptic_after_step": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_haptic_update": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p],
+    ),
     "shx_solver_snapshot": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_restore": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_state_hash": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
@@ -1528,6 +1600,8 @@ INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_strand_contact: "shx_strand_contact_init",
     shx_push_out_def: "shx_push_out_def_init",
     shx_constraint_def: "shx_constraint_def_init",
+    shx_haptic_def: "shx_haptic_def_init",
+    shx_haptic_state: "shx_haptic_state_init",
     shx_polyline_fit: "shx_polyline_fit_init",
     shx_fit_options: "shx_fit_options_init",
     shx_fit_input: "shx_fit_input_init",

@@ -239,6 +239,29 @@ class ConstraintStatus(IntEnum):
     """The strand has slipped out of the ring."""
 
 
+class HapticMode(IntEnum):
+    """What HapticDef.mode may be."""
+
+    HAND_OVER = 1
+    """The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what touches the tool, and
+    shx_haptic_update solves contact anew with the device's newest pose, at the device's rate."""
+    DIRECT = 2
+    """The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last step."""
+
+
+class HapticLimit(IntFlag):
+    """What HapticState.limits may be."""
+
+    CLAMPED = 1
+    """The force or the torque was cut to max_force or max_torque."""
+    RATE = 2
+    """It changed as fast as max_force_rate or max_torque_rate allows."""
+    PASSIVITY = 4
+    """It was reduced to keep the hand from getting more energy than energy_allowance."""
+    STALE = 8
+    """The local model is older than max_model_age: the force fades."""
+
+
 class FitLengths(IntEnum):
     """What FitOptions.length_mode may be."""
 
@@ -393,6 +416,8 @@ __all__ = [
     "FitLengths",
     "FrictionCoefficient",
     "FrictionStart",
+    "HapticLimit",
+    "HapticMode",
     "InstructionSet",
     "Integrator",
     "Interpolation",

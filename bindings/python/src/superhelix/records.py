@@ -32,6 +32,8 @@ from superhelix.enums import (
     FitLengths,
     FrictionCoefficient,
     FrictionStart,
+    HapticLimit,
+    HapticMode,
     InstructionSet,
     Integrator,
     Interpolation,
@@ -791,6 +793,146 @@ class ConstraintStateTable(Table):
     torque = FloatColumn("Torque on the strand about the constrained point, N m, world. Non-zero for directions and frames only.")
 
 
+class HapticDef(Record):
+    """Definition of a haptic object."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_haptic_def
+    mode = EnumField(HapticMode, "HapticMode.HAND_OVER (default), DIRECT.")
+    handle = RecordField(
+        Frame,
+        "Frame of the handle in the axes of the first body: device poses are poses of the handle, and torques are about its "
+        "origin. Default: the body's own frame."
+    )
+    stiffness = FloatField("Stiffness of the virtual coupling between device and tool, N/m; above zero. Default 500.")
+    damping = FloatField("Damping of the coupling, N s/m; zero or above. Default 1.")
+    angular_stiffness = FloatField("Stiffness of the coupling in rotation, N m/rad; above zero. Default 1.")
+    angular_damping = FloatField("Damping of the coupling in rotation, N m s/rad; zero or above. Default 0.002.")
+    max_force = FloatField("Largest force, N; above zero. Default 5: set it to what your device can hold.")
+    max_torque = FloatField("Largest torque, N m; above zero. Default 0.2.")
+    max_force_rate = FloatField("Largest rate of change of the force, N/s; above zero. Default 500, 0.5 N per millisecond.")
+    max_torque_rate = FloatField("Largest rate of change of the torque, N m/s; above zero. Default 20.")
+    energy_allowance = FloatField("Energy that the hand may get beyond what it gave, J; above zero. Default 0.001.")
+    max_energy_credit = FloatField(
+        "Largest energy that the hand is credited with for what it gave, J; zero or above. Default 0.05."
+    )
+    max_acceleration = FloatField(
+        "Largest acceleration of the device in a hand, m/s^2; zero or above. The energy that an update can cost is bounded with "
+        "it. Default 20."
+    )
+    max_angular_acceleration = FloatField("Largest angular acceleration of the device, rad/s^2; zero or above. Default 200.")
+    max_model_age = FloatField(
+        "Age from which a local model is too old, s; above zero. The force then fades within the same time. Default 0.1."
+    )
+    max_contacts = IntField("Maximum number of contacts in a local model, 1 to 4096: those that press hardest. Default 256.")
+    max_sweeps = IntField("Maximum number of sweeps over them per update, 1 to 1000. Default 10.")
+
+    def __init__(
+        self,
+        *,
+        mode: HapticMode | None = None,
+        handle: Frame | None = None,
+        stiffness: float | None = None,
+        damping: float | None = None,
+        angular_stiffness: float | None = None,
+        angular_damping: float | None = None,
+        max_force: float | None = None,
+        max_torque: float | None = None,
+        max_force_rate: float | None = None,
+        max_torque_rate: float | None = None,
+        energy_allowance: float | None = None,
+        max_energy_credit: float | None = None,
+        max_acceleration: float | None = None,
+        max_angular_acceleration: float | None = None,
+        max_model_age: float | None = None,
+        max_contacts: int | None = None,
+        max_sweeps: int | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            mode=mode,
+            handle=handle,
+            stiffness=stiffness,
+            damping=damping,
+            angular_stiffness=angular_stiffness,
+            angular_damping=angular_damping,
+            max_force=max_force,
+            max_torque=max_torque,
+            max_force_rate=max_force_rate,
+            max_torque_rate=max_torque_rate,
+            energy_allowance=energy_allowance,
+            max_energy_credit=max_energy_credit,
+            max_acceleration=max_acceleration,
+            max_angular_acceleration=max_angular_acceleration,
+            max_model_age=max_model_age,
+            max_contacts=max_contacts,
+            max_sweeps=max_sweeps,
+        )
+
+
+class HapticState(Record):
+    """State after an update. each update overwrites it."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_haptic_state
+    limits = EnumField(HapticLimit, "What limited the wrench: HapticLimit bits; 0: nothing.")
+    proxy = RecordField(
+        Frame,
+        "Frame of the handle in the simulation: the pose of the device, except for what the virtual coupling yields."
+    )
+    contact_force = VectorField(3, "Force on the tool before limits, N.")
+    contact_torque = VectorField(3, "Torque on the tool about the handle's origin before limits, N m.")
+    energy_given = FloatField("Energy that the hand gave so far, J.")
+    energy_received = FloatField("Energy that the hand got so far, J.")
+    max_energy_excess = FloatField(
+        "The most that energy_received ever was above energy_given, J; at most energy_allowance while the device stays within "
+        "max_acceleration and dt does not change."
+    )
+    model_age = FloatField("Age of the device pose that the local model was made with, s. 0 before the first model.")
+    model_count = IntField("Number of local models so far.")
+    contacts = IntField("Number of contacts in the local model, including those that do not press.")
+    pressing = IntField("Number of those that press.")
+    left_out = IntField("Number of pressing contacts beyond max_contacts: their forces remain as the simulation had them.")
+    sweeps = IntField("Number of sweeps of this update.")
+    residual = FloatField("Largest change of a force in the last sweep, relative to the largest force.")
+
+    def __init__(
+        self,
+        *,
+        limits: HapticLimit | None = None,
+        proxy: Frame | None = None,
+        contact_force: Sequence[float] | None = None,
+        contact_torque: Sequence[float] | None = None,
+        energy_given: float | None = None,
+        energy_received: float | None = None,
+        max_energy_excess: float | None = None,
+        model_age: float | None = None,
+        model_count: int | None = None,
+        contacts: int | None = None,
+        pressing: int | None = None,
+        left_out: int | None = None,
+        sweeps: int | None = None,
+        residual: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            limits=limits,
+            proxy=proxy,
+            contact_force=contact_force,
+            contact_torque=contact_torque,
+            energy_given=energy_given,
+            energy_received=energy_received,
+            max_energy_excess=max_energy_excess,
+            model_age=model_age,
+            model_count=model_count,
+            contacts=contacts,
+            pressing=pressing,
+            left_out=left_out,
+            sweeps=sweeps,
+            residual=residual,
+        )
+
+
 class PolylineFit(Record):
     """A strand fitted to a polyline, apart from its element lengths and curvatures."""
 
@@ -1447,6 +1589,8 @@ __all__ = [
     "HairSliders",
     "HairStrandTable",
     "HairType",
+    "HapticDef",
+    "HapticState",
     "Material",
     "PolylineFit",
     "PoseOptions",

@@ -302,6 +302,34 @@ namespace Superhelix
     Released = 4,
   }
 
+  /// <summary>SHX_HAPTIC_MODE_ of the C interface.</summary>
+  public enum HapticMode : uint
+  {
+    /// <summary>
+    /// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what touches the tool, and
+    /// shx_haptic_update solves contact anew with the device's newest pose, at the device's rate.
+    /// </summary>
+    HandOver = 1,
+    /// <summary>
+    /// The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last step.
+    /// </summary>
+    Direct = 2,
+  }
+
+  /// <summary>SHX_HAPTIC_LIMIT_ of the C interface.</summary>
+  [Flags]
+  public enum HapticLimit : uint
+  {
+    /// <summary>The force or the torque was cut to max_force or max_torque.</summary>
+    Clamped = 1,
+    /// <summary>It changed as fast as max_force_rate or max_torque_rate allows.</summary>
+    Rate = 2,
+    /// <summary>It was reduced to keep the hand from getting more energy than energy_allowance.</summary>
+    Passivity = 4,
+    /// <summary>The local model is older than max_model_age: the force fades.</summary>
+    Stale = 8,
+  }
+
   /// <summary>SHX_FIT_LENGTHS_ of the C interface.</summary>
   public enum FitLengths : uint
   {

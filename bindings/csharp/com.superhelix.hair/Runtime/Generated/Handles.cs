@@ -89,6 +89,34 @@ namespace Superhelix
     }
   }
 
+  /// <summary>Owns a shx_haptic: frees it when it is disposed, or when nothing names it any more.</summary>
+  public sealed class HapticHandle : SafeHandle
+  {
+    // Callbacks that the library may call as long as this lives.
+    internal readonly Hooks Hooks;
+
+    internal HapticHandle(IntPtr raw, Hooks hooks) : base(IntPtr.Zero, true)
+    {
+      Hooks = hooks;
+      SetHandle(raw);
+    }
+
+    /// <summary>Whether it owns nothing.</summary>
+    public override bool IsInvalid
+    {
+      get { return handle == IntPtr.Zero; }
+    }
+
+    /// <summary>Frees what it owns.</summary>
+    protected override bool ReleaseHandle()
+    {
+      Native.shx_haptic_destroy(handle);
+      if (Hooks != null)
+        Hooks.Dispose();
+      return true;
+    }
+  }
+
   /// <summary>Owns a shx_render_hair: frees it when it is disposed, or when nothing names it any more.</summary>
   public sealed class RenderHairHandle : SafeHandle
   {

@@ -368,6 +368,49 @@ namespace Superhelix
         Compare(ref first, "ConstraintState.Torque", (byte*)&x.Torque - at, 48);
       }
       {
+        HapticDef x = default(HapticDef);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof HapticDef", sizeof(HapticDef), 176);
+        Compare(ref first, "HapticDef.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "HapticDef.Mode", (byte*)&x.Mode - at, 4);
+        Compare(ref first, "HapticDef.Handle", (byte*)&x.Handle - at, 8);
+        Compare(ref first, "HapticDef.Stiffness", (byte*)&x.Stiffness - at, 64);
+        Compare(ref first, "HapticDef.Damping", (byte*)&x.Damping - at, 72);
+        Compare(ref first, "HapticDef.AngularStiffness", (byte*)&x.AngularStiffness - at, 80);
+        Compare(ref first, "HapticDef.AngularDamping", (byte*)&x.AngularDamping - at, 88);
+        Compare(ref first, "HapticDef.MaxForce", (byte*)&x.MaxForce - at, 96);
+        Compare(ref first, "HapticDef.MaxTorque", (byte*)&x.MaxTorque - at, 104);
+        Compare(ref first, "HapticDef.MaxForceRate", (byte*)&x.MaxForceRate - at, 112);
+        Compare(ref first, "HapticDef.MaxTorqueRate", (byte*)&x.MaxTorqueRate - at, 120);
+        Compare(ref first, "HapticDef.EnergyAllowance", (byte*)&x.EnergyAllowance - at, 128);
+        Compare(ref first, "HapticDef.MaxEnergyCredit", (byte*)&x.MaxEnergyCredit - at, 136);
+        Compare(ref first, "HapticDef.MaxAcceleration", (byte*)&x.MaxAcceleration - at, 144);
+        Compare(ref first, "HapticDef.MaxAngularAcceleration", (byte*)&x.MaxAngularAcceleration - at, 152);
+        Compare(ref first, "HapticDef.MaxModelAge", (byte*)&x.MaxModelAge - at, 160);
+        Compare(ref first, "HapticDef.MaxContacts", (byte*)&x.MaxContacts - at, 168);
+        Compare(ref first, "HapticDef.MaxSweeps", (byte*)&x.MaxSweeps - at, 172);
+      }
+      {
+        HapticState x = default(HapticState);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof HapticState", sizeof(HapticState), 176);
+        Compare(ref first, "HapticState.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "HapticState.Limits", (byte*)&x.Limits - at, 4);
+        Compare(ref first, "HapticState.Proxy", (byte*)&x.Proxy - at, 8);
+        Compare(ref first, "HapticState.ContactForce", (byte*)&x.ContactForce - at, 64);
+        Compare(ref first, "HapticState.ContactTorque", (byte*)&x.ContactTorque - at, 88);
+        Compare(ref first, "HapticState.EnergyGiven", (byte*)&x.EnergyGiven - at, 112);
+        Compare(ref first, "HapticState.EnergyReceived", (byte*)&x.EnergyReceived - at, 120);
+        Compare(ref first, "HapticState.MaxEnergyExcess", (byte*)&x.MaxEnergyExcess - at, 128);
+        Compare(ref first, "HapticState.ModelAge", (byte*)&x.ModelAge - at, 136);
+        Compare(ref first, "HapticState.ModelCount", (byte*)&x.ModelCount - at, 144);
+        Compare(ref first, "HapticState.Contacts", (byte*)&x.Contacts - at, 152);
+        Compare(ref first, "HapticState.Pressing", (byte*)&x.Pressing - at, 156);
+        Compare(ref first, "HapticState.LeftOut", (byte*)&x.LeftOut - at, 160);
+        Compare(ref first, "HapticState.Sweeps", (byte*)&x.Sweeps - at, 164);
+        Compare(ref first, "HapticState.Residual", (byte*)&x.Residual - at, 168);
+      }
+      {
         PolylineFit x = default(PolylineFit);
         byte* at = (byte*)&x;
         Compare(ref first, "sizeof PolylineFit", sizeof(PolylineFit), 88);

@@ -322,6 +322,27 @@ namespace Superhelix
     internal static extern int shx_solver_constraint_states(SolverHandle solver, ConstraintId* ids, UIntPtr count, ConstraintState* out_states, UIntPtr stride);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_def_init(HapticDef* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_state_init(HapticState* state, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_create(SolverHandle solver, HapticDef* @def, BodyId* bodies, UIntPtr count, IntPtr* out_haptic);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern void shx_haptic_destroy(IntPtr haptic);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_before_step(HapticHandle haptic, SolverHandle solver, double dt);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_after_step(HapticHandle haptic, SolverHandle solver);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_haptic_update(HapticHandle haptic, Frame* pose, double* velocity, double dt, double* out_wrench, HapticState* state);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_snapshot(SolverHandle solver, void* out_image, UIntPtr capacity, UIntPtr* out_size);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

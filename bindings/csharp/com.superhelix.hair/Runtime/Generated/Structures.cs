@@ -655,6 +655,117 @@ namespace Superhelix
     public Vec3 Torque;
   }
 
+  /// <summary>Definition of a haptic object. Fill it with shx_haptic_def_init, then change what you need.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HapticDef
+  {
+    internal uint StructSize;
+    /// <summary>SHX_HAPTIC_MODE_HAND_OVER (default), _DIRECT.</summary>
+    public uint Mode;
+    /// <summary>
+    /// Frame of the handle in the axes of the first body: device poses are poses of the handle, and torques are about its origin. Default:
+    /// the body's own frame.
+    /// </summary>
+    public Frame Handle;
+    /// <summary>Stiffness of the virtual coupling between device and tool, N/m; above zero. Default 500.</summary>
+    public double Stiffness;
+    /// <summary>Damping of the coupling, N s/m; zero or above. Default 1.</summary>
+    public double Damping;
+    /// <summary>Stiffness of the coupling in rotation, N m/rad; above zero. Default 1.</summary>
+    public double AngularStiffness;
+    /// <summary>Damping of the coupling in rotation, N m s/rad; zero or above. Default 0.002.</summary>
+    public double AngularDamping;
+    /// <summary>Largest force, N; above zero. Default 5: set it to what your device can hold.</summary>
+    public double MaxForce;
+    /// <summary>Largest torque, N m; above zero. Default 0.2.</summary>
+    public double MaxTorque;
+    /// <summary>Largest rate of change of the force, N/s; above zero. Default 500, 0.5 N per millisecond.</summary>
+    public double MaxForceRate;
+    /// <summary>Largest rate of change of the torque, N m/s; above zero. Default 20.</summary>
+    public double MaxTorqueRate;
+    /// <summary>Energy that the hand may get beyond what it gave, J; above zero. Default 0.001.</summary>
+    public double EnergyAllowance;
+    /// <summary>Largest energy that the hand is credited with for what it gave, J; zero or above. Default 0.05.</summary>
+    public double MaxEnergyCredit;
+    /// <summary>
+    /// Largest acceleration of the device in a hand, m/s^2; zero or above. The energy that an update can cost is bounded with it. Default
+    /// 20.
+    /// </summary>
+    public double MaxAcceleration;
+    /// <summary>Largest angular acceleration of the device, rad/s^2; zero or above. Default 200.</summary>
+    public double MaxAngularAcceleration;
+    /// <summary>
+    /// Age from which a local model is too old, s; above zero. The force then fades within the same time. Default 0.1.
+    /// </summary>
+    public double MaxModelAge;
+    /// <summary>Maximum number of contacts in a local model, 1 to 4096: those that press hardest. Default 256.</summary>
+    public uint MaxContacts;
+    /// <summary>Maximum number of sweeps over them per update, 1 to 1000. Default 10.</summary>
+    public uint MaxSweeps;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe HapticDef Default
+    {
+      get
+      {
+        HapticDef value;
+        Error.Check(Native.shx_haptic_def_init(&value, (UIntPtr)sizeof(HapticDef)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>State after an update. Fill it with shx_haptic_state_init once; each update overwrites it.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HapticState
+  {
+    internal uint StructSize;
+    /// <summary>What limited the wrench: SHX_HAPTIC_LIMIT_ bits; 0: nothing.</summary>
+    public HapticLimit Limits;
+    /// <summary>
+    /// Frame of the handle in the simulation: the pose of the device, except for what the virtual coupling yields.
+    /// </summary>
+    public Frame Proxy;
+    /// <summary>Force on the tool before limits, N.</summary>
+    public Vec3 ContactForce;
+    /// <summary>Torque on the tool about the handle's origin before limits, N m.</summary>
+    public Vec3 ContactTorque;
+    /// <summary>Energy that the hand gave so far, J.</summary>
+    public double EnergyGiven;
+    /// <summary>Energy that the hand got so far, J.</summary>
+    public double EnergyReceived;
+    /// <summary>
+    /// The most that energy_received ever was above energy_given, J; at most energy_allowance while the device stays within
+    /// max_acceleration and dt does not change.
+    /// </summary>
+    public double MaxEnergyExcess;
+    /// <summary>Age of the device pose that the local model was made with, s. 0 before the first model.</summary>
+    public double ModelAge;
+    /// <summary>Number of local models so far.</summary>
+    public ulong ModelCount;
+    /// <summary>Number of contacts in the local model, including those that do not press.</summary>
+    public uint Contacts;
+    /// <summary>Number of those that press.</summary>
+    public uint Pressing;
+    /// <summary>Number of pressing contacts beyond max_contacts: their forces remain as the simulation had them.</summary>
+    public uint LeftOut;
+    /// <summary>Number of sweeps of this update.</summary>
+    public uint Sweeps;
+    /// <summary>Largest change of a force in the last sweep, relative to the largest force.</summary>
+    public double Residual;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe HapticState Default
+    {
+      get
+      {
+        HapticState value;
+        Error.Check(Native.shx_haptic_state_init(&value, (UIntPtr)sizeof(HapticState)));
+        return value;
+      }
+    }
+  }
+
   /// <summary>
   /// A strand fitted to a polyline, apart from its element lengths and curvatures. Fill it with shx_polyline_fit_init.
   /// </summary>

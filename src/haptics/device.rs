@@ -1,0 +1,239 @@
+//! The side of the device's thread: a pose in, a force out, in bounded time, without waiting, without allocating.
+
+use nalgebra::Vector3;
+
+use super::coupling::{Compliance, free_proxy, moved};
+use super::exchange::{Publisher, Taker};
+use super::geometry::Tooth;
+use super::local_model::{LocalModel, write_frame};
+use super::options::{HapticOptions, Mode};
+use super::passivity::Passivity;
+use super::touch_forces::{Solved, TouchForces};
+use crate::error::{Result, check_finite, check_positive};
+use crate::math::frame::Frame;
+use crate::math::rotation::rotation_vector;
+use crate::solver::report::Wrench;
+
+/// Numbers of the message with which the device tells the simulation where it is.
+pub(super) const POSE_NUMBERS: usize = 8;
+
+/// A hand-over's force goes from the model before to the new one within this part of the model's seconds.
+const BLEND: f64 = 0.5;
+
+/// How an update went.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct HapticState {
+    /// Where the tool's handle is: the device's pose but for what the virtual coupling gives way.
+    pub proxy: Frame,
+    /// The force before it was limited in any way: what the hair does to the tool.
+    pub contact: Wrench,
+    /// What the hand gave so far, J.
+    pub energy_given: f64,
+    /// What it got so far, J.
+    pub energy_got: f64,
+    /// The most that it ever had got beyond what it gave, J: no more than the allowance.
+    pub energy_excess: f64,
+    /// Seconds since the device had the pose that the present local model's step was taken with; 0 before the first.
+    pub model_age: f64,
+    /// Local models so far.
+    pub models: u64,
+    /// Touches of the present one.
+    pub touches: u32,
+    /// Those that press.
+    pub pressing: u32,
+    /// Pressing ones that it has no room for; their forces stay as the simulation had them.
+    pub left_out: u32,
+    /// Sweeps of this update.
+    pub sweeps: u32,
+    /// By how much the last of them changed a force, as a part of the largest.
+    pub change: f64,
+    /// The force or the torque was cut to the largest that is allowed.
+    pub clamped: bool,
+    /// It changed as fast as is allowed.
+    pub rate_limited: bool,
+    /// It was made smaller for passivity.
+    pub passivity_limited: bool,
+    /// The local model is older than is allowed: the force fades.
+    pub stale: bool,
+}
+
+/// The device's side of a haptic object.
+#[derive(Debug)]
+pub struct Device {
+    options: HapticOptions,
+    poses: Publisher,
+    models: Taker,
+    model: LocalModel,
+    forces: TouchForces,
+    passivity: Passivity,
+    /// The device's time, s, since the first update.
+    time: f64,
+    /// Where device and proxy were in the last update; none before the first.
+    last: Option<(Frame, Frame)>,
+    /// What went out then.
+    out: Wrench,
+    /// Before it was limited.
+    raw: Wrench,
+    /// From the new model's force to the last one's, at the hand-over, and which part of the way is left.
+    blend: (Wrench, f64),
+    count: u64,
+    handle: Frame,
+}
+
+impl Device {
+    pub(super) fn new(options: &HapticOptions, handle: Frame, teeth: Vec<Tooth>, poses: Publisher, models: Taker) -> Self {
+        Self {
+            options: *options,
+            poses,
+            models,
+            model: LocalModel::new(options),
+            forces: TouchForces::new(options.max_touches as usize, teeth),
+            passivity: Passivity::new(options),
+            time: 0.0,
+            last: None,
+            out: Wrench::default(),
+            raw: Wrench::default(),
+            blend: (Wrench::default(), 0.0),
+            count: 0,
+            handle,
+        }
+    }
+
+    /// Where the tool's handle was when the object was made.
+    pub fn first_pose(&self) -> Frame {
+        self.handle
+    }
+
+    /// Tells where the device is now and how it moves (m/s, rad/s, world axes), `dt` seconds after the last update, and gets the force (N) and the
+    /// torque about the handle's origin (N·m) that the hand is to feel. Waits for nothing and allocates nothing; its time is bounded by the options'
+    /// touches and sweeps.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) for a number that is not finite, or a `dt` that is not above zero: then the last
+    /// force goes on to hold.
+    pub fn update(&mut self, pose: &Frame, velocity: Vector3<f64>, spin: Vector3<f64>, dt: f64) -> Result<(Wrench, HapticState)> {
+        for axis in 0..3 {
+            check_finite(|| format!("pose.origin[{axis}]"), pose.origin[axis])?;
+            check_finite(|| format!("velocity[{axis}]"), velocity[axis])?;
+            check_finite(|| format!("velocity[{}]", axis + 3), spin[axis])?;
+        }
+        for (axis, value) in pose.rotation_xyzw().into_iter().enumerate() {
+            check_finite(|| format!("pose.rotation[{axis}]"), value)?;
+        }
+        check_positive(|| "dt".into(), dt)?;
+        let velocities = [velocity, spin];
+        let (device, proxy) = self.last.unwrap_or((*pose, *pose));
+        self.passivity.observe(
+            &self.out,
+            pose.origin - device.origin,
+            rotation_vector(&(pose.rotation * device.rotation.inverse())),
+        );
+        self.time += dt;
+        let mut state = HapticState::default();
+        let is_new = self.take_model();
+        let free = free_proxy(&self.options, &proxy, pose, velocities, dt);
+        let solved = self.answer(&free, dt);
+        state.proxy = moved(&free, solved.moved, solved.turned);
+        let mut wrench = self.blended(solved.wrench, is_new, dt);
+        self.raw = wrench;
+        state.contact = wrench;
+        self.fade(&mut wrench, &mut state);
+        state.rate_limited = self.limit_rate(&mut wrench, dt);
+        state.clamped = self.clamp(&mut wrench);
+        state.passivity_limited = self.passivity.limit(&mut wrench, velocities, dt);
+        (state.energy_given, state.energy_got) = (self.passivity.given, self.passivity.got);
+        state.energy_excess = self.passivity.worst;
+        (state.models, state.touches) = (self.count, self.model.touches.len() as u32);
+        (state.pressing, state.sweeps, state.change) = (solved.pressing, solved.sweeps, solved.change);
+        state.left_out = self.model.left_out;
+        self.out = wrench;
+        self.last = Some((*pose, state.proxy));
+        let time = self.time;
+        self.poses.publish(|message| {
+            message.number(time);
+            write_frame(message, &state.proxy);
+        });
+        Ok((wrench, state))
+    }
+
+    /// Takes the newest local model, if there is one.
+    fn take_model(&mut self) -> bool {
+        let model = &mut self.model;
+        if self.models.take(|message| model.read(message)).is_none() {
+            return false;
+        }
+        self.count += 1;
+        self.forces.begin(&self.model);
+        true
+    }
+
+    /// What the hair does to the tool now, if it would be at `free` without that.
+    fn answer(&mut self, free: &Frame, dt: f64) -> Solved {
+        if self.count == 0 {
+            return Solved::default();
+        }
+        let compliance = Compliance::new(&self.options, dt);
+        match self.options.mode {
+            Mode::HandOver => {
+                let age = self.time - self.model.time;
+                self.forces.solve(&self.model, free, age, self.options.max_sweeps, compliance)
+            }
+            Mode::Direct => {
+                let wrench = self.model.wrench;
+                let (moved, turned) = (wrench.force * compliance.linear, wrench.torque * compliance.angular);
+                Solved { wrench, moved, turned, ..Solved::default() }
+            }
+        }
+    }
+
+    /// A hand-over's force: from what the model before came to it goes to the new one's within a part of the model's seconds.
+    fn blended(&mut self, wrench: Wrench, is_new: bool, dt: f64) -> Wrench {
+        if self.options.mode == Mode::Direct {
+            return wrench;
+        }
+        let (off, left) = &mut self.blend;
+        if is_new {
+            *off = Wrench { force: self.raw.force - wrench.force, torque: self.raw.torque - wrench.torque };
+            *left = 1.0;
+        }
+        *left = (*left - dt / (BLEND * self.model.seconds)).max(0.0);
+        Wrench { force: wrench.force + off.force * *left, torque: wrench.torque + off.torque * *left }
+    }
+
+    /// What comes from a model that is too old.
+    fn fade(&self, wrench: &mut Wrench, state: &mut HapticState) {
+        if self.count == 0 {
+            return;
+        }
+        state.model_age = self.time - self.model.time;
+        let over = state.model_age - self.options.max_age;
+        if over > 0.0 {
+            state.stale = true;
+            let part = (1.0 - over / self.options.max_age).max(0.0);
+            *wrench = Wrench { force: wrench.force * part, torque: wrench.torque * part };
+        }
+    }
+
+    fn limit_rate(&self, wrench: &mut Wrench, dt: f64) -> bool {
+        let force = toward(&mut wrench.force, self.out.force, self.options.max_force_rate * dt);
+        let torque = toward(&mut wrench.torque, self.out.torque, self.options.max_torque_rate * dt);
+        force || torque
+    }
+
+    fn clamp(&self, wrench: &mut Wrench) -> bool {
+        let force = toward(&mut wrench.force, Vector3::zeros(), self.options.max_force);
+        let torque = toward(&mut wrench.torque, Vector3::zeros(), self.options.max_torque);
+        force || torque
+    }
+}
+
+/// Brings a vector to within `most` of another one. True if it was not.
+fn toward(vector: &mut Vector3<f64>, from: Vector3<f64>, most: f64) -> bool {
+    let way = *vector - from;
+    let size = way.norm();
+    if size <= most {
+        return false;
+    }
+    *vector = from + way * (most / size);
+    true
+}

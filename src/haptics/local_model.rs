@@ -1,0 +1,227 @@
+//! What the simulation hands over after a step: what touches the tool, and how it answers until the next one.
+
+use nalgebra::Vector3;
+
+use super::exchange::{Reader, Writer};
+use super::options::{HapticOptions, Mode};
+use crate::contact::law::coefficient::Coefficient;
+use crate::math::frame::Frame;
+use crate::solver::report::Wrench;
+use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
+
+/// Most touches of a strand in a local model.
+const MOST_OF_STRAND: usize = 16;
+/// Numbers of a message beside touches, and a touch's.
+const HEADER: usize = 32;
+const OF_TOUCH: usize = 28;
+
+/// Numbers that a message may have.
+pub(super) fn capacity(options: &HapticOptions) -> usize {
+    let touches = match options.mode {
+        Mode::HandOver => options.max_touches as usize,
+        Mode::Direct => 0,
+    };
+    HEADER + touches * (OF_TOUCH + 9 * MOST_OF_STRAND)
+}
+
+/// A touch in a local model.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ModelTouch {
+    /// The tool's point when the step ended, world, m.
+    pub point: Vector3<f64>,
+    /// Unit normal towards the strand.
+    pub normal: Vector3<f64>,
+    /// Distance of the surfaces, m.
+    pub gap: f64,
+    /// Which of the tool's bodies it is with.
+    pub body: usize,
+    /// See [`BodyTouch`].
+    pub margin: f64,
+    /// See [`BodyTouch`].
+    pub tangent: Vector3<f64>,
+    /// See [`BodyTouch`].
+    pub reach: [f64; 2],
+    pub friction: Coefficient,
+    /// Force on the strand when the step ended, N.
+    pub force: Vector3<f64>,
+    /// See [`BodyTouch`].
+    pub most_force: f64,
+    /// How far the strand's point goes within [`LocalModel::seconds`] under such forces, m.
+    pub moved: Vector3<f64>,
+}
+
+impl ModelTouch {
+    /// The strand's point when the step ended.
+    pub fn strand_point(&self) -> Vector3<f64> {
+        self.point + self.normal * (self.gap + self.margin)
+    }
+}
+
+/// What a message says.
+#[derive(Debug)]
+pub(super) struct LocalModel {
+    /// The device's own time at which it had the pose that the step was taken with, s.
+    pub time: f64,
+    /// The time that `moved` and `response` are for, s.
+    pub seconds: f64,
+    /// The handle's pose when the step ended.
+    pub handle: Frame,
+    /// What all strands did to the tool in it, about the handle's origin.
+    pub wrench: Wrench,
+    /// The part of it that comes from no touch of the model.
+    pub rest: Wrench,
+    /// Pressing touches that there was no room for.
+    pub left_out: u32,
+    pub touches: Vec<ModelTouch>,
+    /// Touches of each strand.
+    pub counts: Vec<usize>,
+    /// See [`TouchCompliance::response`].
+    pub response: Vec<f64>,
+}
+
+impl LocalModel {
+    /// One with memory for all that may ever come.
+    pub fn new(options: &HapticOptions) -> Self {
+        let touches = if options.mode == Mode::HandOver { options.max_touches as usize } else { 0 };
+        Self {
+            time: 0.0,
+            seconds: 1.0,
+            handle: Frame::default(),
+            wrench: Wrench::default(),
+            rest: Wrench::default(),
+            left_out: 0,
+            touches: Vec::with_capacity(touches),
+            counts: Vec::with_capacity(touches),
+            response: Vec::with_capacity(touches * 9 * MOST_OF_STRAND),
+        }
+    }
+
+    /// Reads a message as [`Choice::write`] wrote it. Allocates nothing.
+    pub fn read(&mut self, message: &mut Reader) {
+        (self.time, self.seconds) = (message.number(), message.number());
+        self.handle = read_frame(message);
+        self.wrench = read_wrench(message);
+        self.rest = read_wrench(message);
+        self.left_out = message.count() as u32;
+        let (strands, touches) = (message.count(), message.count().min(self.touches.capacity()));
+        self.counts.clear();
+        self.counts.extend((0..strands.min(touches)).map(|_| message.count()));
+        self.touches.clear();
+        self.touches.extend((0..touches).map(|_| ModelTouch {
+            point: message.numbers().into(),
+            normal: message.numbers().into(),
+            gap: message.number(),
+            body: message.count(),
+            margin: message.number(),
+            tangent: message.numbers().into(),
+            reach: message.numbers(),
+            friction: Coefficient { mean: message.number(), lean: message.numbers().into() },
+            force: message.numbers().into(),
+            most_force: message.number(),
+            moved: message.numbers().into(),
+        }));
+        let numbers: usize = self.counts.iter().map(|count| 9 * count * count).sum();
+        self.response.clear();
+        self.response.extend((0..numbers.min(self.response.capacity())).map(|_| message.number()));
+    }
+}
+
+/// What of the touches goes into a message: those that press hardest, then those that are nearest.
+#[derive(Debug, Default)]
+pub(super) struct Choice {
+    order: Vec<u32>,
+    is_chosen: Vec<bool>,
+    /// By strand.
+    counts: Vec<usize>,
+    strand_of: Vec<u32>,
+}
+
+impl Choice {
+    /// Chooses among them. Gives how many pressing ones there is no room for.
+    pub fn choose(&mut self, from: &TouchCompliance, most: usize) -> u32 {
+        let touches = &from.touches;
+        self.order.clear();
+        self.order.extend(0..touches.len() as u32);
+        let key = |k: &u32| (touches[*k as usize].force.norm_squared(), -touches[*k as usize].gap);
+        let compare = |a: &(f64, f64), b: &(f64, f64)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
+        self.order.sort_unstable_by(|a, b| compare(&key(b), &key(a)).then(a.cmp(b)));
+        self.strand_of.clear();
+        for (strand, count) in from.counts.iter().enumerate() {
+            self.strand_of.extend((0..*count).map(|_| strand as u32));
+        }
+        self.is_chosen.clear();
+        self.is_chosen.resize(touches.len(), false);
+        self.counts.clear();
+        self.counts.resize(from.counts.len(), 0);
+        let (mut left, mut left_out) = (most, 0);
+        for k in &self.order {
+            let (k, strand) = (*k as usize, self.strand_of[*k as usize] as usize);
+            if left > 0 && self.counts[strand] < MOST_OF_STRAND {
+                self.is_chosen[k] = true;
+                self.counts[strand] += 1;
+                left -= 1;
+            } else {
+                left_out += u32::from(touches[k].force != Vector3::zeros());
+            }
+        }
+        left_out
+    }
+
+    /// The touches that are chosen.
+    pub fn touches<'a>(&'a self, from: &'a TouchCompliance) -> impl Iterator<Item = &'a BodyTouch> {
+        from.touches.iter().zip(&self.is_chosen).filter(|(_, chosen)| **chosen).map(|(touch, _)| touch)
+    }
+
+    /// Writes the chosen touches and their compliance.
+    pub fn write(&self, from: &TouchCompliance, message: &mut Writer) {
+        message.count(self.counts.iter().filter(|count| **count > 0).count());
+        message.count(self.counts.iter().sum());
+        self.counts.iter().filter(|count| **count > 0).for_each(|count| message.count(*count));
+        for touch in self.touches(from) {
+            message.numbers(touch.point.as_slice());
+            message.numbers(touch.normal.as_slice());
+            message.number(touch.gap);
+            message.count(touch.body as usize);
+            message.number(touch.margin);
+            message.numbers(touch.tangent.as_slice());
+            message.numbers(&touch.reach);
+            message.number(touch.friction.mean);
+            message.numbers(touch.friction.lean.as_slice());
+            message.numbers(touch.force.as_slice());
+            message.number(touch.most_force);
+            message.numbers(touch.moved.as_slice());
+        }
+        let (mut first, mut matrix) = (0, 0);
+        for count in &from.counts {
+            let (count, chosen) = (*count as usize, &self.is_chosen[first..first + *count as usize]);
+            let size = 3 * count;
+            for column in (0..size).filter(|column| chosen[column / 3]) {
+                let numbers = &from.response[matrix + column * size..][..size];
+                for (numbers, _) in numbers.chunks_exact(3).zip(chosen).filter(|(_, chosen)| **chosen) {
+                    message.numbers(numbers);
+                }
+            }
+            (first, matrix) = (first + count, matrix + size * size);
+        }
+    }
+}
+
+pub(super) fn write_frame(message: &mut Writer, frame: &Frame) {
+    message.numbers(frame.origin.as_slice());
+    message.numbers(&frame.rotation_xyzw());
+}
+
+pub(super) fn read_frame(message: &mut Reader) -> Frame {
+    let (origin, [x, y, z, w]) = (message.numbers(), message.numbers());
+    let rotation = nalgebra::Unit::new_unchecked(nalgebra::Quaternion::new(w, x, y, z));
+    Frame { origin: Vector3::from(origin), rotation }
+}
+
+pub(super) fn write_wrench(message: &mut Writer, wrench: &Wrench) {
+    message.numbers(wrench.force.as_slice());
+    message.numbers(wrench.torque.as_slice());
+}
+
+fn read_wrench(message: &mut Reader) -> Wrench {
+    Wrench { force: message.numbers().into(), torque: message.numbers().into() }
+}

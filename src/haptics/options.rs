@@ -1,0 +1,123 @@
+//! What a haptic object is made from.
+
+use crate::error::{Error, Result, check_not_negative, check_positive};
+use crate::math::frame::Frame;
+
+/// Where the force on the hand comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[repr(u32)]
+pub enum Mode {
+    /// The solver steps at its own rate and hands a local model of what touches the tool over to the device's thread, which solves contact anew with
+    /// the device's newest pose.
+    #[default]
+    HandOver = 1,
+    /// The solver steps at the device's rate: the force is that of its last step.
+    Direct = 2,
+}
+
+/// Settings of a haptic object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HapticOptions {
+    /// Where the force comes from.
+    pub mode: Mode,
+    /// The device's frame in the axes of the first body: what the device's pose is the pose of.
+    pub handle: Frame,
+    /// Stiffness of the virtual coupling between device and tool, N/m; above zero.
+    pub stiffness: f64,
+    /// Its damping, N·s/m; zero or above.
+    pub damping: f64,
+    /// Its stiffness against turning, N·m/rad; above zero.
+    pub angular_stiffness: f64,
+    /// Its damping of turning, N·m·s/rad; zero or above.
+    pub angular_damping: f64,
+    /// The largest force, N; above zero.
+    pub max_force: f64,
+    /// The largest torque, N·m; above zero.
+    pub max_torque: f64,
+    /// How fast the force changes at most, N/s; above zero.
+    pub max_force_rate: f64,
+    /// How fast the torque changes at most, N·m/s; above zero.
+    pub max_torque_rate: f64,
+    /// How much more energy the hand may ever have got than it gave, J; above zero.
+    pub energy_allowance: f64,
+    /// The most that it is credited with for what it gave, J; zero or above.
+    pub max_energy_credit: f64,
+    /// How hard a hand accelerates the device at most, m/s²: what may happen in an update is reckoned by it; zero or above.
+    pub max_acceleration: f64,
+    /// The same of turning, rad/s²; zero or above.
+    pub max_angular_acceleration: f64,
+    /// Most touches of a local model; 1 to 4096.
+    pub max_touches: u32,
+    /// Most sweeps over them in an update; 1 to 1000.
+    pub max_sweeps: u32,
+    /// How old a local model may be, s; the force fades away within as long after that; above zero.
+    pub max_age: f64,
+}
+
+impl Default for HapticOptions {
+    fn default() -> Self {
+        Self {
+            mode: Mode::default(),
+            handle: Frame::default(),
+            stiffness: 500.0,
+            damping: 1.0,
+            angular_stiffness: 1.0,
+            angular_damping: 2e-3,
+            max_force: 5.0,
+            max_torque: 0.2,
+            max_force_rate: 500.0,
+            max_torque_rate: 20.0,
+            energy_allowance: 1e-3,
+            max_energy_credit: 0.05,
+            max_acceleration: 20.0,
+            max_angular_acceleration: 200.0,
+            max_touches: 256,
+            max_sweeps: 10,
+            max_age: 0.1,
+        }
+    }
+}
+
+impl HapticOptions {
+    /// Checks every value; `argument` is the name put before the field in the message.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] naming the first value out of range.
+    pub fn check(&self, argument: &str) -> Result<()> {
+        let named = |name: &str| format!("{argument}.{name}");
+        let above_zero = [
+            ("stiffness", self.stiffness),
+            ("angular_stiffness", self.angular_stiffness),
+            ("max_force", self.max_force),
+            ("max_torque", self.max_torque),
+            ("max_force_rate", self.max_force_rate),
+            ("max_torque_rate", self.max_torque_rate),
+            ("energy_allowance", self.energy_allowance),
+            ("max_age", self.max_age),
+        ];
+        for (name, value) in above_zero {
+            check_positive(|| named(name), value)?;
+        }
+        let not_negative = [
+            ("damping", self.damping),
+            ("angular_damping", self.angular_damping),
+            ("max_energy_credit", self.max_energy_credit),
+            ("max_acceleration", self.max_acceleration),
+            ("max_angular_acceleration", self.max_angular_acceleration),
+        ];
+        for (name, value) in not_negative {
+            check_not_negative(|| named(name), value)?;
+        }
+        for (name, value, most) in [("max_touches", self.max_touches, MAX_TOUCHES), ("max_sweeps", self.max_sweeps, MAX_SWEEPS)] {
+            if !(1..=most).contains(&value) {
+                return Err(Error::invalid(named(name), value, format!("1 to {most}")));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// See [`HapticOptions::max_touches`].
+const MAX_TOUCHES: u32 = 4096;
+/// See [`HapticOptions::max_sweeps`].
+const MAX_SWEEPS: u32 = 1000;

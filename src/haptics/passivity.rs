@@ -1,0 +1,97 @@
+//! Passivity, observed and kept (Hannaford and Ryu 2002): what the device does to the hand is summed up exactly, force as it was times way as it was, and
+//! no force goes out that could give the hand more than it gave, and an allowance.
+//!
+//! The observer alone is late by one update, since a force works over the way that the hand goes after it. So what goes out is bounded beforehand: over
+//! the next update the hand goes v·dt and, however it accelerates, no further from there than 1.5·a·dt² (the velocity told may be an update old). Of
+//! a force that could do too much over that, first the part that drives the hand is taken away, as a damper would, then all of it is made smaller.
+
+use nalgebra::Vector3;
+
+use super::options::HapticOptions;
+use crate::solver::report::Wrench;
+
+/// The account.
+#[derive(Debug, Clone, Copy)]
+pub struct Passivity {
+    allowance: f64,
+    most_credit: f64,
+    /// m/s², rad/s².
+    accelerations: [f64; 2],
+    /// What the hand gave less what it got, no more than the most credit, J.
+    balance: f64,
+    /// What it gave so far, J.
+    pub given: f64,
+    /// What it got so far, J.
+    pub got: f64,
+    /// The most that it ever had got beyond what it gave, J.
+    pub worst: f64,
+}
+
+impl Passivity {
+    /// An account in balance.
+    pub fn new(options: &HapticOptions) -> Self {
+        Self {
+            allowance: options.energy_allowance,
+            most_credit: options.max_energy_credit,
+            accelerations: [options.max_acceleration, options.max_angular_acceleration],
+            balance: 0.0,
+            given: 0.0,
+            got: 0.0,
+            worst: 0.0,
+        }
+    }
+
+    /// Counts the work of the wrench that was out while the hand moved (m) and turned (rad).
+    pub fn observe(&mut self, wrench: &Wrench, moved: Vector3<f64>, turned: Vector3<f64>) {
+        let work = wrench.force.dot(&moved) + wrench.torque.dot(&turned);
+        if work > 0.0 {
+            self.got += work;
+        } else {
+            self.given -= work;
+        }
+        self.balance = (self.balance - work).min(self.most_credit);
+        self.worst = self.worst.max(self.got - self.given);
+    }
+
+    /// What a wrench may do to the hand over the next `dt` seconds at most, J.
+    fn most_work(&self, wrench: &Wrench, [velocity, spin]: [Vector3<f64>; 2], dt: f64) -> f64 {
+        let off = self.accelerations.map(|acceleration| 1.5 * acceleration * dt * dt);
+        (wrench.force.dot(&velocity) + wrench.torque.dot(&spin)) * dt
+            + wrench.force.norm() * off[0]
+            + wrench.torque.norm() * off[1]
+    }
+
+    /// Takes from a wrench what could give the hand too much. True if something was.
+    pub fn limit(&self, wrench: &mut Wrench, velocities: [Vector3<f64>; 2], dt: f64) -> bool {
+        let budget = self.balance + self.allowance;
+        let most = self.most_work(wrench, velocities, dt);
+        if most <= budget {
+            return false;
+        }
+        if budget <= 0.0 {
+            *wrench = Wrench::default();
+            return true;
+        }
+        let [force, torque] =
+            [(wrench.force, velocities[0]), (wrench.torque, velocities[1])].map(|(acts, velocity)| without_drive(acts, velocity));
+        let yielding = Wrench { force, torque };
+        let least = self.most_work(&yielding, velocities, dt);
+        if least >= budget {
+            // (Linear in the wrench.)
+            let part = budget / least;
+            *wrench = Wrench { force: force * part, torque: torque * part };
+        } else {
+            // It is convex between the two: no more than on the straight line.
+            let part = (budget - least) / (most - least);
+            wrench.force = force + (wrench.force - force) * part;
+            wrench.torque = torque + (wrench.torque - torque) * part;
+        }
+        true
+    }
+}
+
+/// A force without the part that drives along a velocity.
+fn without_drive(force: Vector3<f64>, velocity: Vector3<f64>) -> Vector3<f64> {
+    let (power, square) = (force.dot(&velocity), velocity.norm_squared());
+    if power > 0.0 { force - velocity * (power / square) } else { force }
+}

@@ -1,0 +1,210 @@
+//! The simulation's side: bodies that go where the device has them, and what touches them, handed over after every step.
+
+use super::exchange::{Publisher, Taker};
+use super::geometry::Tooth;
+use super::local_model::{Choice, read_frame, write_frame, write_wrench};
+use super::options::{HapticOptions, Mode};
+use crate::error::{Error, Result, check_positive};
+use crate::math::frame::Frame;
+use crate::math::rotation::rotation_vector;
+use crate::solver::Solver;
+use crate::solver::id::BodyId;
+use crate::solver::report::Wrench;
+use crate::solver::touch_compliance::TouchCompliance;
+
+/// How near a strand is told to the device at least, m, and by which multiple of the tool's way in the last step.
+const NEAR: f64 = 1e-3;
+const WAYS: f64 = 2.0;
+
+/// The simulation's side of a haptic object.
+#[derive(Debug)]
+pub struct Tool {
+    options: HapticOptions,
+    bodies: Vec<BodyId>,
+    /// Where the bodies are in the handle's frame.
+    places: Vec<Frame>,
+    /// How far something of each is from its frame's origin at most, m.
+    reaches: Vec<f64>,
+    poses: Taker,
+    models: Publisher,
+    /// The handle's pose, and the one before the last step.
+    handle: [Frame; 2],
+    /// The device's time at which it had that pose; none before it has told any.
+    time: Option<f64>,
+    seconds: f64,
+    compliance: TouchCompliance,
+    choice: Choice,
+}
+
+fn inverse(frame: &Frame) -> Frame {
+    let rotation = frame.rotation.inverse();
+    Frame { origin: -(rotation * frame.origin), rotation }
+}
+
+impl Tool {
+    pub(super) fn new(
+        solver: &Solver,
+        bodies: &[BodyId],
+        options: &HapticOptions,
+        poses: Taker,
+        models: Publisher,
+    ) -> Result<Self> {
+        let model = solver.options().contact.model;
+        if options.mode == Mode::HandOver && model.is_soft() {
+            let hint = "a local model has Coulomb's law; set the solver's contact model to Coulomb, or take direct mode";
+            let argument = "options.mode".into();
+            return Err(Error::Unsupported { argument, value: format!("hand-over with {model:?}"), hint: hint.into() });
+        }
+        if bodies.is_empty() {
+            return Err(Error::invalid("bodies (count)", 0, "one body or more"));
+        }
+        let mut poses_of_bodies = Vec::with_capacity(bodies.len());
+        let mut reaches = Vec::with_capacity(bodies.len());
+        for (k, id) in bodies.iter().enumerate() {
+            let stale = |_| Error::InvalidId { argument: format!("bodies[{k}]"), bits: id.bits() };
+            let body = solver.body(*id).map_err(stale)?;
+            if bodies[..k].contains(id) {
+                return Err(Error::invalid(format!("bodies[{k}]"), format!("0x{:016x}", id.bits()), "each body once"));
+            }
+            poses_of_bodies.push(body.pose);
+            let corners = body.shape.bounds().corners().map(|corner| corner.norm());
+            let reach = corners.into_iter().fold(0.0, f64::max);
+            reaches.push(if reach.is_finite() { reach } else { 0.0 });
+        }
+        let handle = poses_of_bodies[0].compose(&options.handle);
+        let to_handle = inverse(&handle);
+        Ok(Self {
+            options: *options,
+            bodies: bodies.to_vec(),
+            places: poses_of_bodies.iter().map(|pose| to_handle.compose(pose)).collect(),
+            reaches,
+            poses,
+            models,
+            handle: [handle; 2],
+            time: None,
+            seconds: 0.0,
+            compliance: TouchCompliance::default(),
+            choice: Choice::default(),
+        })
+    }
+
+    /// What the device knows of the tool's bodies.
+    pub(super) fn teeth(&self, solver: &Solver) -> Result<Vec<Tooth>> {
+        let tooth = |(id, place): (&BodyId, &Frame)| Ok(Tooth { place: *place, shape: solver.body(*id)?.shape.clone() });
+        self.bodies.iter().zip(&self.places).map(tooth).collect()
+    }
+
+    /// Where the tool's handle is in the simulation.
+    pub fn handle(&self) -> Frame {
+        self.handle[0]
+    }
+
+    /// The bodies.
+    pub fn bodies(&self) -> &[BodyId] {
+        &self.bodies
+    }
+
+    /// Before a step of `dt` seconds in all: sends the bodies to where the device has them now. The device's first pose is where they are put at once,
+    /// without sweeping what lies between.
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a `dt` that is not finite and above zero; [`Error::InvalidId`] naming `bodies[i]` where one was removed, or
+    /// the solver is another one.
+    pub fn before_step(&mut self, solver: &mut Solver, dt: f64) -> Result<()> {
+        check_positive(|| "dt".into(), dt)?;
+        self.check_bodies(solver)?;
+        let is_first = self.time.is_none();
+        let handle = &mut self.handle;
+        handle[1] = handle[0];
+        if let Some(time) = self.poses.take(|message| {
+            let time = message.number();
+            handle[0] = read_frame(message);
+            time
+        }) {
+            self.time = Some(time);
+        }
+        self.seconds = dt;
+        if self.time.is_none() {
+            return Ok(());
+        }
+        let frames: Vec<Frame> = self.places.iter().map(|place| self.handle[0].compose(place)).collect();
+        if is_first {
+            self.handle[1] = self.handle[0];
+            return solver.teleport_bodies(&self.bodies, &frames);
+        }
+        solver.set_body_frames(&self.bodies, &frames, dt)
+    }
+
+    /// After the step: publishes what touches the tool. Nothing before the device has told a pose.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `bodies[i]`.
+    pub fn after_step(&mut self, solver: &mut Solver) -> Result<()> {
+        self.check_bodies(solver)?;
+        let Some(time) = self.time else { return Ok(()) };
+        let handle = self.handle[0];
+        let mut wrench = Wrench::default();
+        for id in &self.bodies {
+            let (of_body, origin) = (solver.body_wrench(*id)?, solver.body(*id)?.pose.origin);
+            wrench.force += of_body.force;
+            wrench.torque += of_body.torque + (origin - handle.origin).cross(&of_body.force);
+        }
+        let (mut rest, mut left_out) = (wrench, 0);
+        if self.options.mode == Mode::HandOver {
+            solver.touch_compliance(&self.bodies, self.seconds, NEAR + WAYS * self.way(), &mut self.compliance)?;
+            left_out = self.choice.choose(&self.compliance, self.options.max_touches as usize);
+            for touch in self.choice.touches(&self.compliance) {
+                rest.force += touch.force;
+                rest.torque += (touch.point - handle.origin).cross(&touch.force);
+            }
+        }
+        let Self { models, compliance, choice, options, seconds, .. } = self;
+        models.publish(|message| {
+            message.numbers(&[time, *seconds]);
+            write_frame(message, &handle);
+            write_wrench(message, &wrench);
+            write_wrench(message, &rest);
+            message.count(left_out as usize);
+            if options.mode == Mode::HandOver {
+                choice.write(compliance, message);
+            } else {
+                message.count(0);
+                message.count(0);
+            }
+        });
+        Ok(())
+    }
+
+    /// The farthest that something of the tool went in the last step, m.
+    fn way(&self) -> f64 {
+        let [now, before] = &self.handle;
+        let turn = rotation_vector(&(now.rotation * before.rotation.inverse())).norm();
+        let of_body =
+            |(place, reach): (&Frame, &f64)| (now.compose(place).origin - before.compose(place).origin).norm() + turn * reach;
+        self.places.iter().zip(&self.reaches).map(of_body).fold(0.0, f64::max)
+    }
+
+    fn check_bodies(&self, solver: &Solver) -> Result<()> {
+        for (k, id) in self.bodies.iter().enumerate() {
+            solver.body(*id).map_err(|_| Error::InvalidId { argument: format!("bodies[{k}]"), bits: id.bits() })?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+
+    #[test]
+    fn a_frame_and_its_inverse_are_the_identity() {
+        let frame = Frame {
+            origin: Vector3::new(1.0, -2.0, 3.0),
+            rotation: crate::math::rotation::from_rotation_vector(Vector3::new(0.3, 0.7, -0.2)),
+        };
+        let both = inverse(&frame).compose(&frame);
+        assert!(both.origin.norm() < 1e-14 && rotation_vector(&both.rotation).norm() < 1e-14);
+    }
+}

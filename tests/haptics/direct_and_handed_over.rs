@@ -1,0 +1,92 @@
+//! The same stroke felt directly, with the solver at the device's rate, and handed over from steps at a simulation's.
+//!
+//! A simulation at 120 Hz is another one than at 1 kHz: hair that is struck takes its blow in one step of 8 ms or in one of 1 ms. What that alone comes to
+//! is told beside: the forces of the simulation's own steps, drawn straight from one to the next, which nobody could feel before the later one is known.
+
+use nalgebra::Vector3;
+use superhelix::haptics::HapticOptions;
+
+use super::scene::{TICK, combed_hair, direct, handed_over_and_simulated, stroke};
+
+type Forces = Vec<Vector3<f64>>;
+
+fn rms(values: &[Vector3<f64>]) -> f64 {
+    (values.iter().map(Vector3::norm_squared).sum::<f64>() / values.len() as f64).sqrt()
+}
+
+/// Rms of the difference of two forces' means over `ticks`, over that of the first.
+fn difference(one: &Forces, other: &Forces, ticks: usize) -> f64 {
+    let means = |forces: &Forces| -> Forces {
+        forces.windows(ticks).map(|forces| forces.iter().sum::<Vector3<f64>>() / ticks as f64).collect()
+    };
+    let (one, other) = (means(one), means(other));
+    let apart: Forces = one.iter().zip(&other).map(|(a, b)| a - b).collect();
+    rms(&apart) / rms(&one)
+}
+
+/// The steps' forces at each tick.
+fn drawn(steps: &[(f64, Vector3<f64>)], ticks: usize) -> Forces {
+    let at = |tick: usize| {
+        let t = tick as f64 * TICK;
+        let next = steps.partition_point(|(time, _)| *time <= t);
+        if next == 0 || next == steps.len() {
+            return steps[next.min(steps.len() - 1)].1;
+        }
+        let ((before, from), (after, to)) = (steps[next - 1], steps[next]);
+        from.lerp(&to, (t - before) / (after - before))
+    };
+    (0..ticks).map(at).collect()
+}
+
+/// What is left between a stroke felt directly and handed over, and between that and the simulation's own steps: of the forces in every tick, and of their
+/// means over 8 and 25 ms.
+struct Off {
+    felt: [f64; 3],
+    simulated: [f64; 3],
+}
+
+/// A stroke so many times slower than 1.4 s.
+fn compare(strands: usize, curvature: f64, slower: f64, rate: f64, late: f64) -> Off {
+    let options = HapticOptions::default();
+    let (way, seconds) = (|t: f64| stroke(t / slower), 1.4 * slower);
+    let forces = |felt: super::scene::Felt| -> Forces { felt.into_iter().map(|felt| felt.0.force).collect() };
+    let at_once = forces(direct(&mut combed_hair(strands, curvature), way, seconds, &options));
+    let (felt, steps) = handed_over_and_simulated(combed_hair(strands, curvature), way, seconds, rate, late, &options);
+    let (felt, steps) = (forces(felt), drawn(&steps, at_once.len()));
+    let off = |other: &Forces| [1, 8, 25].map(|ticks| difference(&at_once, other, ticks));
+    let off = Off { felt: off(&felt), simulated: off(&steps) };
+    println!(
+        "{strands} strands, {curvature}/m, {slower} times slower, {rate} Hz, {late} s late: {:.2e} N, felt {:.3?}, simulated {:.3?}",
+        rms(&at_once),
+        off.felt,
+        off.simulated
+    );
+    off
+}
+
+#[test]
+fn a_stroke_feels_the_same_directly_and_handed_over() {
+    for (strands, curvature, slower, late) in [(20, 15.0, 1.0, 0.0), (20, 15.0, 1.0, 4e-3), (20, 40.0, 2.0, 4e-3)] {
+        let off = compare(strands, curvature, slower, 120.0, late);
+        for (felt, simulated) in off.felt.into_iter().zip(off.simulated) {
+            // Not much worse than the rate itself.
+            assert!(felt <= 1.4 * simulated, "{felt} {simulated}");
+        }
+    }
+    // And what the rate costs goes as it rises.
+    let off = compare(20, 15.0, 1.0, 1000.0, 0.0);
+    assert!(off.felt[2] <= 0.05, "{:?}", off.felt);
+}
+
+/// `cargo test --test haptics table -- --ignored --nocapture`: the table of docs/haptics.md.
+#[test]
+#[ignore = "a table, two minutes"]
+fn table() {
+    for slower in [1.0, 4.0] {
+        for (rate, late) in [(60.0, 4e-3), (120.0, 0.0), (120.0, 4e-3), (120.0, 8e-3), (240.0, 2e-3), (1000.0, 0.0)] {
+            compare(20, 15.0, slower, rate, late);
+        }
+    }
+    compare(60, 15.0, 4.0, 120.0, 4e-3);
+    compare(60, 40.0, 4.0, 120.0, 4e-3);
+}

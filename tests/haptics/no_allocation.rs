@@ -1,0 +1,69 @@
+//! The device's update allocates nothing, whatever it is handed over. (Of this thread alone: other tests run beside.)
+#![allow(unsafe_code)]
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use superhelix::haptics::HapticOptions;
+
+use super::scene::{Simulation, TICK, combed_hair, motion, stroke};
+
+thread_local! {
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+/// Counts what each thread asks for.
+struct Counting;
+
+fn count() {
+    // (Not while a thread ends.)
+    let _ = ALLOCATIONS.try_with(|count| count.set(count.get() + 1));
+}
+
+// SAFETY: hands everything on to the system's allocator.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        // SAFETY: the caller's layout.
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: the caller's pointer and layout.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count();
+        // SAFETY: the caller's pointer and layout.
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+fn allocations_so_far() -> u64 {
+    ALLOCATIONS.with(Cell::get)
+}
+
+#[test]
+fn an_update_allocates_nothing() {
+    // Fewer touches than there are, too: some are left out.
+    for max_touches in [256, 8] {
+        let options = HapticOptions { max_touches, ..HapticOptions::default() };
+        let (mut simulation, mut device) = Simulation::new(combed_hair(40, 15.0), 1.0 / 120.0, 0.0, &options);
+        let before = allocations_so_far();
+        let (mut most, mut pressing, mut models) = (0, 0, 0);
+        for tick in 0..800 {
+            let t = f64::from(tick) * TICK;
+            let (pose, velocity, spin) = motion(stroke, t);
+            let before = allocations_so_far();
+            let (_, state) = device.update(&pose, velocity, spin, TICK).unwrap();
+            most = most.max(allocations_so_far() - before);
+            (pressing, models) = (pressing.max(state.pressing), state.models);
+            simulation.until(t);
+        }
+        assert!(allocations_so_far() > before, "the count does not tell");
+        assert_eq!(most, 0);
+        assert!(pressing > 4 && models > 90, "{pressing} {models}");
+    }
+}
