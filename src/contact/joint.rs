@@ -210,6 +210,14 @@ impl Joint {
         matches!(self.kind, JointKind::Body { margin, .. } if !self.deep && gap < -margin.max(LEAST_MARGIN))
     }
 
+    /// Whether a force would hold surfaces together. That of a constraint may.
+    pub fn draws(&self, force: &Vector3<f64>) -> bool {
+        match self.kind {
+            JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } => force.dot(&normal) < 0.0,
+            JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => false,
+        }
+    }
+
     /// Whether the surfaces press each other under the present force.
     pub fn presses(&self) -> bool {
         self.pressure() > 0.0
