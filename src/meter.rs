@@ -122,7 +122,7 @@ impl<'a> Meter<'a> {
     /// The same in a loop over many small things, at one in [`LOOK`] of them.
     #[inline]
     pub fn is_halted_at(&self, index: usize) -> bool {
-        index % LOOK == 0 && self.is_halted()
+        index.is_multiple_of(LOOK) && self.is_halted()
     }
 
     /// Why no more is to be done, if so. To be asked while no thread works.

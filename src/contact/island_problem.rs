@@ -117,8 +117,7 @@ impl Island {
         }
         for (joint, force) in self.parts.iter().zip(&*forces) {
             let (first, joint) = (self.ends[*joint as usize][0], &mut self.joints[*joint as usize]);
-            // (A solve that is cut or gives up may leave a touch that draws, which no touch does.)
-            joint.force = if joint.draws(force) { Vector3::zeros() } else { *force };
+            joint.force = *force;
             if matches!(joint.kind, JointKind::Pin { .. }) {
                 let strand = &strands[self.strands[first.strand as usize] as usize];
                 joint.force += Vector3::from(strand.held.pulled(first.point as usize));

@@ -210,10 +210,10 @@ impl Joint {
         matches!(self.kind, JointKind::Body { margin, .. } if !self.deep && gap < -margin.max(LEAST_MARGIN))
     }
 
-    /// Whether a force would hold surfaces together. That of a constraint may.
-    pub fn draws(&self, force: &Vector3<f64>) -> bool {
+    /// Whether the force holds surfaces together, as an iteration may leave it that is not at its end. A constraint's may.
+    pub fn draws(&self) -> bool {
         match self.kind {
-            JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } => force.dot(&normal) < 0.0,
+            JointKind::Body { normal, .. } | JointKind::Hair { normal, .. } => self.force.dot(&normal) < 0.0,
             JointKind::Pin { .. } | JointKind::Tie { .. } | JointKind::Ring { .. } => false,
         }
     }

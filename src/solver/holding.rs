@@ -348,7 +348,7 @@ impl Holding {
             let quarantined = held.held.outcome.quarantined || island.has_lost(held);
             let fails = !converged && !quarantined;
             let behind = fails && island.is_behind(held);
-            let far = left && !(held.residual <= NEAR_END);
+            let far = left && (held.residual > NEAR_END || held.residual.is_nan());
             if fails && (left || fast || strand.is_carried()) && (behind || held.behind || far) {
                 // What a cut iteration, or one that did not find through as a body went far, has left behind a body, or a cut one far from its
                 // end, where strands get through bodies and into each other, is worse than where it was: it stays on its side.

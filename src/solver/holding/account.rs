@@ -94,8 +94,8 @@ impl Holding {
                         if !was_searched {
                             contact.penetration = contact.penetration.max(depth(joint, &self.strands, scene.options.tolerance));
                         }
-                        // (What rubs still, and does not press any more, is no contact.)
-                        if joint.force == Vector3::zeros() || scene.options.model.is_soft() && !joint.presses() {
+                        // (What rubs still, and does not press any more, is no contact, nor what an iteration that was cut or given up left drawing.)
+                        if joint.force == Vector3::zeros() || joint.draws() || scene.options.model.is_soft() && !joint.presses() {
                             continue;
                         }
                         contact.touches += 1;
