@@ -32,7 +32,7 @@ const WITHIN: f64 = 0.02;
 const STRAIGHT: f64 = 0.01;
 /// How far along the strand is looked first, for a distance that falls as steeply as it can, m, how often more, and how level the distance then is.
 const FIRST: f64 = 5e-4;
-const TRIES: usize = 6;
+const TRIES: usize = 12;
 const LEVEL: f64 = 0.01;
 /// At its ends the line is not nearest if the distance falls more steeply there.
 const STEEP: f64 = 0.1;
