@@ -35,6 +35,9 @@ if ! command -v wine >/dev/null; then
   exit 0
 fi
 x86_64-w64-mingw32-gcc -shared -O1 -Wall -Wextra -Wpedantic -Werror tests/platforms/bcryptprimitives.c -o "$out/bcryptprimitives.dll" -ladvapi32
-export WINEPREFIX=$PWD/build/wine WINEDEBUG=-all DISPLAY=
+# Not in build/: it has a link to the root of the file system, which cargo would follow.
+prefix=$(mktemp -d)
+trap 'wineserver -k 2>/dev/null || true; rm -rf "$prefix"' EXIT
+export WINEPREFIX=$prefix/wine WINEDEBUG=-all DISPLAY=
 wine "$out/check.exe"
 wine "$out/hello.exe"
