@@ -114,7 +114,7 @@ unsafe impl Versioned for shx_body_def {
         Self {
             struct_size: size_of::<Self>() as u32,
             shape: 0,
-            pose: shx_frame { origin: pose.origin.into(), rotation: pose.rotation_xyzw() },
+            pose: (&pose).into(),
             radius: 0.0,
             a: [0.0; 3],
             b: [0.0; 3],

@@ -76,7 +76,7 @@ unsafe impl Versioned for shx_constraint_def {
             arclength: 0.0,
             other_strand: shx_strand_id { bits: 0 },
             other_arclength: 0.0,
-            target: shx_frame { origin: target.origin.into(), rotation: target.rotation_xyzw() },
+            target: (&target).into(),
             friction_along: 0.0,
             friction_against: 0.0,
             compliance: 0.0,

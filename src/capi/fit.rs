@@ -99,7 +99,7 @@ pub unsafe extern "C" fn shx_fit_polyline(
         lengths.write(&fit.element_lengths)?;
         rows.write(&fit.curvatures)?;
         fit_output.write(&shx_polyline_fit {
-            root: shx_frame { origin: fit.root.origin.into(), rotation: fit.root.rotation_xyzw() },
+            root: (&fit.root).into(),
             length: fit.element_lengths.iter().sum(),
             rms_error: fit.rms_error,
             max_error: fit.max_error,

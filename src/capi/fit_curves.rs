@@ -257,7 +257,7 @@ impl shx_fitted_strand {
             Ok(fit) => Self {
                 result: SHX_OK,
                 element_count: fit.curvatures.len() as u32,
-                root: shx_frame { origin: fit.root.origin.into(), rotation: fit.root.rotation_xyzw() },
+                root: (&fit.root).into(),
                 length: fit.element_lengths.iter().sum(),
                 rms_error: fit.rms_error,
                 max_error: fit.max_error,

@@ -2,6 +2,7 @@
 
 use std::cell::UnsafeCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::TryLockError;
 use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
 
 use super::errors::{SHX_OK, remember, shx_result};
@@ -56,6 +57,14 @@ impl<'a> Use<'a> {
 impl Drop for Use<'_> {
     fn drop(&mut self) {
         self.users.fetch_add(self.change, Ordering::Release);
+    }
+}
+
+/// Why a lock is not to be had now.
+pub(crate) fn in_use<T>(error: TryLockError<T>) -> Error {
+    match error {
+        TryLockError::WouldBlock => Error::Busy,
+        TryLockError::Poisoned(_) => Error::Poisoned,
     }
 }
 

@@ -1,11 +1,10 @@
 //! Haptic objects: a tool in a hand. One thread steps the solver, another one runs the device; neither waits for the other.
 
-use std::cell::UnsafeCell;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::Mutex;
 
 use super::buffers::{Place, array};
 use super::errors::shx_result;
-use super::guard::{call, read, shx_solver, write};
+use super::guard::{call, in_use, read, shx_solver, write};
 use super::haptic_def::{shx_haptic_def, shx_haptic_state};
 use super::types::{shx_body_id, shx_frame};
 use super::versioned::{Versioned, VersionedOutput, read_versioned};
@@ -19,50 +18,13 @@ use crate::solver::id::BodyId;
 /// the same time: that of the simulation (shx_haptic_before_step, shx_haptic_after_step) and that of the
 /// device (shx_haptic_update). Neither waits for the other.
 pub struct shx_haptic {
-    tool: Side<Tool>,
-    device: Side<Device>,
+    tool: Mutex<Tool>,
+    device: Mutex<Device>,
 }
 
-const _: () = {
-    const fn sent_between_threads<T: Send>() {}
-    sent_between_threads::<Tool>();
-    sent_between_threads::<Device>();
-};
-
-const FREE: u8 = 0;
-const IN_USE: u8 = 1;
-const POISONED: u8 = 2;
-
-/// One side, which one thread at a time uses.
-struct Side<T> {
-    use_of: AtomicU8,
-    side: UnsafeCell<T>,
-}
-
-/// Ends a use.
-struct Use<'a>(&'a AtomicU8);
-
-impl Drop for Use<'_> {
-    fn drop(&mut self) {
-        self.0.store(if std::thread::panicking() { POISONED } else { FREE }, Ordering::Release);
-    }
-}
-
-impl<T> Side<T> {
-    fn new(side: T) -> Self {
-        Self { use_of: AtomicU8::new(FREE), side: UnsafeCell::new(side) }
-    }
-
-    fn with<R>(&self, body: impl FnOnce(&mut T) -> Result<R>) -> Result<R> {
-        match self.use_of.compare_exchange(FREE, IN_USE, Ordering::Acquire, Ordering::Relaxed) {
-            Ok(_) => {}
-            Err(POISONED) => return Err(Error::Poisoned),
-            Err(_) => return Err(Error::Busy),
-        }
-        let _use = Use(&self.use_of);
-        // SAFETY: the mark of use says that this call is alone with the side.
-        body(unsafe { &mut *self.side.get() })
-    }
+/// One side for one call: nobody waits for it.
+fn with<T, R>(side: &Mutex<T>, body: impl FnOnce(&mut T) -> Result<R>) -> Result<R> {
+    body(&mut *side.try_lock().map_err(in_use)?)
 }
 
 /// # Safety
@@ -96,7 +58,7 @@ pub unsafe extern "C" fn shx_haptic_create(
             let ids: Vec<BodyId> = bodies.iter().map(|id| BodyId::from_bits(id.bits)).collect();
             let (tool, device) = haptic(core, &ids, &options)
                 .map_err(|error| error.renamed("bodies (count)", "count").renamed("options", "def"))?;
-            place.write(Box::into_raw(Box::new(shx_haptic { tool: Side::new(tool), device: Side::new(device) })));
+            place.write(Box::into_raw(Box::new(shx_haptic { tool: Mutex::new(tool), device: Mutex::new(device) })));
             Ok(())
         })
     }
@@ -125,7 +87,7 @@ pub unsafe extern "C" fn shx_haptic_destroy(haptic: *mut shx_haptic) {
 pub unsafe extern "C" fn shx_haptic_before_step(haptic: *mut shx_haptic, solver: *mut shx_solver, dt: f64) -> shx_result {
     // SAFETY: the caller's handles, null or alive.
     unsafe {
-        write("shx_haptic_before_step", solver, |core, _| haptic_from(haptic)?.tool.with(|tool| tool.before_step(core, dt)))
+        write("shx_haptic_before_step", solver, |core, _| with(&haptic_from(haptic)?.tool, |tool| tool.before_step(core, dt)))
     }
 }
 
@@ -137,7 +99,7 @@ pub unsafe extern "C" fn shx_haptic_before_step(haptic: *mut shx_haptic, solver:
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_haptic_after_step(haptic: *mut shx_haptic, solver: *mut shx_solver) -> shx_result {
     // SAFETY: the caller's handles, null or alive.
-    unsafe { write("shx_haptic_after_step", solver, |core, _| haptic_from(haptic)?.tool.with(|tool| tool.after_step(core))) }
+    unsafe { write("shx_haptic_after_step", solver, |core, _| with(&haptic_from(haptic)?.tool, |tool| tool.after_step(core))) }
 }
 
 /// Gives the device's pose and its velocity (linear, m/s, then angular, rad/s, in world axes), dt seconds
@@ -170,7 +132,7 @@ pub unsafe extern "C" fn shx_haptic_update(
         };
         let pose = Frame::from_arrays("pose", pose.origin, pose.rotation)?;
         let half = |from: usize| nalgebra::Vector3::new(velocity[from], velocity[from + 1], velocity[from + 2]);
-        let (wrench, told) = haptic.device.with(|device| device.update(&pose, half(0), half(3), dt))?;
+        let (wrench, told) = with(&haptic.device, |device| device.update(&pose, half(0), half(3), dt))?;
         let ([fx, fy, fz], [tx, ty, tz]) = (wrench.force.into(), wrench.torque.into());
         place.write([fx, fy, fz, tx, ty, tz]);
         if let Some(output) = output {

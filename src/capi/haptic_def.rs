@@ -80,7 +80,7 @@ unsafe impl Versioned for shx_haptic_def {
         Self {
             struct_size: size_of::<Self>() as u32,
             mode: options.mode as u32,
-            handle: frame_of(&options.handle),
+            handle: (&options.handle).into(),
             stiffness: options.stiffness,
             damping: options.damping,
             angular_stiffness: options.angular_stiffness,
@@ -197,7 +197,7 @@ impl shx_haptic_state {
         Self {
             struct_size: size_of::<Self>() as u32,
             limits: limits.iter().filter(|(set, _)| *set).map(|(_, bit)| bit).sum(),
-            proxy: frame_of(&state.proxy),
+            proxy: (&state.proxy).into(),
             contact_force: state.contact.force.into(),
             contact_torque: state.contact.torque.into(),
             energy_given: state.energy_given,
@@ -212,10 +212,6 @@ impl shx_haptic_state {
             residual: state.change,
         }
     }
-}
-
-fn frame_of(frame: &Frame) -> shx_frame {
-    shx_frame { origin: frame.origin.into(), rotation: frame.rotation_xyzw() }
 }
 
 /// Fills *def with defaults. size is sizeof(shx_haptic_def).

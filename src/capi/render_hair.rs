@@ -1,13 +1,13 @@
 //! Render hair: many strands from few guides.
 
 use std::ffi::c_void;
-use std::sync::{Arc, RwLock, TryLockError};
+use std::sync::{Arc, RwLock};
 
 use nalgebra::Vector3;
 
 use super::buffers::{PLACE_FORMATS, Place, Places, Reader, Writer, array, strand_ids};
 use super::errors::shx_result;
-use super::guard::{call, read, shx_solver};
+use super::guard::{call, in_use, read, shx_solver};
 use super::render_def::{OwnedGuides, shx_render_guides, shx_render_settings, shx_render_view};
 use super::solver_def::{check_flag, check_reserved};
 use super::thread::on_own_thread;
@@ -41,13 +41,6 @@ unsafe fn hair_from<'a>(hair: *const shx_render_hair) -> Result<&'a Arc<RenderHa
 unsafe fn pose_from<'a>(argument: &str, pose: *const shx_render_pose) -> Result<&'a RwLock<RenderPose>> {
     // SAFETY: the same.
     unsafe { pose.as_ref() }.map(|pose| &pose.0).ok_or_else(|| Error::NullArgument { argument: argument.into() })
-}
-
-fn in_use<T>(error: TryLockError<T>) -> Error {
-    match error {
-        TryLockError::WouldBlock => Error::Busy,
-        TryLockError::Poisoned(_) => Error::Poisoned,
-    }
 }
 
 /// Where strands are to grow.

@@ -100,7 +100,7 @@ unsafe impl Versioned for shx_strand_def {
             air_drag: material.air_drag,
             dofs: Freedoms::ALL.bits(),
             reserved0: 0,
-            root: shx_frame { origin: root.origin.into(), rotation: root.rotation_xyzw() },
+            root: (&root).into(),
             natural_curvatures: std::ptr::null(),
             user_data: 0,
             initial_curvatures: std::ptr::null(),

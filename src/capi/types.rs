@@ -4,6 +4,8 @@
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
 
+use crate::math::frame::Frame;
+
 /// Names a strand of one solver. Zero bits is the null id. The
 /// id of a removed strand never names another strand.
 #[repr(C)]
@@ -40,6 +42,12 @@ pub struct shx_frame {
     /// Unit quaternion x, y, z, w; its length may differ from 1 by up to 1e-5. It rotates the coordinate axes
     /// into n0, n1, n2: n0 is the tangent of the strand, n1 and n2 are the axes of its cross-section.
     pub rotation: [f64; 4],
+}
+
+impl From<&Frame> for shx_frame {
+    fn from(frame: &Frame) -> Self {
+        Self { origin: frame.origin.into(), rotation: frame.rotation_xyzw() }
+    }
 }
 
 /// An array in your memory that the library reads during a call.

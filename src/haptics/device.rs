@@ -27,11 +27,11 @@ pub struct HapticState {
     pub proxy: Frame,
     /// The force before it was limited in any way: what the hair does to the tool.
     pub contact: Wrench,
-    /// What the hand gave so far, J.
+    /// Energy that the hand gave so far, J.
     pub energy_given: f64,
-    /// What it got so far, J.
+    /// Energy that it received so far, J.
     pub energy_got: f64,
-    /// The most that it ever had got beyond what it gave, J: no more than the allowance.
+    /// The largest excess of what it received over what it gave so far, J: at most the allowance.
     pub energy_excess: f64,
     /// Seconds since the device had the pose that the present local model's step was taken with; 0 before the first.
     pub model_age: f64,

@@ -1,5 +1,7 @@
 //! What the simulation hands over after a step: what touches the tool, and how it answers until the next one.
 
+use std::ops::Range;
+
 use nalgebra::Vector3;
 
 use super::exchange::{Reader, Writer};
@@ -7,7 +9,7 @@ use super::options::{HapticOptions, Mode};
 use crate::contact::law::coefficient::Coefficient;
 use crate::math::frame::Frame;
 use crate::solver::report::Wrench;
-use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
+use crate::solver::touch_compliance::{BodyTouch, TouchCompliance, of_strands};
 
 /// Most touches of a strand in a local model.
 const MOST_OF_STRAND: usize = 16;
@@ -22,39 +24,6 @@ pub(super) fn capacity(options: &HapticOptions) -> usize {
         Mode::Direct => 0,
     };
     HEADER + touches * (OF_TOUCH + 9 * MOST_OF_STRAND)
-}
-
-/// A touch in a local model.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct ModelTouch {
-    /// The tool's point when the step ended, world, m.
-    pub point: Vector3<f64>,
-    /// Unit normal towards the strand.
-    pub normal: Vector3<f64>,
-    /// Distance of the surfaces, m.
-    pub gap: f64,
-    /// Which of the tool's bodies it is with.
-    pub body: usize,
-    /// See [`BodyTouch`].
-    pub margin: f64,
-    /// See [`BodyTouch`].
-    pub tangent: Vector3<f64>,
-    /// See [`BodyTouch`].
-    pub reach: [f64; 2],
-    pub friction: Coefficient,
-    /// Force on the strand when the step ended, N.
-    pub force: Vector3<f64>,
-    /// See [`BodyTouch`].
-    pub most_force: f64,
-    /// How far the strand's point goes within [`LocalModel::seconds`] under such forces, m.
-    pub moved: Vector3<f64>,
-}
-
-impl ModelTouch {
-    /// The strand's point when the step ended.
-    pub fn strand_point(&self) -> Vector3<f64> {
-        self.point + self.normal * (self.gap + self.margin)
-    }
 }
 
 /// What a message says.
@@ -72,7 +41,7 @@ pub(super) struct LocalModel {
     pub rest: Wrench,
     /// Pressing touches that there was no room for.
     pub left_out: u32,
-    pub touches: Vec<ModelTouch>,
+    pub touches: Vec<BodyTouch>,
     /// Touches of each strand.
     pub counts: Vec<usize>,
     /// See [`TouchCompliance::response`].
@@ -96,6 +65,11 @@ impl LocalModel {
         }
     }
 
+    /// The touches of each strand and its matrix.
+    pub fn strands(&self) -> impl Iterator<Item = (Range<usize>, &[f64])> {
+        of_strands(self.counts.iter().copied()).map(|[touches, numbers]| (touches, &self.response[numbers]))
+    }
+
     /// Reads a message as [`Choice::write`] wrote it. Allocates nothing.
     pub fn read(&mut self, message: &mut Reader) {
         (self.time, self.seconds) = (message.number(), message.number());
@@ -107,11 +81,11 @@ impl LocalModel {
         self.counts.clear();
         self.counts.extend((0..strands.min(touches)).map(|_| message.count()));
         self.touches.clear();
-        self.touches.extend((0..touches).map(|_| ModelTouch {
+        self.touches.extend((0..touches).map(|_| BodyTouch {
             point: message.numbers().into(),
             normal: message.numbers().into(),
             gap: message.number(),
-            body: message.count(),
+            body: message.count() as u32,
             margin: message.number(),
             tangent: message.numbers().into(),
             reach: message.numbers(),
@@ -191,17 +165,14 @@ impl Choice {
             message.number(touch.most_force);
             message.numbers(touch.moved.as_slice());
         }
-        let (mut first, mut matrix) = (0, 0);
-        for count in &from.counts {
-            let (count, chosen) = (*count as usize, &self.is_chosen[first..first + *count as usize]);
-            let size = 3 * count;
-            for column in (0..size).filter(|column| chosen[column / 3]) {
-                let numbers = &from.response[matrix + column * size..][..size];
+        for [touches, numbers] in of_strands(from.counts.iter().map(|count| *count as usize)) {
+            let (size, chosen) = (3 * touches.len(), &self.is_chosen[touches]);
+            let columns = from.response[numbers].chunks_exact(size.max(1)).enumerate();
+            for (_, numbers) in columns.filter(|(column, _)| chosen[column / 3]) {
                 for (numbers, _) in numbers.chunks_exact(3).zip(chosen).filter(|(_, chosen)| **chosen) {
                     message.numbers(numbers);
                 }
             }
-            (first, matrix) = (first + count, matrix + size * size);
         }
     }
 }

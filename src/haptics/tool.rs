@@ -36,11 +36,6 @@ pub struct Tool {
     choice: Choice,
 }
 
-fn inverse(frame: &Frame) -> Frame {
-    let rotation = frame.rotation.inverse();
-    Frame { origin: -(rotation * frame.origin), rotation }
-}
-
 impl Tool {
     pub(super) fn new(
         solver: &Solver,
@@ -72,7 +67,7 @@ impl Tool {
             reaches.push(if reach.is_finite() { reach } else { 0.0 });
         }
         let handle = poses_of_bodies[0].compose(&options.handle);
-        let to_handle = inverse(&handle);
+        let to_handle = handle.inverse();
         Ok(Self {
             options: *options,
             bodies: bodies.to_vec(),
@@ -189,22 +184,5 @@ impl Tool {
             solver.body(*id).map_err(|_| Error::InvalidId { argument: format!("bodies[{k}]"), bits: id.bits() })?;
         }
         Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use nalgebra::Vector3;
-
-    use super::*;
-
-    #[test]
-    fn a_frame_and_its_inverse_are_the_identity() {
-        let frame = Frame {
-            origin: Vector3::new(1.0, -2.0, 3.0),
-            rotation: crate::math::rotation::from_rotation_vector(Vector3::new(0.3, 0.7, -0.2)),
-        };
-        let both = inverse(&frame).compose(&frame);
-        assert!(both.origin.norm() < 1e-14 && rotation_vector(&both.rotation).norm() < 1e-14);
     }
 }

@@ -9,12 +9,13 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::coupling::{Compliance, moved};
 use super::geometry::Tooth;
-use super::local_model::{LocalModel, ModelTouch};
+use super::local_model::LocalModel;
 use crate::contact::law::contact::{Contact, Friction};
 use crate::contact::law::response::Response;
 use crate::contact::law::{Law, LawSolve};
 use crate::math::frame::Frame;
 use crate::solver::report::Wrench;
+use crate::solver::touch_compliance::BodyTouch;
 
 /// Sweeps end when no force changes by more than this part of the largest.
 const CHANGE: f64 = 1e-4;
@@ -85,7 +86,7 @@ impl Sum {
     }
 }
 
-fn law(touch: &ModelTouch, normal: Vector3<f64>, response: &Matrix3<f64>, seconds: f64) -> LawSolve {
+fn law(touch: &BodyTouch, normal: Vector3<f64>, response: &Matrix3<f64>, seconds: f64) -> LawSolve {
     let contact = Contact { normal, response: Response::Hard, friction: Friction::Coulomb(touch.friction) };
     LawSolve::new(&Law::Contact(contact), response, seconds)
 }
@@ -98,15 +99,13 @@ impl TouchForces {
     /// Begins with another model, from its own forces.
     pub fn begin(&mut self, model: &LocalModel) {
         self.rows.clear();
-        let (mut first, mut matrix) = (0, 0);
-        for count in &model.counts {
-            let size = 3 * count;
-            for k in 0..*count {
-                let touch = &model.touches[first + k];
-                let own = Matrix3::from_fn(|i, j| model.response[matrix + (3 * k + j) * size + 3 * k + i]);
+        for (range, response) in model.strands() {
+            let size = 3 * range.len();
+            for (k, touch) in model.touches[range].iter().enumerate() {
+                let own = Matrix3::from_fn(|i, j| response[(3 * k + j) * size + 3 * k + i]);
                 let arm = touch.point - model.handle.origin;
                 let law = law(touch, touch.normal, &own, model.seconds);
-                let slid = match self.teeth.get(touch.body) {
+                let slid = match self.teeth.get(touch.body as usize) {
                     Some(tooth) if touch.force != Vector3::zeros() => {
                         let near = tooth.nearest(&model.handle, touch.strand_point(), touch.tangent, touch.reach);
                         near.map_or(0.0, |near| near.distance - touch.margin - touch.gap).clamp(-MOST_SLID, 0.0)
@@ -124,13 +123,13 @@ impl TouchForces {
                     slid,
                 });
             }
-            (first, matrix) = (first + count, matrix + size * size);
         }
     }
 
-    /// How far the point of a strand's touch `k` goes by how the forces differ from the model's; `matrix` is the strand's, of `size` rows.
+    /// How far the point of a strand's touch `k` goes by how the forces differ from the model's; `matrix` is the strand's.
     #[inline(always)]
-    fn given_way(rows: &[Row], touches: &[ModelTouch], matrix: &[f64], size: usize, k: usize) -> Vector3<f64> {
+    fn given_way(rows: &[Row], touches: &[BodyTouch], matrix: &[f64], k: usize) -> Vector3<f64> {
+        let size = 3 * touches.len();
         // Symmetric: three columns are three rows.
         let own = &matrix[3 * k * size..][..3 * size];
         let mut sum = Vector3::zeros();
@@ -152,26 +151,24 @@ impl TouchForces {
         let tool = moved(handle, yielded, turned);
         let turn = tool.rotation * model.handle.rotation.inverse();
         sum = Sum::default();
-        let (mut first, mut matrix) = (0, 0);
-        for count in &model.counts {
-            let size = 3 * count;
-            let touches = &model.touches[first..first + count];
+        for (range, response) in model.strands() {
+            let (rows, touches) = (&mut self.rows[range.clone()], &model.touches[range]);
             for (k, touch) in touches.iter().enumerate() {
-                let (rows, response) = (&self.rows[first..first + count], &model.response[matrix..]);
-                let way = Self::given_way(rows, touches, response, size, k);
+                let way = Self::given_way(rows, touches, response, k);
                 let was = touch.strand_point();
                 let now = was + touch.moved * part + way;
                 let carried = tool.origin + turn * (touch.point - model.handle.origin) - touch.point;
-                let found = self.teeth.get(touch.body).and_then(|tooth| tooth.nearest(&tool, now, touch.tangent, touch.reach));
+                let found =
+                    self.teeth.get(touch.body as usize).and_then(|tooth| tooth.nearest(&tool, now, touch.tangent, touch.reach));
                 let slip = now - was - carried;
                 let (normal, gap, point) = match found {
                     Some(near) if near.normal.dot(&(turn * touch.normal)) > SAME_SIDE => {
-                        (near.normal, near.distance - touch.margin - self.rows[first + k].slid, near.point)
+                        (near.normal, near.distance - touch.margin - rows[k].slid, near.point)
                     }
                     Some(_) => (touch.normal, touch.gap + touch.normal.dot(&slip), touch.point + carried),
                     None => (touch.normal, FAR, touch.point + carried),
                 };
-                let row = &mut self.rows[first + k];
+                let row = &mut rows[k];
                 row.arm = point - tool.origin;
                 let across = row.arm.cross_matrix();
                 row.response = row.own + Matrix3::identity() * compliance.linear - across * across * compliance.angular;
@@ -181,7 +178,6 @@ impl TouchForces {
                 row.free = u - way + yielded + turned.cross(&row.arm);
                 sum.add(&row.arm, &row.force);
             }
-            (first, matrix) = (first + count, matrix + size * size);
         }
         sum
     }
@@ -194,14 +190,11 @@ impl TouchForces {
         let mut solved = Solved::default();
         while solved.sweeps < max_sweeps && !self.rows.is_empty() {
             let (mut change, mut largest) = (0.0_f64, f64::MIN_POSITIVE);
-            let (mut first, mut matrix) = (0, 0);
-            for count in &model.counts {
-                let size = 3 * count;
-                let touches = &model.touches[first..first + count];
-                for k in 0..*count {
-                    let rows = &self.rows[first..first + count];
-                    let mut u = Self::given_way(rows, touches, &model.response[matrix..], size, k);
-                    let row = &mut self.rows[first + k];
+            for (range, response) in model.strands() {
+                let (rows, touches) = (&mut self.rows[range.clone()], &model.touches[range]);
+                for k in 0..touches.len() {
+                    let mut u = Self::given_way(rows, touches, response, k);
+                    let row = &mut rows[k];
                     u += row.free + sum.force * compliance.linear + sum.moment.cross(&row.arm) * compliance.angular;
                     let force = row.law.solve(u - row.response * row.force);
                     let size = force.norm();
@@ -215,7 +208,6 @@ impl TouchForces {
                         largest = largest.max(force.norm());
                     }
                 }
-                (first, matrix) = (first + count, matrix + size * size);
             }
             solved.sweeps += 1;
             solved.change = change / largest;

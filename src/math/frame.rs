@@ -53,8 +53,27 @@ impl Frame {
         [q.i, q.j, q.k, q.w]
     }
 
+    /// The inverse: the world as this frame sees it.
+    pub fn inverse(&self) -> Frame {
+        let rotation = self.rotation.inverse();
+        Frame { origin: -(rotation * self.origin), rotation }
+    }
+
     /// The pose of a child whose pose in this frame is `local`.
     pub fn compose(&self, local: &Frame) -> Frame {
         Frame { origin: self.origin + self.rotation * local.origin, rotation: self.rotation * local.rotation }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::rotation::{from_rotation_vector, rotation_vector};
+
+    #[test]
+    fn a_frame_and_its_inverse_are_the_identity() {
+        let frame = Frame { origin: Vector3::new(1.0, -2.0, 3.0), rotation: from_rotation_vector(Vector3::new(0.3, 0.7, -0.2)) };
+        let both = frame.inverse().compose(&frame);
+        assert!(both.origin.norm() < 1e-14 && rotation_vector(&both.rotation).norm() < 1e-14);
     }
 }

@@ -61,6 +61,17 @@ impl StrandModel {
         self.lengths.iter().sum()
     }
 
+    /// Mass, kg.
+    pub fn mass(&self) -> f64 {
+        self.length() * self.linear_density
+    }
+
+    /// The force that bends the shortest element by about a radian, N.
+    pub fn bending_force(&self) -> f64 {
+        let shortest = self.lengths.iter().fold(f64::INFINITY, |a: f64, length| a.min(*length));
+        self.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest)
+    }
+
     /// The largest angle Ωℓ that an element turns by, rad.
     pub fn largest_angle(&self, curvatures: &[[f64; 3]]) -> f64 {
         let mut largest = 0.0_f64;

@@ -381,9 +381,7 @@ impl Holding {
         let strands = scene.strands.iter().enumerate().filter(|(_, strand)| strand.held);
         for ((k, strand), held) in strands.zip(&mut self.strands) {
             held.index = k as u32;
-            held.mass = strand.model.length() * strand.model.linear_density;
-            let shortest = strand.model.lengths.iter().fold(f64::INFINITY, |a: f64, length| a.min(*length));
-            held.bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
+            (held.mass, held.bending) = (strand.model.mass(), strand.model.bending_force());
             held.touches = strand.contact.is_some();
             held.contact = strand.contact.as_deref().copied().unwrap_or_default();
             strand.ways_of_bodies(h, scene.bodies, &mut held.ways);

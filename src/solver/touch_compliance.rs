@@ -2,6 +2,7 @@
 //! seconds if all forces stay as they are, and how a force at one moves the others. It is the coming step's first contact problem, condensed onto the
 //! bodies named: whoever knows where these go can solve it without the strands.
 
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use nalgebra::Vector3;
@@ -9,7 +10,7 @@ use nalgebra::Vector3;
 use super::Solver;
 use super::bodies::{Contact, ContactPartner};
 use super::constraints::{ConstraintStatus, station_at};
-use super::id::{BodyId, StrandId};
+use super::id::BodyId;
 use super::strand::Strand;
 use crate::chain::load::Station;
 use crate::contact::body::BodyAt;
@@ -37,8 +38,6 @@ const NEAR_END: f64 = 1e-4;
 /// A touch of a strand with one of the bodies, or a place where there soon may be one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodyTouch {
-    /// The strand.
-    pub strand: StrandId,
     /// Which of the bodies that were named.
     pub body: u32,
     /// The body's point, world, m.
@@ -61,6 +60,22 @@ pub struct BodyTouch {
     pub most_force: f64,
     /// How far the strand's point goes in [`TouchCompliance::seconds`] if all forces on the strand stay as they are, m, world.
     pub moved: Vector3<f64>,
+}
+
+impl BodyTouch {
+    /// The point of the strand's centreline, world, m.
+    pub fn strand_point(&self) -> Vector3<f64> {
+        self.point + self.normal * (self.gap + self.margin)
+    }
+}
+
+/// Which touches and which numbers of the response are those of each of the strands that have so many touches.
+pub fn of_strands(counts: impl Iterator<Item = usize>) -> impl Iterator<Item = [Range<usize>; 2]> {
+    counts.scan([0, 0], |[touch, number], count| {
+        let ranges = [*touch..*touch + count, *number..*number + 9 * count * count];
+        (*touch, *number) = (ranges[0].end, ranges[1].end);
+        Some(ranges)
+    })
 }
 
 /// The touches of some bodies, and the compliance of the strands between them. Its memory is kept from one use to the next.
@@ -162,10 +177,8 @@ impl NearStrand {
             }
         }
         held.linearise(stations, forces, &[]);
-        let shortest = strand.model.lengths.iter().fold(f64::INFINITY, |a: f64, length| a.min(*length));
-        let bending = strand.model.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest);
-        let length = strand.model.length();
-        let most_force = length * strand.model.linear_density * length / (seconds * seconds) + bending;
+        let model = &strand.model;
+        let most_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
         let size = 3 * places.len();
         for (k, place) in places.iter_mut().enumerate() {
             let Some(touch) = &mut place.touch else { continue };
@@ -305,7 +318,6 @@ impl Solver {
             let scale = still[body].friction;
             let (tangent, margin) = (curve.tangent(element, s), contact.radius + still[body].thickness);
             place.touch = Some(BodyTouch {
-                strand: strand.id,
                 body: body as u32,
                 point: curve.position(element, s) - normal * (gap + margin),
                 normal,

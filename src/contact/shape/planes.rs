@@ -120,18 +120,21 @@ impl<'a> PlaneField<'a> {
         }
     }
 
-    /// The node nearest to a place in cells from the lowest; none outside the grid.
+    /// Whether there is a node there, in cells from half a cell below the lowest.
     #[inline(always)]
-    fn node(&self, place: [f32; 3]) -> Option<[f32; 3]> {
-        let node = place.map(|value| value + 0.5);
-        let inside = |axis: usize| node[axis] >= 0.0 && node[axis] < self.counts[axis];
-        (inside(0) && inside(1) && inside(2)).then_some(node)
+    fn is_inside(&self, node: [f32; 3]) -> bool {
+        let inside = |axis: usize| (node[axis] >= 0.0) & (node[axis] < self.counts[axis]);
+        inside(0) & inside(1) & inside(2)
     }
 
     /// Distance (m) and slopes at a place in cells from the lowest node; none outside the grid.
     #[inline(always)]
     pub fn at(&self, place: [f32; 3]) -> Option<(f32, [f32; 3])> {
-        let node = self.node(place)?.map(|value| value as u32);
+        let node = place.map(|value| value + 0.5);
+        if !self.is_inside(node) {
+            return None;
+        }
+        let node = node.map(|value| value as u32);
         let plane = *self.nodes.planes.get(self.bricks.index(node) as usize)?;
         let slopes = [32, 40, 48].map(|shift| f32::from((plane >> shift) as i8) * (1.0 / 127.0));
         let away = [0, 1, 2].map(|axis| place[axis] - node[axis] as f32);
@@ -150,12 +153,7 @@ impl<'a> PlaneField<'a> {
         let (mut index, mut inside) = ([0_u32; N], [false; N]);
         for k in 0..N {
             let node = [places[0][k] + 0.5, places[1][k] + 0.5, places[2][k] + 0.5];
-            inside[k] = (node[0] >= 0.0)
-                & (node[0] < self.counts[0])
-                & (node[1] >= 0.0)
-                & (node[1] < self.counts[1])
-                & (node[2] >= 0.0)
-                & (node[2] < self.counts[2]);
+            inside[k] = self.is_inside(node);
             let node = [0, 1, 2].map(|axis| node[axis].max(0.0).min(self.counts[axis] - 1.0) as i32 as u32);
             index[k] = self.bricks.index(node);
         }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::position::{Lane, STEP, lane};
+use super::position::{STEP, lane};
 use crate::contact::shape::{PlaneField, Shape};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
@@ -111,18 +111,15 @@ impl<'a> Placed<'a> {
 
     #[inline(always)]
     fn place(&self, point: [f32; 3]) -> [f32; 3] {
-        [0, 1, 2].map(|row| {
-            let [a, b, c] = self.into[row];
-            (a * point[0] + b * point[1]) + (c * point[2] + self.shift[row])
-        })
+        self.places(point.map(|number| [number])).map(|[number]| number)
     }
 
     #[inline(always)]
-    fn places(&self, [x, y, z]: [Lane; 3]) -> [Lane; 3] {
+    fn places<const N: usize>(&self, [x, y, z]: [[f32; N]; 3]) -> [[f32; N]; 3] {
         [0, 1, 2].map(|row| {
             let ([a, b, c], shift) = (self.into[row], self.shift[row]);
-            let mut place: Lane = [0.0; STEP];
-            for k in 0..STEP {
+            let mut place = [0.0; N];
+            for k in 0..N {
                 place[k] = (a * x[k] + b * y[k]) + (c * z[k] + shift);
             }
             place
