@@ -6,7 +6,7 @@ use super::errors::shx_result;
 use super::types::shx_frame;
 use super::versioned::{Versioned, initialise};
 use crate::error::{Error, Result};
-use crate::haptics::{HapticOptions, HapticState, Mode};
+use crate::haptics::{ForceLaw, HapticOptions, HapticState, Mode};
 use crate::math::frame::Frame;
 
 /// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what
@@ -16,6 +16,14 @@ pub const SHX_HAPTIC_MODE_HAND_OVER: u32 = 1;
 /// The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last
 /// step.
 pub const SHX_HAPTIC_MODE_DIRECT: u32 = 2;
+
+/// Signorini's law of contact and Coulomb's law of friction: the forces of the simulation's own contacts. The
+/// default.
+pub const SHX_HAPTIC_FORCE_CONTACT: u32 = 1;
+/// The explicit formula of Bonanni and Kmoch (2008): each pressing contact resists the velocity of the tool,
+/// by the strand's bending stiffness across it and by its internal friction along it. It costs next to
+/// nothing, never drives the hand, works with every contact model, and is zero while the tool stands still.
+pub const SHX_HAPTIC_FORCE_EXPLICIT: u32 = 2;
 
 /// The force or the torque was cut to max_force or max_torque.
 pub const SHX_HAPTIC_LIMIT_CLAMPED: u32 = 1;
@@ -69,11 +77,21 @@ pub struct shx_haptic_def {
     pub max_contacts: u32,
     /// Maximum number of sweeps over them per update, 1 to 1000. Default 10.
     pub max_sweeps: u32,
+    /// SHX_HAPTIC_FORCE_: _CONTACT (default), _EXPLICIT.
+    pub force_law: u32,
+    /// Must be 0.
+    pub reserved0: u32,
+    /// SHX_HAPTIC_FORCE_EXPLICIT: the time by which the bending stiffness of a strand of length L is multiplied, s:
+    /// a contact resists motion across the strand with explicit_time * 3 EI / L^3 N s/m. Zero or above. Default 0.1.
+    pub explicit_time: f64,
+    /// SHX_HAPTIC_FORCE_EXPLICIT: it resists motion along the strand with explicit_friction * 3 gamma / L^3 N s/m,
+    /// where gamma is the strand's internal friction. Zero or above. Default 1.
+    pub explicit_friction: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
 unsafe impl Versioned for shx_haptic_def {
-    const FIRST_SIZE: usize = size_of::<Self>();
+    const FIRST_SIZE: usize = 176;
 
     fn defaults() -> Self {
         let options = HapticOptions::default();
@@ -96,6 +114,10 @@ unsafe impl Versioned for shx_haptic_def {
             max_model_age: options.max_age,
             max_contacts: options.max_touches,
             max_sweeps: options.max_sweeps,
+            force_law: options.force_law as u32,
+            reserved0: 0,
+            explicit_time: options.explicit_time,
+            explicit_friction: options.explicit_friction,
         }
     }
 }
@@ -107,8 +129,19 @@ impl shx_haptic_def {
             SHX_HAPTIC_MODE_DIRECT => Mode::Direct,
             other => return Err(Error::invalid("def.mode", other, "SHX_HAPTIC_MODE_HAND_OVER or _DIRECT")),
         };
+        let force_law = match self.force_law {
+            SHX_HAPTIC_FORCE_CONTACT => ForceLaw::Contact,
+            SHX_HAPTIC_FORCE_EXPLICIT => ForceLaw::Explicit,
+            other => return Err(Error::invalid("def.force_law", other, "SHX_HAPTIC_FORCE_CONTACT or _EXPLICIT")),
+        };
+        if self.reserved0 != 0 {
+            return Err(Error::invalid("def.reserved0", self.reserved0, "0"));
+        }
         let options = HapticOptions {
             mode,
+            force_law,
+            explicit_time: self.explicit_time,
+            explicit_friction: self.explicit_friction,
             handle: Frame::from_arrays("def.handle", self.handle.origin, self.handle.rotation)?,
             stiffness: self.stiffness,
             damping: self.damping,
@@ -180,7 +213,7 @@ unsafe impl Versioned for shx_haptic_state {
 }
 
 const _: () = {
-    assert!(size_of::<shx_haptic_def>() == 176 && offset_of!(shx_haptic_def, stiffness) == 64);
+    assert!(size_of::<shx_haptic_def>() == 200 && offset_of!(shx_haptic_def, stiffness) == 64);
     assert!(offset_of!(shx_haptic_def, max_contacts) == 168);
     assert!(size_of::<shx_haptic_state>() == 176 && offset_of!(shx_haptic_state, contact_force) == 64);
     assert!(offset_of!(shx_haptic_state, model_count) == 144 && offset_of!(shx_haptic_state, residual) == 168);

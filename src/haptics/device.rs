@@ -6,7 +6,7 @@ use super::coupling::{Compliance, free_proxy, moved};
 use super::exchange::{Publisher, Taker};
 use super::geometry::Tooth;
 use super::local_model::{LocalModel, write_frame};
-use super::options::{HapticOptions, Mode};
+use super::options::{ForceLaw, HapticOptions, Mode};
 use super::passivity::Passivity;
 use super::touch_forces::{Solved, TouchForces};
 use crate::error::{Result, check_finite, check_positive};
@@ -132,7 +132,7 @@ impl Device {
         let mut state = HapticState::default();
         let is_new = self.take_model();
         let free = free_proxy(&self.options, &proxy, pose, velocities, dt);
-        let solved = self.answer(&free, dt);
+        let solved = self.answer(&free, velocities, dt);
         state.proxy = moved(&free, solved.moved, solved.turned);
         let mut wrench = self.blended(solved.wrench, is_new, dt);
         self.raw = wrench;
@@ -168,21 +168,24 @@ impl Device {
     }
 
     /// What the hair does to the tool now, if it would be at `free` without that.
-    fn answer(&mut self, free: &Frame, dt: f64) -> Solved {
+    fn answer(&mut self, free: &Frame, [velocity, spin]: [Vector3<f64>; 2], dt: f64) -> Solved {
         if self.count == 0 {
             return Solved::default();
         }
         let compliance = Compliance::new(&self.options, dt);
+        let yielding = |wrench: Wrench, pressing: u32| {
+            let (moved, turned) = (wrench.force * compliance.linear, wrench.torque * compliance.angular);
+            Solved { wrench, moved, turned, pressing, ..Solved::default() }
+        };
         match self.options.mode {
+            _ if self.options.force_law == ForceLaw::Explicit => {
+                yielding(self.model.resistance.wrench(&velocity, &spin), self.model.pressing)
+            }
             Mode::HandOver => {
                 let age = self.time - self.model.time;
                 self.forces.solve(&self.model, free, age, self.options.max_sweeps, compliance)
             }
-            Mode::Direct => {
-                let wrench = self.model.wrench;
-                let (moved, turned) = (wrench.force * compliance.linear, wrench.torque * compliance.angular);
-                Solved { wrench, moved, turned, ..Solved::default() }
-            }
+            Mode::Direct => yielding(self.model.wrench, 0),
         }
     }
 

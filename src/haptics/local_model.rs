@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::exchange::{Reader, Writer};
-use super::options::{HapticOptions, Mode};
+use super::explicit_law::Resistance;
+use super::options::{ForceLaw, HapticOptions, Mode};
 use crate::contact::law::coefficient::Coefficient;
 use crate::math::frame::Frame;
 use crate::solver::report::Wrench;
@@ -14,15 +15,17 @@ use crate::solver::touch_compliance::{BodyTouch, TouchCompliance, of_strands};
 /// Most touches of a strand in a local model.
 const MOST_OF_STRAND: usize = 16;
 /// Numbers of a message beside touches, and a touch's.
-const HEADER: usize = 32;
+const HEADER: usize = 64;
 const OF_TOUCH: usize = 28;
+
+/// Whether a message tells touches.
+pub(super) fn has_touches(options: &HapticOptions) -> bool {
+    options.mode == Mode::HandOver && options.force_law == ForceLaw::Contact
+}
 
 /// Numbers that a message may have.
 pub(super) fn capacity(options: &HapticOptions) -> usize {
-    let touches = match options.mode {
-        Mode::HandOver => options.max_touches as usize,
-        Mode::Direct => 0,
-    };
+    let touches = if has_touches(options) { options.max_touches as usize } else { 0 };
     HEADER + touches * (OF_TOUCH + 9 * MOST_OF_STRAND)
 }
 
@@ -39,6 +42,10 @@ pub(super) struct LocalModel {
     pub wrench: Wrench,
     /// The part of it that comes from no touch of the model.
     pub rest: Wrench,
+    /// Touches that press.
+    pub pressing: u32,
+    /// By the explicit law, what those do to the tool.
+    pub resistance: Resistance,
     /// Pressing touches that there was no room for.
     pub left_out: u32,
     pub touches: Vec<BodyTouch>,
@@ -51,13 +58,15 @@ pub(super) struct LocalModel {
 impl LocalModel {
     /// One with memory for all that may ever come.
     pub fn new(options: &HapticOptions) -> Self {
-        let touches = if options.mode == Mode::HandOver { options.max_touches as usize } else { 0 };
+        let touches = if has_touches(options) { options.max_touches as usize } else { 0 };
         Self {
             time: 0.0,
             seconds: 1.0,
             handle: Frame::default(),
             wrench: Wrench::default(),
             rest: Wrench::default(),
+            pressing: 0,
+            resistance: Resistance::default(),
             left_out: 0,
             touches: Vec::with_capacity(touches),
             counts: Vec::with_capacity(touches),
@@ -76,6 +85,9 @@ impl LocalModel {
         self.handle = read_frame(message);
         self.wrench = read_wrench(message);
         self.rest = read_wrench(message);
+        self.pressing = message.count() as u32;
+        self.resistance =
+            Resistance { linear: read_matrix(message), coupling: read_matrix(message), angular: read_matrix(message) };
         self.left_out = message.count() as u32;
         let (strands, touches) = (message.count(), message.count().min(self.touches.capacity()));
         self.counts.clear();
@@ -93,6 +105,7 @@ impl LocalModel {
             force: message.numbers().into(),
             most_force: message.number(),
             moved: message.numbers().into(),
+            resistance: [0.0; 2],
         }));
         let numbers: usize = self.counts.iter().map(|count| 9 * count * count).sum();
         self.response.clear();
@@ -111,11 +124,12 @@ pub(super) struct Choice {
 }
 
 impl Choice {
-    /// Chooses among them. Gives how many pressing ones there is no room for.
-    pub fn choose(&mut self, from: &TouchCompliance, most: usize) -> u32 {
+    /// Chooses among those that press and those that `may_close`. Gives how many pressing ones there is no room for.
+    pub fn choose(&mut self, from: &TouchCompliance, most: usize, may_close: impl Fn(&BodyTouch) -> bool) -> u32 {
         let touches = &from.touches;
         self.order.clear();
-        self.order.extend(0..touches.len() as u32);
+        let is_wanted = |k: &u32| touches[*k as usize].force != Vector3::zeros() || may_close(&touches[*k as usize]);
+        self.order.extend((0..touches.len() as u32).filter(is_wanted));
         let key = |k: &u32| (touches[*k as usize].force.norm_squared(), -touches[*k as usize].gap);
         let compare = |a: &(f64, f64), b: &(f64, f64)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
         self.order.sort_unstable_by(|a, b| compare(&key(b), &key(a)).then(a.cmp(b)));
@@ -141,40 +155,32 @@ impl Choice {
         left_out
     }
 
-    /// The touches that are chosen.
-    pub fn touches<'a>(&'a self, from: &'a TouchCompliance) -> impl Iterator<Item = &'a BodyTouch> {
-        from.touches.iter().zip(&self.is_chosen).filter(|(_, chosen)| **chosen).map(|(touch, _)| touch)
+    /// Whether a touch is.
+    pub fn is_chosen(&self, touch: usize) -> bool {
+        self.is_chosen[touch]
     }
+}
 
-    /// Writes the chosen touches and their compliance.
-    pub fn write(&self, from: &TouchCompliance, message: &mut Writer) {
-        message.count(self.counts.iter().filter(|count| **count > 0).count());
-        message.count(self.counts.iter().sum());
-        self.counts.iter().filter(|count| **count > 0).for_each(|count| message.count(*count));
-        for touch in self.touches(from) {
-            message.numbers(touch.point.as_slice());
-            message.numbers(touch.normal.as_slice());
-            message.number(touch.gap);
-            message.count(touch.body as usize);
-            message.number(touch.margin);
-            message.numbers(touch.tangent.as_slice());
-            message.numbers(&touch.reach);
-            message.number(touch.friction.mean);
-            message.numbers(touch.friction.lean.as_slice());
-            message.numbers(touch.force.as_slice());
-            message.number(touch.most_force);
-            message.numbers(touch.moved.as_slice());
-        }
-        for [touches, numbers] in of_strands(from.counts.iter().map(|count| *count as usize)) {
-            let (size, chosen) = (3 * touches.len(), &self.is_chosen[touches]);
-            let columns = from.response[numbers].chunks_exact(size.max(1)).enumerate();
-            for (_, numbers) in columns.filter(|(column, _)| chosen[column / 3]) {
-                for (numbers, _) in numbers.chunks_exact(3).zip(chosen).filter(|(_, chosen)| **chosen) {
-                    message.numbers(numbers);
-                }
-            }
-        }
+/// Writes touches and their compliance.
+pub(super) fn write(from: &TouchCompliance, message: &mut Writer) {
+    message.count(from.counts.len());
+    message.count(from.touches.len());
+    from.counts.iter().for_each(|count| message.count(*count as usize));
+    for touch in &from.touches {
+        message.numbers(touch.point.as_slice());
+        message.numbers(touch.normal.as_slice());
+        message.number(touch.gap);
+        message.count(touch.body as usize);
+        message.number(touch.margin);
+        message.numbers(touch.tangent.as_slice());
+        message.numbers(&touch.reach);
+        message.number(touch.friction.mean);
+        message.numbers(touch.friction.lean.as_slice());
+        message.numbers(touch.force.as_slice());
+        message.number(touch.most_force);
+        message.numbers(touch.moved.as_slice());
     }
+    message.numbers(&from.response);
 }
 
 pub(super) fn write_frame(message: &mut Writer, frame: &Frame) {
@@ -195,4 +201,14 @@ pub(super) fn write_wrench(message: &mut Writer, wrench: &Wrench) {
 
 fn read_wrench(message: &mut Reader) -> Wrench {
     Wrench { force: message.numbers().into(), torque: message.numbers().into() }
+}
+
+pub(super) fn write_resistance(message: &mut Writer, resistance: &Resistance) {
+    for matrix in [&resistance.linear, &resistance.coupling, &resistance.angular] {
+        message.numbers(matrix.as_slice());
+    }
+}
+
+fn read_matrix(message: &mut Reader) -> Matrix3<f64> {
+    Matrix3::from_column_slice(&message.numbers::<9>())
 }

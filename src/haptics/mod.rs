@@ -6,6 +6,7 @@
 mod coupling;
 pub mod device;
 pub mod exchange;
+pub mod explicit_law;
 mod geometry;
 mod local_model;
 pub mod options;
@@ -14,7 +15,7 @@ pub mod tool;
 mod touch_forces;
 
 pub use device::{Device, HapticState};
-pub use options::{HapticOptions, Mode};
+pub use options::{ForceLaw, HapticOptions, Mode};
 pub use tool::Tool;
 
 use crate::error::Result;
@@ -27,7 +28,7 @@ use exchange::exchange;
 /// # Errors
 /// [`Error::InvalidArgument`](crate::error::Error::InvalidArgument) naming `options.field`, or `bodies` where there are none or one comes twice;
 /// [`Error::InvalidId`](crate::error::Error::InvalidId) naming `bodies[i]`;
-/// [`Error::Unsupported`](crate::error::Error::Unsupported) for [`Mode::HandOver`] with a penalty model of contact.
+/// [`Error::Unsupported`](crate::error::Error::Unsupported) for [`Mode::HandOver`] by [`ForceLaw::Contact`] with a penalty model of contact.
 pub fn haptic(solver: &Solver, bodies: &[BodyId], options: &HapticOptions) -> Result<(Tool, Device)> {
     options.check("options")?;
     let (poses, newest_pose) = exchange(device::POSE_NUMBERS);

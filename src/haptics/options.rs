@@ -15,11 +15,29 @@ pub enum Mode {
     Direct = 2,
 }
 
+/// By which law hair acts on the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[repr(u32)]
+pub enum ForceLaw {
+    /// Signorini's and Coulomb's laws at every touch: the solver's own forces.
+    #[default]
+    Contact = 1,
+    /// The explicit formula of Bonanni and Kmoch (2008): at each touch that presses a force against the tool's velocity, by the strand's bending stiffness
+    /// across it and by its internal friction along it. Cheap, passive by itself, and blind to what the hair does: nothing is felt at rest.
+    Explicit = 2,
+}
+
 /// Settings of a haptic object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HapticOptions {
     /// Where the force comes from.
     pub mode: Mode,
+    /// By which law hair acts on the tool.
+    pub force_law: ForceLaw,
+    /// [`ForceLaw::Explicit`]: the time τ in β = τ 3 EI/L³, s; zero or above.
+    pub explicit_time: f64,
+    /// [`ForceLaw::Explicit`]: the number φ in f = φ 3 γ/L³; zero or above.
+    pub explicit_friction: f64,
     /// The device's frame in the axes of the first body: what the device's pose is the pose of.
     pub handle: Frame,
     /// Stiffness of the virtual coupling between device and tool, N/m; above zero.
@@ -58,6 +76,9 @@ impl Default for HapticOptions {
     fn default() -> Self {
         Self {
             mode: Mode::default(),
+            force_law: ForceLaw::default(),
+            explicit_time: 0.1,
+            explicit_friction: 1.0,
             handle: Frame::default(),
             stiffness: 500.0,
             damping: 1.0,
@@ -99,6 +120,8 @@ impl HapticOptions {
             check_positive(|| named(name), value)?;
         }
         let not_negative = [
+            ("explicit_time", self.explicit_time),
+            ("explicit_friction", self.explicit_friction),
             ("damping", self.damping),
             ("angular_damping", self.angular_damping),
             ("max_energy_credit", self.max_energy_credit),

@@ -1,20 +1,25 @@
 //! The simulation's side: bodies that go where the device has them, and what touches them, handed over after every step.
 
+use nalgebra::Vector3;
+
 use super::exchange::{Publisher, Taker};
+use super::explicit_law::Resistance;
 use super::geometry::Tooth;
-use super::local_model::{Choice, read_frame, write_frame, write_wrench};
-use super::options::{HapticOptions, Mode};
+use super::local_model::{self, Choice, read_frame, write_frame, write_resistance, write_wrench};
+use super::options::{ForceLaw, HapticOptions, Mode};
 use crate::error::{Error, Result, check_positive};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::solver::Solver;
 use crate::solver::id::BodyId;
 use crate::solver::report::Wrench;
-use crate::solver::touch_compliance::TouchCompliance;
+use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 
 /// How near a strand is told to the device at least, m, and by which multiple of the tool's way in the last step.
+/// What is further away is left out unless the tool's way closes the gap, or would if it turned to the strand by this sine.
 const NEAR: f64 = 1e-3;
 const WAYS: f64 = 2.0;
+const SIDEWAYS: f64 = 0.25;
 
 /// The simulation's side of a haptic object.
 #[derive(Debug)]
@@ -45,7 +50,7 @@ impl Tool {
         models: Publisher,
     ) -> Result<Self> {
         let model = solver.options().contact.model;
-        if options.mode == Mode::HandOver && model.is_soft() {
+        if local_model::has_touches(options) && model.is_soft() {
             let hint = "a local model has Coulomb's law; set the solver's contact model to Coulomb, or take direct mode";
             let argument = "options.mode".into();
             return Err(Error::Unsupported { argument, value: format!("hand-over with {model:?}"), hint: hint.into() });
@@ -145,23 +150,41 @@ impl Tool {
             wrench.torque += of_body.torque + (origin - handle.origin).cross(&of_body.force);
         }
         let (mut rest, mut left_out) = (wrench, 0);
-        if self.options.mode == Mode::HandOver {
-            solver.touch_compliance(&self.bodies, self.seconds, NEAR + WAYS * self.way(), &mut self.compliance)?;
-            left_out = self.choice.choose(&self.compliance, self.options.max_touches as usize);
-            for touch in self.choice.touches(&self.compliance) {
+        let (mut resistance, mut pressing) = (Resistance::default(), 0);
+        if self.options.force_law == ForceLaw::Explicit {
+            solver.find_touches(&self.bodies, NEAR, &mut self.compliance)?;
+            for touch in self.compliance.touches.iter().filter(|touch| touch.force != Vector3::zeros()) {
+                let [across, along] = touch.resistance;
+                let (across, along) = (across * self.options.explicit_time, along * self.options.explicit_friction);
+                resistance.add(&touch.tangent, &(touch.point - handle.origin), across, along);
+                pressing += 1;
+            }
+        } else if self.options.mode == Mode::HandOver {
+            let (way, onward) = (self.way(), self.handle[0].compose(&self.handle[1].inverse()));
+            solver.find_touches(&self.bodies, NEAR + WAYS * way, &mut self.compliance)?;
+            let may_close = |touch: &BodyTouch| {
+                let closing = (onward.origin + onward.rotation * touch.point - touch.point).dot(&touch.normal);
+                touch.gap <= NEAR + WAYS * closing.max(SIDEWAYS * way)
+            };
+            left_out = self.choice.choose(&self.compliance, self.options.max_touches as usize, may_close);
+            self.compliance.retain(|touch| self.choice.is_chosen(touch));
+            solver.condense_touches(self.seconds, &mut self.compliance)?;
+            for touch in &self.compliance.touches {
                 rest.force += touch.force;
                 rest.torque += (touch.point - handle.origin).cross(&touch.force);
             }
         }
-        let Self { models, compliance, choice, options, seconds, .. } = self;
+        let Self { models, compliance, options, seconds, .. } = self;
         models.publish(|message| {
             message.numbers(&[time, *seconds]);
             write_frame(message, &handle);
             write_wrench(message, &wrench);
             write_wrench(message, &rest);
+            message.count(pressing);
+            write_resistance(message, &resistance);
             message.count(left_out as usize);
-            if options.mode == Mode::HandOver {
-                choice.write(compliance, message);
+            if local_model::has_touches(options) {
+                local_model::write(compliance, message);
             } else {
                 message.count(0);
                 message.count(0);

@@ -72,6 +72,14 @@ impl StrandModel {
         self.stiffness.iter().fold(0.0, |a: f64, k| a.max(*k)) / (shortest * shortest)
     }
 
+    /// What a cantilever of its length resists at its tip with, about the axis that it bends about more easily: 3 EI/L³, N/m, and by internal friction,
+    /// 3 γ/L³, N·s/m.
+    pub fn cantilever(&self) -> [f64; 2] {
+        let axis = if self.stiffness[1] <= self.stiffness[2] { 1 } else { 2 };
+        let length = self.length();
+        [self.stiffness[axis], self.dissipation[axis]].map(|value| 3.0 * value / (length * length * length))
+    }
+
     /// The largest angle Ωℓ that an element turns by, rad.
     pub fn largest_angle(&self, curvatures: &[[f64; 3]]) -> f64 {
         let mut largest = 0.0_f64;

@@ -586,7 +586,7 @@ AT(shx_spline_def, ends, 8);
 AT(shx_spline_def, points_per_span, 12);
 AT(shx_spline_def, controls, 16);
 
-SIZE(shx_haptic_def, 176);
+SIZE(shx_haptic_def, 200);
 AT(shx_haptic_def, struct_size, 0);
 AT(shx_haptic_def, mode, 4);
 AT(shx_haptic_def, handle, 8);
@@ -605,6 +605,10 @@ AT(shx_haptic_def, max_angular_acceleration, 152);
 AT(shx_haptic_def, max_model_age, 160);
 AT(shx_haptic_def, max_contacts, 168);
 AT(shx_haptic_def, max_sweeps, 172);
+AT(shx_haptic_def, force_law, 176);
+AT(shx_haptic_def, reserved0, 180);
+AT(shx_haptic_def, explicit_time, 184);
+AT(shx_haptic_def, explicit_friction, 192);
 
 SIZE(shx_haptic_state, 176);
 AT(shx_haptic_state, struct_size, 0);

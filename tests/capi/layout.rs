@@ -101,7 +101,7 @@ fn every_size_and_offset_is_as_published() {
         shx_hair_strands_def: 56 { struct_size: 0, reserved0: 4, hair_type: 8, sliders: 16, first_strand: 24, strand_count: 32, element_counts: 40, element_lengths: 48 }
         shx_push_out_def: 40 { struct_size: 0, reserved0: 4, body: 8, clearance: 16, point_counts: 24, curve_count: 32 }
         shx_spline_def: 48 { struct_size: 0, kind: 4, ends: 8, points_per_span: 12, controls: 16 }
-        shx_haptic_def: 176 { struct_size: 0, mode: 4, handle: 8, stiffness: 64, damping: 72, angular_stiffness: 80, angular_damping: 88, max_force: 96, max_torque: 104, max_force_rate: 112, max_torque_rate: 120, energy_allowance: 128, max_energy_credit: 136, max_acceleration: 144, max_angular_acceleration: 152, max_model_age: 160, max_contacts: 168, max_sweeps: 172 }
+        shx_haptic_def: 200 { struct_size: 0, mode: 4, handle: 8, stiffness: 64, damping: 72, angular_stiffness: 80, angular_damping: 88, max_force: 96, max_torque: 104, max_force_rate: 112, max_torque_rate: 120, energy_allowance: 128, max_energy_credit: 136, max_acceleration: 144, max_angular_acceleration: 152, max_model_age: 160, max_contacts: 168, max_sweeps: 172, force_law: 176, reserved0: 180, explicit_time: 184, explicit_friction: 192 }
         shx_haptic_state: 176 { struct_size: 0, limits: 4, proxy: 8, contact_force: 64, contact_torque: 88, energy_given: 112, energy_received: 120, max_energy_excess: 128, model_age: 136, model_count: 144, contacts: 152, pressing: 156, left_out: 160, sweeps: 164, residual: 168 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");

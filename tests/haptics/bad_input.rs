@@ -25,8 +25,10 @@ fn named<T>(result: Result<T, Error>) -> String {
 #[test]
 fn options_out_of_range_are_named() {
     let (solver, teeth) = combed_hair(1, 0.0);
-    let changes: [(&str, Change, &[f64]); 15] = [
+    let changes: [(&str, Change, &[f64]); 17] = [
         ("stiffness", |o, x| o.stiffness = x, &[0.0, -1.0, f64::NAN, f64::INFINITY]),
+        ("explicit_time", |o, x| o.explicit_time = x, &[-1.0, f64::NAN]),
+        ("explicit_friction", |o, x| o.explicit_friction = x, &[-1.0, f64::INFINITY]),
         ("damping", |o, x| o.damping = x, &[-1.0, f64::NAN]),
         ("angular_stiffness", |o, x| o.angular_stiffness = x, &[0.0, f64::NAN]),
         ("angular_damping", |o, x| o.angular_damping = x, &[-1.0, f64::INFINITY]),
@@ -86,7 +88,7 @@ fn a_body_that_is_gone_stops_the_simulations_side_and_a_pose_that_is_none_the_de
 
 #[test]
 fn compliance_is_asked_for_with_numbers_that_can_be() {
-    let (mut solver, teeth) = combed_hair(2, 0.0);
+    let (solver, teeth) = combed_hair(2, 0.0);
     let mut out = Default::default();
     assert_eq!(named(solver.touch_compliance(&teeth, 0.0, 1e-3, &mut out)), "seconds");
     assert_eq!(named(solver.touch_compliance(&teeth, 1e-2, f64::NAN, &mut out)), "within");

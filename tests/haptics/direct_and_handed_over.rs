@@ -3,40 +3,10 @@
 //! A simulation at 120 Hz is another one than at 1 kHz: hair that is struck takes its blow in one step of 8 ms or in one of 1 ms. What that alone comes to
 //! is told beside: the forces of the simulation's own steps, drawn straight from one to the next, which nobody could feel before the later one is known.
 
-use nalgebra::Vector3;
 use superhelix::haptics::HapticOptions;
 
-use super::scene::{TICK, combed_hair, direct, handed_over_and_simulated, stroke};
-
-type Forces = Vec<Vector3<f64>>;
-
-fn rms(values: &[Vector3<f64>]) -> f64 {
-    (values.iter().map(Vector3::norm_squared).sum::<f64>() / values.len() as f64).sqrt()
-}
-
-/// Rms of the difference of two forces' means over `ticks`, over that of the first.
-fn difference(one: &Forces, other: &Forces, ticks: usize) -> f64 {
-    let means = |forces: &Forces| -> Forces {
-        forces.windows(ticks).map(|forces| forces.iter().sum::<Vector3<f64>>() / ticks as f64).collect()
-    };
-    let (one, other) = (means(one), means(other));
-    let apart: Forces = one.iter().zip(&other).map(|(a, b)| a - b).collect();
-    rms(&apart) / rms(&one)
-}
-
-/// The steps' forces at each tick.
-fn drawn(steps: &[(f64, Vector3<f64>)], ticks: usize) -> Forces {
-    let at = |tick: usize| {
-        let t = tick as f64 * TICK;
-        let next = steps.partition_point(|(time, _)| *time <= t);
-        if next == 0 || next == steps.len() {
-            return steps[next.min(steps.len() - 1)].1;
-        }
-        let ((before, from), (after, to)) = (steps[next - 1], steps[next]);
-        from.lerp(&to, (t - before) / (after - before))
-    };
-    (0..ticks).map(at).collect()
-}
+use super::agreement::{Forces, difference, drawn, rms};
+use super::scene::{Rate, combed_hair, direct, handed_over_and_simulated, stroke};
 
 /// What is left between a stroke felt directly and handed over, and between that and the simulation's own steps: of the forces in every tick, and of their
 /// means over 8 and 25 ms.
@@ -51,7 +21,7 @@ fn compare(strands: usize, curvature: f64, slower: f64, rate: f64, late: f64) ->
     let (way, seconds) = (|t: f64| stroke(t / slower), 1.4 * slower);
     let forces = |felt: super::scene::Felt| -> Forces { felt.into_iter().map(|felt| felt.0.force).collect() };
     let at_once = forces(direct(&mut combed_hair(strands, curvature), way, seconds, &options));
-    let (felt, steps) = handed_over_and_simulated(combed_hair(strands, curvature), way, seconds, rate, late, &options);
+    let (felt, steps) = handed_over_and_simulated(combed_hair(strands, curvature), way, seconds, Rate::new(rate, late), &options);
     let (felt, steps) = (forces(felt), drawn(&steps, at_once.len()));
     let off = |other: &Forces| [1, 8, 25].map(|ticks| difference(&at_once, other, ticks));
     let off = Off { felt: off(&felt), simulated: off(&steps) };

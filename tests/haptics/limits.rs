@@ -4,7 +4,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::haptics::HapticOptions;
 use superhelix::math::frame::Frame;
 
-use super::scene::{Felt, Simulation, TICK, combed_hair, handed_over, motion, stroke};
+use super::scene::{Felt, Rate, Simulation, TICK, combed_hair, handed_over, motion, stroke};
 
 /// The largest change of force from one update to the next.
 fn largest_jump(felt: &Felt) -> f64 {
@@ -15,7 +15,7 @@ fn largest_jump(felt: &Felt) -> f64 {
 fn no_force_jumps_by_more_than_its_rate_allows() {
     // A rate that is no more than a few times what the hair asks for, so that it matters.
     let options = HapticOptions { max_force_rate: 5e-3, max_torque_rate: 1e-4, ..HapticOptions::default() };
-    let felt = handed_over(combed_hair(40, 15.0), stroke, 1.4, 120.0, 4e-3, &options);
+    let felt = handed_over(combed_hair(40, 15.0), stroke, 1.4, Rate::new(120.0, 4e-3), &options);
     let step = options.max_force_rate * TICK;
     assert!(largest_jump(&felt) <= step * (1.0 + 1e-9), "{:e} over {step:e}", largest_jump(&felt));
     for pair in felt.windows(2) {
@@ -33,7 +33,7 @@ fn a_hand_over_alone_makes_no_jump() {
     // Nothing limited by rate: what changes within an update is what hair and hand do, where touches close and open; the hand-overs, every eighth
     // update, add nothing to that.
     let options = HapticOptions::default();
-    let felt = handed_over(combed_hair(40, 15.0), stroke, 1.4, 120.0, 4e-3, &options);
+    let felt = handed_over(combed_hair(40, 15.0), stroke, 1.4, Rate::new(120.0, 4e-3), &options);
     assert!(felt.iter().all(|(_, state)| !state.rate_limited));
     let (mut at_hand_over, mut between) = (Vec::new(), Vec::new());
     for pair in felt.windows(2) {
@@ -49,7 +49,7 @@ fn a_hand_over_alone_makes_no_jump() {
 #[test]
 fn force_and_torque_are_cut_to_the_largest() {
     let options = HapticOptions { max_force: 2e-5, max_torque: 2e-7, ..HapticOptions::default() };
-    let felt = handed_over(combed_hair(40, 15.0), stroke, 1.4, 120.0, 0.0, &options);
+    let felt = handed_over(combed_hair(40, 15.0), stroke, 1.4, Rate::new(120.0, 0.0), &options);
     for (wrench, state) in &felt {
         assert!(wrench.force.norm() <= 2e-5 * (1.0 + 1e-9) && wrench.torque.norm() <= 2e-7 * (1.0 + 1e-9));
         let is_more = state.contact.force.norm() > 2e-5 || state.contact.torque.norm() > 2e-7;
@@ -61,7 +61,7 @@ fn force_and_torque_are_cut_to_the_largest() {
 #[test]
 fn the_force_of_a_simulation_that_stops_fades() {
     let options = HapticOptions::default();
-    let (mut simulation, mut device) = Simulation::new(combed_hair(40, 15.0), 1.0 / 120.0, 0.0, &options);
+    let (mut simulation, mut device) = Simulation::new(combed_hair(40, 15.0), Rate::new(120.0, 0.0), &options);
     let mut at_stop = 0.0;
     for tick in 0..700 {
         let t = f64::from(tick) * TICK;
@@ -84,8 +84,8 @@ fn the_force_of_a_simulation_that_stops_fades() {
 fn a_tool_whose_handle_is_elsewhere_is_the_same_tool() {
     let off = Frame { origin: Vector3::new(-0.08, 0.02, 0.01), rotation: UnitQuaternion::from_euler_angles(0.3, -0.4, 0.5) };
     let options = HapticOptions { handle: off, ..HapticOptions::default() };
-    let one = handed_over(combed_hair(20, 15.0), stroke, 0.6, 120.0, 0.0, &HapticOptions::default());
-    let other = handed_over(combed_hair(20, 15.0), |t| stroke(t).compose(&off), 0.6, 120.0, 0.0, &options);
+    let one = handed_over(combed_hair(20, 15.0), stroke, 0.6, Rate::new(120.0, 0.0), &HapticOptions::default());
+    let other = handed_over(combed_hair(20, 15.0), |t| stroke(t).compose(&off), 0.6, Rate::new(120.0, 0.0), &options);
     // (The coupling turns about the handle: the teeth yield a little otherwise.)
     let largest = one.iter().map(|felt| felt.0.force.norm()).fold(0.0, f64::max);
     assert!(largest > 5e-5, "{largest:e}");

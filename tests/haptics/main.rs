@@ -1,7 +1,9 @@
 //! Force feedback: what the hand feels, from which model, how fast, how safely.
 
+mod agreement;
 mod bad_input;
 mod direct_and_handed_over;
+mod explicit_law;
 mod limits;
 mod no_allocation;
 mod passivity;

@@ -6,7 +6,7 @@ use std::cell::Cell;
 
 use superhelix::haptics::HapticOptions;
 
-use super::scene::{Simulation, TICK, combed_hair, motion, stroke};
+use super::scene::{Rate, Simulation, TICK, combed_hair, motion, stroke};
 
 thread_local! {
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
@@ -50,7 +50,7 @@ fn an_update_allocates_nothing() {
     // Fewer touches than there are, too: some are left out.
     for max_touches in [256, 8] {
         let options = HapticOptions { max_touches, ..HapticOptions::default() };
-        let (mut simulation, mut device) = Simulation::new(combed_hair(40, 15.0), 1.0 / 120.0, 0.0, &options);
+        let (mut simulation, mut device) = Simulation::new(combed_hair(40, 15.0), Rate::new(120.0, 0.0), &options);
         let before = allocations_so_far();
         let (mut most, mut pressing, mut models) = (0, 0, 0);
         for tick in 0..800 {

@@ -87,11 +87,26 @@ pub fn direct(scene: &mut (Solver, Vec<BodyId>), way: impl Fn(f64) -> Frame, sec
         .collect()
 }
 
+/// How the simulation beside a device goes: steps a second, substeps of each, and how late it hands over, s.
+#[derive(Debug, Clone, Copy)]
+pub struct Rate {
+    pub rate: f64,
+    pub substeps: u32,
+    pub late: f64,
+}
+
+impl Rate {
+    pub fn new(rate: f64, late: f64) -> Self {
+        Self { rate, substeps: 1, late }
+    }
+}
+
 /// The simulation beside a device: it begins a step every `step` seconds, and hands over `late` seconds after that.
 pub struct Simulation {
     pub solver: Solver,
     pub tool: Tool,
     step: f64,
+    substeps: u32,
     late: f64,
     next: f64,
     done_at: Option<f64>,
@@ -100,10 +115,11 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    pub fn new(scene: (Solver, Vec<BodyId>), step: f64, late: f64, options: &HapticOptions) -> (Self, Device) {
+    pub fn new(scene: (Solver, Vec<BodyId>), rate: Rate, options: &HapticOptions) -> (Self, Device) {
+        let Rate { rate, substeps, late } = rate;
         let (solver, teeth) = scene;
         let (tool, device) = haptic(&solver, &teeth, options).unwrap();
-        (Self { solver, tool, step, late, next: 0.0, done_at: None, steps: Vec::new() }, device)
+        (Self { solver, tool, step: 1.0 / rate, substeps, late, next: 0.0, done_at: None, steps: Vec::new() }, device)
     }
 
     /// Goes on until the device's time `t`.
@@ -114,7 +130,7 @@ impl Simulation {
         }
         if t >= self.next - 1e-9 && self.done_at.is_none() {
             self.tool.before_step(&mut self.solver, self.step).unwrap();
-            self.solver.step(self.step, 1).unwrap();
+            self.solver.step(self.step, self.substeps).unwrap();
             let force = self.tool.bodies().iter().map(|id| self.solver.body_wrench(*id).unwrap().force).sum();
             self.steps.push((t, force));
             self.next += self.step;
@@ -132,11 +148,10 @@ pub fn handed_over(
     scene: (Solver, Vec<BodyId>),
     way: impl Fn(f64) -> Frame,
     seconds: f64,
-    rate: f64,
-    late: f64,
+    rate: Rate,
     options: &HapticOptions,
 ) -> Felt {
-    handed_over_and_simulated(scene, way, seconds, rate, late, options).0
+    handed_over_and_simulated(scene, way, seconds, rate, options).0
 }
 
 /// The same, and the forces at the simulation's own steps, by the time of the pose that they were taken with.
@@ -144,11 +159,10 @@ pub fn handed_over_and_simulated(
     scene: (Solver, Vec<BodyId>),
     way: impl Fn(f64) -> Frame,
     seconds: f64,
-    rate: f64,
-    late: f64,
+    rate: Rate,
     options: &HapticOptions,
 ) -> (Felt, Vec<(f64, Vector3<f64>)>) {
-    let (mut simulation, mut device) = Simulation::new(scene, 1.0 / rate, late, options);
+    let (mut simulation, mut device) = Simulation::new(scene, rate, options);
     let felt = (0..(seconds / TICK) as usize)
         .map(|tick| {
             let t = tick as f64 * TICK;

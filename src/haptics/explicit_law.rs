@@ -1,0 +1,41 @@
+//! The explicit force of Bonanni and Kmoch (2008, section 3.3): F = β ṫ⊥ + f(γ) ṫ∥, with the tool's velocity ṫ split across and along the tangent of the
+//! strand that it touches. β goes with the bending stiffness, f with the internal friction; here both are those of a cantilever of the strand's length L,
+//! β = τ 3 EI/L³ and f = φ 3 γ/L³.
+//!
+//! It is linear in the tool's velocity: all that the device needs of any number of strands is one symmetric matrix.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::solver::report::Wrench;
+
+/// How a tool resists to being moved: what hair does to it is minus this times its velocities, about the handle's origin.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Resistance {
+    /// Force by velocity, N·s/m.
+    pub linear: Matrix3<f64>,
+    /// Force by spin, N·s; transposed, torque by velocity.
+    pub coupling: Matrix3<f64>,
+    /// Torque by spin, N·m·s.
+    pub angular: Matrix3<f64>,
+}
+
+impl Resistance {
+    /// Adds that of a strand with this tangent (unit), whose touch is at `arm` (m) from the handle's origin: `across` and `along` it, N·s/m.
+    pub fn add(&mut self, tangent: &Vector3<f64>, arm: &Vector3<f64>, across: f64, along: f64) {
+        let at_touch = Matrix3::identity() * across + tangent * tangent.transpose() * (along - across);
+        // The tool's velocity there is v − [arm]× ω.
+        let arm = arm.cross_matrix();
+        let by_spin = -at_touch * arm;
+        self.linear += at_touch;
+        self.coupling += by_spin;
+        self.angular += arm * by_spin;
+    }
+
+    /// What hair does to a tool that moves so, m/s and rad/s.
+    pub fn wrench(&self, velocity: &Vector3<f64>, spin: &Vector3<f64>) -> Wrench {
+        Wrench {
+            force: -(self.linear * velocity + self.coupling * spin),
+            torque: -(self.coupling.transpose() * velocity + self.angular * spin),
+        }
+    }
+}

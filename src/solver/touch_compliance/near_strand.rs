@@ -1,0 +1,239 @@
+//! A strand near a tool: where things hold it, and how it answers there.
+
+use nalgebra::Vector3;
+
+use super::search::{NearPlace, Search};
+use super::{BodyTouch, Places};
+use crate::chain::load::Station;
+use crate::contact::body::BodyAt;
+use crate::contact::law::coefficient::Coefficient;
+use crate::contact::options::StrandContact;
+use crate::contact::shape::Bounds;
+use crate::contact::touch::StrandCurve;
+use crate::math::vector::Vec3;
+use crate::rod::kinematics::{ElementState, element_states};
+use crate::solver::bodies::ContactPartner;
+use crate::solver::constraints::{ConstraintStatus, station_at};
+use crate::solver::strand::{Strand, root_after};
+use crate::step::Setting;
+use crate::step::held::Held;
+use crate::step::members::One;
+use crate::step::state::{StrandState, rotation_matrix};
+
+/// A place near a touch that presses is no touch of its own if it is no further from it along the strand than this, m, and faces the same way to
+/// within this cosine.
+const ONE_PLACE: f64 = 5e-4;
+const ONE_SIDE: f64 = 0.9;
+/// Iterations to where a strand goes, if by the linear model one of its places goes further than this part of its length.
+const MOST_ITERATIONS: u32 = 1;
+const LINEAR: f64 = 0.01;
+
+/// Where something holds a strand.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct HeldPlace {
+    station: Station,
+    along: f64,
+    force: Vec3<f64>,
+    /// With one of the bodies.
+    pub touch: Option<BodyTouch>,
+}
+
+/// A strand near the bodies, and the memory for it.
+#[derive(Debug, Default)]
+pub(super) struct NearStrand {
+    /// Its index in the solver.
+    pub index: u32,
+    /// Its own copy, for the step that is begun with it.
+    state: StrandState,
+    elements: Vec<ElementState<f64>>,
+    search: Search,
+    pub places: Vec<HeldPlace>,
+    held: Held,
+    stations: Vec<Station>,
+    forces: Vec<Vec3<f64>>,
+}
+
+impl NearStrand {
+    /// Finds the places that are nearer than `within` (m) to the bodies, and lists them with those where something holds the strand. None where no place
+    /// is near.
+    pub fn find(&mut self, strand: &Strand, bodies: &[BodyAt], within: f64, held: &Places) {
+        self.places.clear();
+        let Some(contact) = strand.contact.as_deref() else { return };
+        let Strand { model, state, .. } = strand;
+        element_states(rotation_matrix(&state.root), model.lengths.iter().copied(), &state.curvatures, &mut self.elements);
+        let curve = StrandCurve { origin: state.root.origin, elements: &self.elements };
+        let around = around(&curve).grown(contact.radius + within);
+        let met = |body: &BodyAt| body.meets(contact.groups, contact.mask) && body.bounds.grown(body.thickness).meets(&around);
+        self.search.find(&curve, [contact.exempt_length, contact.radius, within], bodies, met);
+        self.list_contacts(strand, contact, bodies, held);
+        if self.search.found.is_empty() && self.places.iter().all(|place| place.touch.is_none()) {
+            self.places.clear();
+            return;
+        }
+        self.list_near(strand, contact, bodies, held);
+        let key = |place: &HeldPlace| (place.station.element, place.station.s);
+        self.places.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
+    }
+
+    /// A place on it.
+    fn place(&self, strand: &Strand, along: f64, force: Vector3<f64>) -> HeldPlace {
+        HeldPlace { station: station_at(&strand.model, along), along, force: force.into(), touch: None }
+    }
+
+    /// What there is of the strand between two touches with one body belongs half to either.
+    fn share_reach(&mut self) {
+        for k in 0..self.places.len() {
+            let Some(touch) = self.places[k].touch else { continue };
+            let others = self.places.iter().filter(|place| place.touch.is_some_and(|other| other.body == touch.body));
+            let off = |place: &HeldPlace| place.along - self.places[k].along;
+            let [before, beyond] = others.fold(touch.reach, |[before, beyond], place| match off(place) {
+                off if off < 0.0 => [before.min(-0.5 * off), beyond],
+                off if off > 0.0 => [before, beyond.min(0.5 * off)],
+                _ => [before, beyond],
+            });
+            self.places[k].touch = Some(BodyTouch { reach: [before, beyond], ..touch });
+        }
+    }
+
+    /// Works out how its places answer.
+    pub fn condense(&mut self, strand: &Strand, setting: &Setting, seconds: f64) {
+        self.state.clone_from(&strand.state);
+        let Self { held, stations, forces, places, elements, state, .. } = self;
+        stations.clear();
+        stations.extend(places.iter().map(|place| place.station));
+        forces.clear();
+        forces.extend(places.iter().map(|place| place.force));
+        let before = (strand.state.root.origin, &elements[..]);
+        let start = state.root;
+        let root_at = |elapsed: f64| root_after(&strand.root_move, &start, elapsed);
+        held.begin(&One { model: &strand.model, state, root_at: &root_at }, setting, seconds, true);
+        held.linearise(stations, forces, &[]);
+        // (The first linear model has no tension in it.)
+        for _ in 0..MOST_ITERATIONS {
+            let farthest = (0..places.len()).map(|k| led_to(held, forces, k).norm_squared()).fold(0.0, f64::max);
+            if farthest <= (LINEAR * strand.model.length()).powi(2) {
+                break;
+            }
+            held.advance(setting, forces);
+            held.linearise(stations, forces, &[]);
+        }
+        let model = &strand.model;
+        let most_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
+        for (k, place) in places.iter_mut().enumerate() {
+            let Some(touch) = &mut place.touch else { continue };
+            let moved = Held::place(held.now(), &place.station) - Held::place(before, &place.station) + led_to(held, forces, k);
+            (touch.moved, touch.most_force) = (moved, most_force);
+        }
+    }
+
+    /// Whether all that it tells is finite.
+    pub fn is_finite(&self) -> bool {
+        let told = self.places.iter().filter_map(|place| place.touch.as_ref());
+        let mut moved = told.map(|touch| touch.moved);
+        moved.all(|moved| moved.iter().all(|x| x.is_finite())) && self.held.delassus.columns.iter().all(|x| x.is_finite())
+    }
+
+    /// The matrix's rows and columns of the touches alone.
+    pub fn write(&self, out: &mut Vec<f64>) {
+        let size = 3 * self.places.len();
+        let rows =
+            || self.places.iter().enumerate().filter(|(_, place)| place.touch.is_some()).flat_map(|(k, _)| 3 * k..3 * k + 3);
+        for column in rows() {
+            out.extend(rows().map(|row| self.held.delassus.columns[column * size + row]));
+        }
+    }
+
+    /// A place that touches a body, or soon may.
+    fn touch(
+        &self,
+        strand: &Strand,
+        contact: &StrandContact,
+        bodies: &[BodyAt],
+        near: &NearPlace,
+        force: Vector3<f64>,
+    ) -> HeldPlace {
+        let NearPlace { body, along, normal, gap } = *near;
+        let mut place = self.place(strand, along, force);
+        let curve = StrandCurve { origin: strand.state.root.origin, elements: &self.elements };
+        let (element, s) = (place.station.element, place.station.s);
+        let (friction, scale) = (contact.friction, bodies[body].friction);
+        let (tangent, margin) = (curve.tangent(element, s), contact.radius + bodies[body].thickness);
+        place.touch = Some(BodyTouch {
+            body: body as u32,
+            point: curve.position(element, s) - normal * (gap + margin),
+            normal,
+            gap,
+            margin,
+            tangent,
+            reach: [(along - contact.exempt_length).max(0.0), (strand.model.length() - along).max(0.0)],
+            friction: Coefficient::of_scales(friction.along * scale, friction.against * scale, tangent),
+            force,
+            most_force: 0.0,
+            resistance: strand.model.cantilever(),
+            moved: Vector3::zeros(),
+        });
+        place
+    }
+
+    /// Where contact held it in the last substep.
+    fn list_contacts(&mut self, strand: &Strand, contact: &StrandContact, bodies: &[BodyAt], held: &Places) {
+        let first = held.contacts.partition_point(|(index, ..)| *index < self.index);
+        for (_, along, last) in held.contacts[first..].iter().take_while(|(index, ..)| *index == self.index) {
+            let body = match last.partner {
+                ContactPartner::Body { body, .. } => held.bodies.iter().position(|id| *id == body),
+                ContactPartner::Strand { .. } => None,
+            };
+            let place = match body {
+                Some(body) => {
+                    let near = NearPlace { body, along: *along, normal: last.normal, gap: last.gap };
+                    self.touch(strand, contact, bodies, &near, last.force)
+                }
+                None => self.place(strand, *along, last.force),
+            };
+            self.places.push(place);
+        }
+    }
+
+    /// Where it is near, and what constraints hold.
+    fn list_near(&mut self, strand: &Strand, contact: &StrandContact, bodies: &[BodyAt], held: &Places) {
+        for k in 0..self.search.found.len() {
+            let found = self.search.found[k];
+            let is_known = self.places.iter().any(|place| {
+                let same = |touch: &BodyTouch| touch.body as usize == found.body && touch.normal.dot(&found.normal) > ONE_SIDE;
+                (place.along - found.along).abs() <= ONE_PLACE && place.touch.as_ref().is_some_and(same)
+            });
+            if !is_known && found.along > 0.0 && found.gap >= -held.most_deep {
+                self.places.push(self.touch(strand, contact, bodies, &found, Vector3::zeros()));
+            }
+        }
+        self.share_reach();
+        for constraint in held.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
+            if constraint.def.strand == strand.id {
+                self.places.push(self.place(strand, constraint.state.arclength, constraint.state.force));
+            }
+            if let Some(along) = constraint.tied(strand.id) {
+                self.places.push(self.place(strand, along, -constraint.state.force));
+            }
+        }
+    }
+}
+
+/// How far forces take place `k` by the linear model, m.
+fn led_to(held: &Held, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
+    let (mut moved, size) = (Vector3::from(held.free[k]), 3 * forces.len());
+    for (column, force) in forces.iter().flat_map(|force| force.0).enumerate() {
+        let rows = &held.delassus.columns[column * size + 3 * k..][..3];
+        moved += Vector3::new(rows[0], rows[1], rows[2]) * force;
+    }
+    moved
+}
+
+/// A box around a strand. (An arc lies within half its length of the middle of its ends.)
+fn around(curve: &StrandCurve) -> Bounds {
+    let of_element = |state: &ElementState<f64>| {
+        let [left, right] = [state.origin_left, state.origin_right()].map(|end| curve.origin + Vector3::from(end));
+        let across = 0.5 * state.length * (0.5 * state.kappa_squared.sqrt() * state.length).min(1.0);
+        Bounds::of_points([left, right]).grown(across)
+    };
+    curve.elements.iter().map(of_element).fold(Bounds::EMPTY, |all, bounds| all.union(&bounds))
+}
