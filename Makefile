@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib install uninstall dist dist-check deb test python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit \
+.PHONY: help lib install uninstall dist dist-check deb test python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit haptics \
 	instructions figures tradeoff peers clean
 
 help: ## this list
@@ -89,7 +89,8 @@ soak: ## strands from the whole space for a million strand-seconds (docs/extreme
 	EXTREMES_CASES=$${EXTREMES_CASES:-12000} EXTREMES_LONG=$${EXTREMES_LONG:-7500} EXTREMES_CSV="$(CURDIR)/docs/figures" \
 	  cargo test --locked --profile demo --test extremes -- --nocapture
 	CONTACT_SOAK_STEPS=$${CONTACT_SOAK_STEPS:-100000} cargo test --locked --profile demo --test contact_soak -- --nocapture
-	SUPERHELIX_STROKES=$${SUPERHELIX_STROKES:-1000000} cargo test --locked --profile demo --test haptics no_hand_gets -- --nocapture
+	SUPERHELIX_STROKES=$${SUPERHELIX_STROKES:-1000000} SUPERHELIX_HAIR_STROKES=$${SUPERHELIX_HAIR_STROKES:-500} \
+	  cargo test --locked --profile demo --test haptics passivity:: -- --nocapture
 	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features --test kernels --test files_fuzz --test integrators -- \
 	  kernel_mathematics:: pose_spline:: readers_survive_anything_and_ask_for_little hard_cases:: --nocapture
 
@@ -113,6 +114,10 @@ fit: ## how close strands come to real grooms: the tables of docs/groom_fit.md a
 instructions: ## instructions an element costs, by callgrind: docs/figures/instructions.csv (INSTRUCTIONS_CHECK=1 compares with it)
 	@scripts/setup.sh test
 	scripts/instructions.sh
+
+haptics: ## a comb in a hand: the tables and figures of docs/haptics.md, partly in real time (10 minutes; wants two free cores)
+	@scripts/setup.sh build figures
+	scripts/haptics.sh
 
 figures: ## every figure and table of docs/, from their programs
 	@scripts/setup.sh build figures

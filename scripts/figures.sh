@@ -33,3 +33,4 @@ build/venv/bin/python docs/figures/plot_validation.py
 build/venv/bin/python docs/figures/plot_single_precision.py
 build/venv/bin/python docs/figures/plot_hair_types.py
 scripts/render_hair.sh
+scripts/haptics.sh

@@ -81,11 +81,12 @@ pub struct shx_haptic_def {
     pub force_law: u32,
     /// Must be 0.
     pub reserved0: u32,
-    /// SHX_HAPTIC_FORCE_EXPLICIT: the time by which the bending stiffness of a strand of length L is multiplied, s:
-    /// a contact resists motion across the strand with explicit_time * 3 EI / L^3 N s/m. Zero or above. Default 0.1.
+    /// SHX_HAPTIC_FORCE_EXPLICIT: time by which the bending stiffness of a strand of length L is multiplied,
+    /// s: a contact resists motion across the strand with explicit_time * 3 EI / L^3 N s/m. Zero or above.
+    /// Default 0.1.
     pub explicit_time: f64,
-    /// SHX_HAPTIC_FORCE_EXPLICIT: it resists motion along the strand with explicit_friction * 3 gamma / L^3 N s/m,
-    /// where gamma is the strand's internal friction. Zero or above. Default 1.
+    /// SHX_HAPTIC_FORCE_EXPLICIT: it resists motion along the strand with explicit_friction * 3 gamma / L^3
+    /// N s/m, where gamma is the internal friction of the strand. Zero or above. Default 1.
     pub explicit_friction: f64,
 }
 

@@ -332,11 +332,14 @@ fn example_comb() {
 
 #[test]
 fn example_haptic_comb() {
-    // In real time, and so not under valgrind: two seconds of combing.
-    let file = scratch("haptic_comb").join("force.csv");
-    let arguments = ["2".to_string(), "40".to_string(), file.display().to_string()];
-    let printed = text(Command::new(examples().join("shared/haptic_comb")).args(&arguments));
+    // In real time, and so not under valgrind: two seconds of combing a groom.
+    let out = scratch("haptic_comb");
+    let file = out.join("force.csv");
+    let groom = |name: &str| root().join("tests/data/grooms").join(name);
+    let mut program = Command::new(examples().join("shared/haptic_comb"));
+    let printed = text(program.args([groom("sintel_hair_001.tfx"), groom("sintel_bust.obj"), out.clone(), "2".into()]));
     assert_eq!(printed.lines().count(), 4, "{printed}");
+    assert!((0..3).all(|moment| out.join(format!("hair.{moment}.obj")).exists()), "{printed}");
     let felt = std::fs::read_to_string(&file).expect("the file");
     assert_eq!(felt.lines().count(), 2001);
     let force = |line: &str| -> f64 {

@@ -4,6 +4,7 @@ mod agreement;
 mod bad_input;
 mod direct_and_handed_over;
 mod explicit_law;
+mod grab;
 mod limits;
 mod no_allocation;
 mod passivity;

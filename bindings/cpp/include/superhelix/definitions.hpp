@@ -1070,6 +1070,26 @@ struct haptic_def : shx_haptic_def {
     max_sweeps = value;
     return *this;
   }
+
+  // SHX_HAPTIC_FORCE_: _CONTACT (default), _EXPLICIT.
+  haptic_def &with_force_law(superhelix::haptic_force::type value) {
+    force_law = value;
+    return *this;
+  }
+
+  // SHX_HAPTIC_FORCE_EXPLICIT: time by which the bending stiffness of a strand of length L is multiplied, s: a contact resists motion
+  // across the strand with explicit_time * 3 EI / L^3 N s/m. Zero or above. Default 0.1.
+  haptic_def &with_explicit_time(double value) {
+    explicit_time = value;
+    return *this;
+  }
+
+  // SHX_HAPTIC_FORCE_EXPLICIT: it resists motion along the strand with explicit_friction * 3 gamma / L^3 N s/m, where gamma is the internal
+  // friction of the strand. Zero or above. Default 1.
+  haptic_def &with_explicit_friction(double value) {
+    explicit_friction = value;
+    return *this;
+  }
 };
 
 // State after an update. Fill it with shx_haptic_state_init once; each update overwrites it.

@@ -285,6 +285,18 @@ struct haptic_mode {
   };
 };
 
+// SHX_HAPTIC_FORCE_
+struct haptic_force {
+  enum type : std::uint32_t {
+    // Signorini's law of contact and Coulomb's law of friction: the forces of the simulation's own contacts. The default.
+    contact = SHX_HAPTIC_FORCE_CONTACT,
+    // The explicit formula of Bonanni and Kmoch (2008): each pressing contact resists the velocity of the tool, by the strand's bending
+    // stiffness across it and by its internal friction along it. It costs next to nothing, never drives the hand, works with every contact
+    // model, and is zero while the tool stands still.
+    explicit = SHX_HAPTIC_FORCE_EXPLICIT,
+  };
+};
+
 // SHX_HAPTIC_LIMIT_
 struct haptic_limit {
   enum type : std::uint32_t {

@@ -94,6 +94,8 @@ SHX_CONSTRAINT_STATUS_VIOLATED = 3
 SHX_CONSTRAINT_STATUS_RELEASED = 4
 SHX_HAPTIC_MODE_HAND_OVER = 1
 SHX_HAPTIC_MODE_DIRECT = 2
+SHX_HAPTIC_FORCE_CONTACT = 1
+SHX_HAPTIC_FORCE_EXPLICIT = 2
 SHX_HAPTIC_LIMIT_CLAMPED = 1
 SHX_HAPTIC_LIMIT_RATE = 2
 SHX_HAPTIC_LIMIT_PASSIVITY = 4
@@ -582,7 +584,7 @@ class shx_constraint_state(ctypes.Structure):
 
 
 class shx_haptic_def(ctypes.Structure):
-    """176 bytes."""
+    """200 bytes."""
 
     __slots__ = ("kept",)
     _fields_ = [
@@ -604,6 +606,10 @@ class shx_haptic_def(ctypes.Structure):
         ("max_model_age", ctypes.c_double),
         ("max_contacts", ctypes.c_uint32),
         ("max_sweeps", ctypes.c_uint32),
+        ("force_law", ctypes.c_uint32),
+        ("reserved0", ctypes.c_uint32),
+        ("explicit_time", ctypes.c_double),
+        ("explicit_friction", ctypes.c_double),
     ]
 
 

@@ -249,6 +249,17 @@ class HapticMode(IntEnum):
     """The solver steps at the device's rate, with few strands: shx_haptic_update returns the wrench of the last step."""
 
 
+class HapticForce(IntEnum):
+    """What HapticDef.force_law may be."""
+
+    CONTACT = 1
+    """Signorini's law of contact and Coulomb's law of friction: the forces of the simulation's own contacts. The default."""
+    EXPLICIT = 2
+    """The explicit formula of Bonanni and Kmoch (2008): each pressing contact resists the velocity of the tool, by the strand's
+    bending stiffness across it and by its internal friction along it. It costs next to nothing, never drives the hand, works with
+    every contact model, and is zero while the tool stands still."""
+
+
 class HapticLimit(IntFlag):
     """What HapticState.limits may be."""
 
@@ -416,6 +427,7 @@ __all__ = [
     "FitLengths",
     "FrictionCoefficient",
     "FrictionStart",
+    "HapticForce",
     "HapticLimit",
     "HapticMode",
     "InstructionSet",

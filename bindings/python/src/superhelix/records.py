@@ -32,6 +32,7 @@ from superhelix.enums import (
     FitLengths,
     FrictionCoefficient,
     FrictionStart,
+    HapticForce,
     HapticLimit,
     HapticMode,
     InstructionSet,
@@ -826,6 +827,15 @@ class HapticDef(Record):
     )
     max_contacts = IntField("Maximum number of contacts in a local model, 1 to 4096: those that press hardest. Default 256.")
     max_sweeps = IntField("Maximum number of sweeps over them per update, 1 to 1000. Default 10.")
+    force_law = EnumField(HapticForce, "HapticForce: CONTACT (default), EXPLICIT.")
+    explicit_time = FloatField(
+        "HapticForce.EXPLICIT: time by which the bending stiffness of a strand of length L is multiplied, s: a contact resists "
+        "motion across the strand with explicit_time * 3 EI / L^3 N s/m. Zero or above. Default 0.1."
+    )
+    explicit_friction = FloatField(
+        "HapticForce.EXPLICIT: it resists motion along the strand with explicit_friction * 3 gamma / L^3 N s/m, where gamma is "
+        "the internal friction of the strand. Zero or above. Default 1."
+    )
 
     def __init__(
         self,
@@ -847,6 +857,9 @@ class HapticDef(Record):
         max_model_age: float | None = None,
         max_contacts: int | None = None,
         max_sweeps: int | None = None,
+        force_law: HapticForce | None = None,
+        explicit_time: float | None = None,
+        explicit_friction: float | None = None,
     ) -> None:
         super().__init__()
         self._set(
@@ -867,6 +880,9 @@ class HapticDef(Record):
             max_model_age=max_model_age,
             max_contacts=max_contacts,
             max_sweeps=max_sweeps,
+            force_law=force_law,
+            explicit_time=explicit_time,
+            explicit_friction=explicit_friction,
         )
 
 

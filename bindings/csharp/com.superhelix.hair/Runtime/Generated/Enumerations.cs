@@ -316,6 +316,21 @@ namespace Superhelix
     Direct = 2,
   }
 
+  /// <summary>SHX_HAPTIC_FORCE_ of the C interface.</summary>
+  public enum HapticForce : uint
+  {
+    /// <summary>
+    /// Signorini's law of contact and Coulomb's law of friction: the forces of the simulation's own contacts. The default.
+    /// </summary>
+    Contact = 1,
+    /// <summary>
+    /// The explicit formula of Bonanni and Kmoch (2008): each pressing contact resists the velocity of the tool, by the strand's bending
+    /// stiffness across it and by its internal friction along it. It costs next to nothing, never drives the hand, works with every contact
+    /// model, and is zero while the tool stands still.
+    /// </summary>
+    Explicit = 2,
+  }
+
   /// <summary>SHX_HAPTIC_LIMIT_ of the C interface.</summary>
   [Flags]
   public enum HapticLimit : uint

@@ -370,7 +370,7 @@ namespace Superhelix
       {
         HapticDef x = default(HapticDef);
         byte* at = (byte*)&x;
-        Compare(ref first, "sizeof HapticDef", sizeof(HapticDef), 176);
+        Compare(ref first, "sizeof HapticDef", sizeof(HapticDef), 200);
         Compare(ref first, "HapticDef.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "HapticDef.Mode", (byte*)&x.Mode - at, 4);
         Compare(ref first, "HapticDef.Handle", (byte*)&x.Handle - at, 8);
@@ -389,6 +389,10 @@ namespace Superhelix
         Compare(ref first, "HapticDef.MaxModelAge", (byte*)&x.MaxModelAge - at, 160);
         Compare(ref first, "HapticDef.MaxContacts", (byte*)&x.MaxContacts - at, 168);
         Compare(ref first, "HapticDef.MaxSweeps", (byte*)&x.MaxSweeps - at, 172);
+        Compare(ref first, "HapticDef.ForceLaw", (byte*)&x.ForceLaw - at, 176);
+        Compare(ref first, "HapticDef.reserved0", (byte*)&x.reserved0 - at, 180);
+        Compare(ref first, "HapticDef.ExplicitTime", (byte*)&x.ExplicitTime - at, 184);
+        Compare(ref first, "HapticDef.ExplicitFriction", (byte*)&x.ExplicitFriction - at, 192);
       }
       {
         HapticState x = default(HapticState);

@@ -702,6 +702,19 @@ namespace Superhelix
     public uint MaxContacts;
     /// <summary>Maximum number of sweeps over them per update, 1 to 1000. Default 10.</summary>
     public uint MaxSweeps;
+    /// <summary>SHX_HAPTIC_FORCE_: _CONTACT (default), _EXPLICIT.</summary>
+    public HapticForce ForceLaw;
+    internal uint reserved0;
+    /// <summary>
+    /// SHX_HAPTIC_FORCE_EXPLICIT: time by which the bending stiffness of a strand of length L is multiplied, s: a contact resists motion
+    /// across the strand with explicit_time * 3 EI / L^3 N s/m. Zero or above. Default 0.1.
+    /// </summary>
+    public double ExplicitTime;
+    /// <summary>
+    /// SHX_HAPTIC_FORCE_EXPLICIT: it resists motion along the strand with explicit_friction * 3 gamma / L^3 N s/m, where gamma is the
+    /// internal friction of the strand. Zero or above. Default 1.
+    /// </summary>
+    public double ExplicitFriction;
 
     /// <summary>One with the defaults.</summary>
     public static unsafe HapticDef Default
