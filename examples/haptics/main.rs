@@ -10,6 +10,8 @@ mod rates;
 #[path = "../../tests/haptics/scene.rs"]
 #[allow(dead_code)]
 mod scene;
+#[path = "../../tests/haptics/typed_hair.rs"]
+mod typed_hair;
 mod types;
 
 const USAGE: &str = "usage: haptics cost OUT.csv | cost-once STRANDS FRAMES | minute OUT.csv HISTOGRAM.csv SECONDS RATE THREADS
