@@ -66,15 +66,19 @@ typedef struct shared {
 
 static double smooth(double part) { return part <= 0.0 ? 0.0 : part >= 1.0 ? 1.0 : 0.5 * (1.0 - cos(PI * part)); }
 
-/* Where the hand wants the comb: in behind the head, down along the hair by 20 cm, out, and back up. */
+/* Where the hand wants the tips of the comb: in behind the head, down by 16 cm, through the outer half of the hair on the skull and all of it
+   below, out, and back up. */
 static void stroke(double time, double wish[3]) {
   const double t = fmod(time, STROKE), down = smooth((t - 0.5) / 1.5) * (1.0 - smooth((t - 2.3) / 0.6));
   const double in = smooth(t / 0.5) * (1.0 - smooth((t - 2.0) / 0.3));
-  const double neck = 0.06 * smooth((down - 0.45) / 0.5);           /* the skin goes back from the comb below the skull */
+  const double neck = 0.055 * smooth((down - 0.25) / 0.6);          /* the skin goes back from the comb below the skull */
   wish[0] = 0.0;
-  wish[1] = 0.42 - 0.22 * down;
-  wish[2] = -0.165 + in * (0.055 + neck);
+  wish[1] = 0.37 - 0.16 * down;
+  wish[2] = -0.165 + in * (0.053 + neck);
 }
+
+/* Wisps that come through this box may meet the comb. */
+static int is_near_strokes(const double point[3]) { return fabs(point[0]) < 0.05 && point[2] < -0.03; }
 
 static void *device(void *data) {
   shared *all = data;
@@ -143,7 +147,7 @@ static shx_body_id add_head(shx_solver *solver, const char *path, double scale) 
   return id;
 }
 
-/* A groom's guides as wisps that rest as they are drawn. Gives how many. */
+/* A groom's guides as wisps that rest as they are drawn; those near the strokes collide with head and comb. Gives how many there are. */
 static size_t add_hair(shx_solver *solver, const char *path, double scale, shx_body_id head, shx_strand_id **out_ids) {
   shx_curves *curves;
   size_t count, total, strands = 0;
@@ -187,9 +191,12 @@ static size_t add_hair(shx_solver *solver, const char *path, double scale, shx_b
   shx_strand_def *defs = allocate(count, sizeof *defs);
   double *lengths = allocate(ELEMENTS * count, sizeof *lengths), *shapes = allocate(3 * ELEMENTS * count, sizeof *shapes);
   CHECK(shx_fit_strands(&how, &what, fitted, 0, lengths, shapes, ELEMENTS * count));
-  for (size_t i = 0; i < count; i++) {
+  int *near = allocate(count, sizeof *near);
+  for (size_t i = 0, first = 0; i < count; first += counts[i++]) {
     if (fitted[i].result != SHX_OK) /* of no use: all points at one place */
       continue;
+    for (size_t point = first; point < first + counts[i]; point++)
+      near[strands] |= is_near_strokes(points + 3 * point);
     CHECK(shx_strand_def_init(&defs[strands], sizeof defs[strands]));
     CHECK(shx_strand_def_set_fit(&defs[strands], &fitted[i], lengths + i * ELEMENTS, shapes + 3 * i * ELEMENTS));
     strands++;
@@ -202,8 +209,16 @@ static size_t add_hair(shx_solver *solver, const char *path, double scale, shx_b
   shx_strand_contact contact;
   CHECK(shx_strand_contact_init(&contact, sizeof contact));
   contact.radius = material.radius[0];
-  CHECK(shx_solver_set_strand_contact(solver, ids, strands, &contact, 0));
-  CHECK(shx_solver_permit_overlaps(solver, ids, strands));
+  size_t combed = 0;
+  shx_strand_id *meeting = allocate(strands, sizeof *meeting);
+  for (size_t i = 0; i < strands; i++)
+    if (near[i])
+      meeting[combed++] = ids[i];
+  CHECK(shx_solver_set_strand_contact(solver, meeting, combed, &contact, 0));
+  CHECK(shx_solver_permit_overlaps(solver, meeting, combed));
+  printf("%zu wisps, %zu of them near the comb\n", strands, combed);
+  free(meeting);
+  free(near);
   free(counts);
   free(points);
   free(fitted);
@@ -309,7 +324,7 @@ int main(int argc, char **argv) {
   pthread_join(thread, NULL);
   fclose(all.file);
 
-  printf("%.3g s of combing %zu wisps: largest force %.2f mN, largest change in a millisecond %.2f mN\n", seconds, count,
+  printf("%.3g s of combing: largest force %.2f mN, largest change in a millisecond %.2f mN\n", seconds,
          1e3 * all.strongest, 1e3 * all.jump);
   printf("device: longest update %.3f ms of processor time, %.3f ms by the clock; %ld missed, %ld late wake-ups, the latest by %.2f ms\n",
          1e3 * all.longest, 1e3 * all.longest_wall, all.missed, all.late, 1e3 * all.wake);

@@ -159,7 +159,7 @@ EXTRA = {
     ),
 }
 
-KEYWORDS = {"and", "auto", "bool", "default", "double", "float", "int", "new", "not", "or", "register", "short", "static", "this", "union", "xor"}
+KEYWORDS = {"and", "auto", "bool", "default", "double", "explicit", "float", "int", "new", "not", "or", "register", "short", "static", "this", "union", "xor"}
 SCALARS = {"uint8_t", "uint16_t", "uint32_t", "uint64_t", "int32_t", "int64_t"}
 
 

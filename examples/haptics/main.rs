@@ -31,6 +31,9 @@ fn main() {
             rates::table(out, 4, &[1.0, 2.0]);
             rates::curves(curves, 4, 1.0);
         }
+        ["single", strands, curvature, slower] => {
+            rates::single_hairs(number(strands) as usize, number(curvature), number(slower));
+        }
         ["types", out, summary] => types::table(out, summary),
         _ => {
             eprintln!("{USAGE}");

@@ -7,7 +7,7 @@ use superhelix::haptics::HapticOptions;
 
 use super::agreement::{Forces, difference, drawn, rms};
 use super::groom;
-use super::scene::{Felt, Rate, direct, handed_over_and_simulated};
+use super::scene::{Felt, Rate, combed_hair, direct, handed_over_and_simulated, stroke};
 
 fn forces(felt: Felt) -> Forces {
     felt.into_iter().map(|felt| felt.0.force).collect()
@@ -76,4 +76,20 @@ pub fn curves(out: &str, every: usize, slower: f64) {
         let _ = writeln!(csv, "{:.3},{:.5},{:.5},{:.5},{:.5},{:.5},{:.5}", tick as f64 * 1e-3, a.x, a.y, a.z, b.x, b.y, b.z);
     }
     std::fs::write(out, csv).expect("a file");
+}
+
+/// Single hairs of some curvature (1/m), combed so many times more slowly than the scene's stroke.
+pub fn single_hairs(strands: usize, curvature: f64, slower: f64) {
+    let options = HapticOptions::default();
+    let way = |t: f64| stroke(t / slower);
+    let seconds = 1.4 * slower;
+    let at_once = forces(direct(&mut combed_hair(strands, curvature), way, seconds, &options));
+    println!("{strands} of {curvature}/m, {seconds} s: {:.1} uN", 1e6 * rms(&at_once));
+    for (rate, substeps, late) in [(1000.0, 4, 0.0), (120.0, 1, 4e-3), (120.0, 2, 4e-3), (120.0, 8, 4e-3), (240.0, 1, 2e-3)] {
+        let scene = combed_hair(strands, curvature);
+        let (felt, steps) = handed_over_and_simulated(scene, way, seconds, Rate { rate, substeps, late }, &options);
+        let (felt, steps) = (forces(felt), drawn(&steps, at_once.len()));
+        let off = |other: &Forces| [1, 8, 25].map(|ticks| difference(&at_once, other, ticks));
+        println!("  {rate} Hz, {substeps} substeps: felt {:.3?}, simulated {:.3?}", off(&felt), off(&steps));
+    }
 }

@@ -40,7 +40,7 @@ pub(super) struct LocalModel {
     pub handle: Frame,
     /// What all strands did to the tool in it, about the handle's origin.
     pub wrench: Wrench,
-    /// The part of it that comes from no touch of the model.
+    /// The part of it that comes from touches that there is no room for in the model.
     pub rest: Wrench,
     /// Touches that press.
     pub pressing: u32,

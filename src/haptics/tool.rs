@@ -149,7 +149,7 @@ impl Tool {
             wrench.force += of_body.force;
             wrench.torque += of_body.torque + (origin - handle.origin).cross(&of_body.force);
         }
-        let (mut rest, mut left_out) = (wrench, 0);
+        let (mut rest, mut left_out) = (Wrench::default(), 0);
         let (mut resistance, mut pressing) = (Resistance::default(), 0);
         if self.options.force_law == ForceLaw::Explicit {
             solver.find_touches(&self.bodies, NEAR, &mut self.compliance)?;
@@ -167,12 +167,16 @@ impl Tool {
                 touch.gap <= NEAR + WAYS * closing.max(SIDEWAYS * way)
             };
             left_out = self.choice.choose(&self.compliance, self.options.max_touches as usize, may_close);
+            // What comes from no touch, such as the push on strands that a step did not bring through, the hand is not to feel.
+            for (touch, chosen) in self.compliance.touches.iter().enumerate().map(|(k, touch)| (touch, self.choice.is_chosen(k)))
+            {
+                if !chosen {
+                    rest.force -= touch.force;
+                    rest.torque -= (touch.point - handle.origin).cross(&touch.force);
+                }
+            }
             self.compliance.retain(|touch| self.choice.is_chosen(touch));
             solver.condense_touches(self.seconds, &mut self.compliance)?;
-            for touch in &self.compliance.touches {
-                rest.force += touch.force;
-                rest.torque += (touch.point - handle.origin).cross(&touch.force);
-            }
         }
         let Self { models, compliance, options, seconds, .. } = self;
         models.publish(|message| {

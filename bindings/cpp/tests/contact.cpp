@@ -149,6 +149,8 @@ TEST(a_hand_feels_hair) {
   const body_id ball =
       GET(hair.add_body(body_def().with_shape(shape::sphere).with_radius(0.02).with_pose(make_frame({-0.05, 0.0, -0.1}))));
   EXPECT(WHY(haptic::create(hair, ball, haptic_def().with_stiffness(-1.0))).code() == SHX_ERROR_INVALID_ARGUMENT);
+  EXPECT(WHY(haptic::create(hair, ball, haptic_def().with_force_law(haptic_force::explicit_).with_explicit_time(-1.0))).code() ==
+         SHX_ERROR_INVALID_ARGUMENT);
   haptic hand = GET(haptic::create(hair, ball, haptic_def().with_max_force(1.0)));
   EXPECT(static_cast<bool>(hand));
   haptic_state state;

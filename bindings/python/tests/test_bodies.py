@@ -182,6 +182,8 @@ def test_a_hand_feels_hair(solver) -> None:
     ball = solver.add_body(shx.BodyDef.sphere(0.02, pose=start))
     with pytest.raises(shx.InvalidArgumentError, match=r"def\.stiffness"):
         shx.Haptic(solver, ball, shx.HapticDef(stiffness=-1.0))
+    with pytest.raises(shx.InvalidArgumentError, match=r"def\.explicit_time"):
+        shx.Haptic(solver, ball, shx.HapticDef(force_law=shx.HapticForce.EXPLICIT, explicit_time=-1.0))
     with shx.Haptic(solver, ball, shx.HapticDef(max_force=1.0)) as haptic:
         for frame in range(60):
             for tick in range(8):

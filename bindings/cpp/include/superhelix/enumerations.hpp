@@ -293,7 +293,7 @@ struct haptic_force {
     // The explicit formula of Bonanni and Kmoch (2008): each pressing contact resists the velocity of the tool, by the strand's bending
     // stiffness across it and by its internal friction along it. It costs next to nothing, never drives the hand, works with every contact
     // model, and is zero while the tool stands still.
-    explicit = SHX_HAPTIC_FORCE_EXPLICIT,
+    explicit_ = SHX_HAPTIC_FORCE_EXPLICIT,
   };
 };
 
