@@ -45,18 +45,19 @@ def bust():
     return np.array(points), np.array(faces)
 
 
-def seen(points, turn):
-    """Right, up and towards the eye, from behind the head and from the side by an angle."""
+def seen(points, turn, down=0.5):
+    """Right, up and towards the eye, from behind the head, from the side by an angle and from above by another."""
     c, s = np.cos(turn), np.sin(turn)
-    x, y, z = points[..., 0], points[..., 1], points[..., 2]
-    return np.stack([-c * x + s * z, y, -s * x - c * z], axis=-1)
+    x, y, z = points[..., 0], points[..., 1] - 0.3, points[..., 2]
+    near = -s * x - c * z
+    return np.stack([-c * x + s * z, np.cos(down) * y - np.sin(down) * near, np.sin(down) * y + np.cos(down) * near], axis=-1)
 
 
 def comb_picture():
     """Four moments of the first stroke, from behind and to the left."""
     if not (OUT / "hair.3.obj").exists():
         return
-    turn = 0.9
+    turn = 0.6
     points, faces = bust()
     corners = seen(points, turn)[faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -82,9 +83,9 @@ def comb_picture():
                 shade = 0.55 + 0.45 * np.clip((line[:, 2].mean() + 0.05) / 0.2, 0.0, 1.0)
                 colour, width = np.array([0.50, 0.26, 0.12]) * shade, 1.5
             else:
-                colour, width = np.array([0.12, 0.13, 0.16]), 2.4
+                colour, width = np.array([0.10, 0.22, 0.45]), 2.6
             axis.add_collection(LineCollection([line[:, :2]], colors=[colour], linewidths=width, capstyle="round"))
-        axis.set(xlim=(-0.19, 0.15), ylim=(0.14, 0.49), aspect="equal")
+        axis.set(xlim=(-0.17, 0.15), ylim=(-0.16, 0.19), aspect="equal")
         axis.axis("off")
         axis.set_title(f"{moment:.1f} s", fontsize=10)
     save(figure, "haptics_comb.png")
@@ -120,11 +121,12 @@ def types():
 
 
 def rates():
-    t, *forces = numbers("haptics_rates_curves.csv", "seconds", *(f"{law}_{axis}" for law in ("direct", "handed_over") for axis in "xyz"))
+    t, direct, once, finely = numbers("haptics_rates_curves.csv", "seconds", "direct", "handed_over", "handed_over_8")
     figure, axis = plt.subplots(figsize=(9.0, 3.2))
-    axis.plot(t, np.sqrt(sum(force**2 for force in forces[:3])), lw=1.4, label="direct, 1 kHz", color="tab:gray")
-    axis.plot(t, np.sqrt(sum(force**2 for force in forces[3:])), lw=0.7, label="handed over, 120 Hz", color="tab:red")
-    axis.set(xlabel="s", ylabel="force, mN")
+    axis.plot(t, direct, lw=1.6, label="direct, 1 kHz", color="silver")
+    axis.plot(t, once, lw=0.6, label="handed over, 120 Hz", color="tab:red")
+    axis.plot(t, finely, lw=0.6, label="the same, 8 substeps", color="tab:blue")
+    axis.set(xlabel="s", ylabel="force, µN")
     axis.legend(frameon=False)
     save(figure, "haptics_rates.png")
 
@@ -150,8 +152,8 @@ def tables():
     def percent(row, record):
         return ", ".join(f"{100 * float(row[f'{record}_{ticks}ms']):.1f}" for ticks in (1, 8, 25)) + " %"
 
-    put(table(("stroke", "force, rms", "simulation", "substeps", "late", "handed over", "the simulation's own steps"),
-              [(f"{2.9 * float(row['slower']):.1f} s", f"{float(row['rms_mN']):.2f} mN", f"{float(row['rate_hz']):.0f} Hz", row["substeps"],
+    put(table(("hair", "stroke", "force, rms", "simulation", "substeps", "late", "handed over", "the simulation's own steps"),
+              [(row["hair"], f"{row['seconds']} s", f"{row['rms_uN']} µN", f"{float(row['rate_hz']):.0f} Hz", row["substeps"],
                 f"{row['late_ms']} ms", percent(row, "felt"), percent(row, "simulated")) for row in rows("haptics_rates.csv")]), PAGE, "rates")
     put(table(("type", "EI1, 10⁻⁹ N·m²", "friction", "κ1, rad/m", "mean drag, µN", "peak, µN", "mean drag by the explicit formula, µN"),
               [tuple(row.values()) for row in rows("haptics_types_means.csv")]), PAGE, "types")

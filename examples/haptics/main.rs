@@ -27,13 +27,7 @@ fn main() {
         ["minute", out, histogram, seconds, rate, threads] => {
             minute::measure(out, histogram, number(seconds), number(rate), number(threads) as usize);
         }
-        ["rates", out, curves] => {
-            rates::table(out, 4, &[1.0, 2.0]);
-            rates::curves(curves, 4, 1.0);
-        }
-        ["single", strands, curvature, slower] => {
-            rates::single_hairs(number(strands) as usize, number(curvature), number(slower));
-        }
+        ["rates", out, curves] => rates::table(out, curves),
         ["types", out, summary] => types::table(out, summary),
         _ => {
             eprintln!("{USAGE}");

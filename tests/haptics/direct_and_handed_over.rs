@@ -48,6 +48,27 @@ fn a_stroke_feels_the_same_directly_and_handed_over() {
     assert!(off.felt[2] <= 0.05, "{:?}", off.felt);
 }
 
+/// A stroke as a hand combs, 14 cm in some seconds, and a simulation whose steps between hand-overs are as fine as the direct one's.
+#[test]
+fn a_soft_stroke_feels_the_same_within_five_percent() {
+    let options = HapticOptions::default();
+    let (slower, ticks) = (8.0, 5600.0);
+    let way = |t: f64| stroke(t / slower);
+    let forces = |felt: super::scene::Felt| -> Forces { felt.into_iter().map(|felt| felt.0.force).collect() };
+    let at_once = forces(direct(&mut combed_hair(40, 40.0), way, 1e-3 * ticks, &options));
+    let off = |substeps: u32| {
+        let rate = Rate { rate: 120.0, substeps, late: 4e-3 };
+        let (felt, _) = handed_over_and_simulated(combed_hair(40, 40.0), way, 1e-3 * ticks, rate, &options);
+        let felt = forces(felt);
+        let off = [1, 8, 25].map(|ticks| difference(&at_once, &felt, ticks));
+        println!("{substeps} substeps at 120 Hz: {off:.3?} of {:.1e} N", rms(&at_once));
+        off
+    };
+    let fine = off(8);
+    assert!(fine[0] <= 0.05 && fine[1] <= 0.04 && fine[2] <= 0.02, "{fine:?}");
+    assert!(off(2)[1] <= 0.05);
+}
+
 /// `cargo test --test haptics table -- --ignored --nocapture`: the table of docs/haptics.md.
 #[test]
 #[ignore = "a table, two minutes"]
