@@ -1878,6 +1878,15 @@ SHX_API shx_result shx_solver_constraint_states(const shx_solver *solver, const 
 // step.
 #define SHX_HAPTIC_MODE_DIRECT 2
 
+// Signorini's law of contact and Coulomb's law of friction: the forces of the simulation's own contacts. The
+// default.
+#define SHX_HAPTIC_FORCE_CONTACT 1
+
+// The explicit formula of Bonanni and Kmoch (2008): each pressing contact resists the velocity of the tool,
+// by the strand's bending stiffness across it and by its internal friction along it. It costs next to
+// nothing, never drives the hand, works with every contact model, and is zero while the tool stands still.
+#define SHX_HAPTIC_FORCE_EXPLICIT 2
+
 // The force or the torque was cut to max_force or max_torque.
 #define SHX_HAPTIC_LIMIT_CLAMPED 1
 
@@ -1931,6 +1940,17 @@ typedef struct shx_haptic_def {
   uint32_t max_contacts;
   // Maximum number of sweeps over them per update, 1 to 1000. Default 10.
   uint32_t max_sweeps;
+  // SHX_HAPTIC_FORCE_: _CONTACT (default), _EXPLICIT.
+  uint32_t force_law;
+  // Must be 0.
+  uint32_t reserved0;
+  // SHX_HAPTIC_FORCE_EXPLICIT: time by which the bending stiffness of a strand of length L is multiplied,
+  // s: a contact resists motion across the strand with explicit_time * 3 EI / L^3 N s/m. Zero or above.
+  // Default 0.1.
+  double explicit_time;
+  // SHX_HAPTIC_FORCE_EXPLICIT: it resists motion along the strand with explicit_friction * 3 gamma / L^3
+  // N s/m, where gamma is the internal friction of the strand. Zero or above. Default 1.
+  double explicit_friction;
 } shx_haptic_def;
 
 // State after an update. Fill it with shx_haptic_state_init once; each update overwrites it.
