@@ -4,7 +4,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use superhelix::haptics::HapticOptions;
+use superhelix::haptics::{HapticOptions, haptic};
 
 use super::scene::{Rate, Simulation, TICK, combed_hair, motion, stroke};
 
@@ -66,4 +66,30 @@ fn an_update_allocates_nothing() {
         assert_eq!(most, 0);
         assert!(pressing > 4 && models > 90, "{pressing} {models}");
     }
+}
+
+#[test]
+fn a_hand_over_uses_its_memory_again() {
+    let (mut solver, teeth) = combed_hair(40, 15.0);
+    let (mut tool, mut device) = haptic(&solver, &teeth, &HapticOptions::default()).unwrap();
+    let step = 1.0 / 120.0;
+    // The second stroke goes through no more strands at once than the first.
+    let mut most = [0; 2];
+    for most in &mut most {
+        for frame in 0..168 {
+            let (pose, velocity, spin) = motion(stroke, f64::from(frame) * step);
+            device.update(&pose, velocity, spin, step).unwrap();
+            tool.before_step(&mut solver, step).unwrap();
+            solver.step(step, 1).unwrap();
+            let before = allocations_so_far();
+            tool.after_step(&mut solver).unwrap();
+            // (Going back the comb sweeps through all of the hair.)
+            if frame > 2 {
+                *most = (*most).max(allocations_so_far() - before);
+            }
+        }
+    }
+    println!("{most:?} allocations at most");
+    // One for the bodies' places; where a strand comes to more touches than any had at its place in the list, a few more.
+    assert!(most[1] <= 20 && most[0] > 10 * most[1], "{most:?}");
 }
