@@ -139,7 +139,8 @@ pub fn measure(out: &str, histogram: &str, seconds: f64, rate: f64, threads: usi
     let mut bins = vec![[0_u32; 3]; 161];
     for (way, latencies) in [to_simulation, to_device, whole_way].iter().enumerate() {
         for latency in latencies {
-            bins[((latency / BIN) as usize).min(160)][way] += 1;
+            // (A model's age is whole milliseconds, but for rounding.)
+            bins[(((latency + 1e-9) / BIN) as usize).min(160)][way] += 1;
         }
     }
     let mut csv = "from_ms,to_simulation,to_device,whole_way\n".to_string();
