@@ -338,7 +338,7 @@ fn example_haptic_comb() {
     let groom = |name: &str| root().join("tests/data/grooms").join(name);
     let mut program = Command::new(examples().join("shared/haptic_comb"));
     let printed = text(program.args([groom("sintel_hair_001.tfx"), groom("sintel_bust.obj"), out.clone(), "2".into()]));
-    assert_eq!(printed.lines().count(), 4, "{printed}");
+    assert_eq!(printed.lines().count(), 5, "{printed}");
     assert!((0..3).all(|moment| out.join(format!("hair.{moment}.obj")).exists()), "{printed}");
     let felt = std::fs::read_to_string(&file).expect("the file");
     assert_eq!(felt.lines().count(), 2001);
