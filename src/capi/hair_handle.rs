@@ -92,7 +92,8 @@ pub unsafe extern "C" fn shx_hair_handle_init(handle: *mut shx_hair_handle, size
 }
 
 /// Writes the handle of a measured type of hair to out_handle, which shx_hair_handle_init has filled. The
-/// names are those of shx_hair_type_from_name; "h1", "h2", "ga1" and "gc3" are Bonanni and Kmoch 2008, table 1.
+/// names are those of shx_hair_type_from_name; "h1", "h2", "ga1" and "gc3" are Bonanni and Kmoch 2008, table
+/// 1.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name).
 /// Threads: any.
 #[unsafe(no_mangle)]
@@ -148,7 +149,7 @@ pub unsafe extern "C" fn shx_hair_handle_to_type(handle: *const shx_hair_handle,
 pub struct shx_combing_test {
     /// Set by shx_combing_test_init.
     pub struct_size: u32,
-    /// Number of hairs, 1 to 1000. Default 8.
+    /// Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.
     pub strand_count: u32,
     /// Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.
     pub element_count: u32,
@@ -158,7 +159,7 @@ pub struct shx_combing_test {
     pub length: f64,
     /// Stroke, m; at most length - 0.025. Default 0.03.
     pub stroke: f64,
-    /// Speed of the rods, m/s; above 0. Default 0.05.
+    /// Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.
     pub speed: f64,
     /// Steps per second; above 0. Default 240.
     pub rate: f64,
@@ -231,8 +232,8 @@ pub unsafe extern "C" fn shx_combing_test_init(test: *mut shx_combing_test, size
 
 /// Combs hair with this handle: hairs hang from clamps, three rods close on them so that each hair bends
 /// around them, and are drawn down over it. test may be null: defaults. Writes position, m, force against the
-/// stroke, N, and pressure across it, N, of each step to out_stroke, out_force and out_pressure, each of which
-/// holds capacity numbers or is null. Takes about a second with the defaults.
+/// stroke, N, and pressure across it, N, of each step to out_stroke, out_force and out_pressure, each of
+/// which holds capacity numbers or is null. Takes a fraction of a second with the defaults.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
 /// SHX_ERROR_BUFFER_TOO_SMALL (the message has the number of steps).
 /// Threads: any.

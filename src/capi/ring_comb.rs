@@ -12,9 +12,10 @@ use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::styling::{RingComb, RingCombOptions, RingCombReport};
 
-/// A comb whose teeth hold the strands that they run into: each slides through a ring on its tooth, with friction,
-/// until it has been combed to the tip or is let go. It needs no bodies. A strand is on one tooth of a comb at a
-/// time; several combs may hold it. shx_ring_comb_create makes it, you own it, shx_ring_comb_destroy frees it.
+/// A comb whose teeth hold the strands that they run into: each slides through a ring on its tooth, with
+/// friction, until it has been combed to the tip or is let go. It needs no bodies. A strand is on one tooth
+/// of a comb at a time; several combs may hold it. shx_ring_comb_create makes it, you own it,
+/// shx_ring_comb_destroy frees it.
 pub struct shx_ring_comb {
     comb: Mutex<RingComb>,
 }
@@ -139,8 +140,8 @@ pub unsafe extern "C" fn shx_ring_comb_destroy(comb: *mut shx_ring_comb) {
     });
 }
 
-/// Call it before a step of dt seconds: the comb moves to frame meanwhile, and those of count strands that a tooth
-/// runs into on the way are caught.
+/// Call it before a step of dt seconds: the comb moves to frame meanwhile, and those of count strands that a
+/// tooth runs into on the way are caught.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY.
 /// Threads: exclusive, for the solver and the comb.
 #[unsafe(no_mangle)]

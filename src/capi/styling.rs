@@ -139,11 +139,12 @@ pub unsafe extern "C" fn shx_tool_def_init(def: *mut shx_tool_def, size: usize) 
     unsafe { initialise("shx_tool_def_init", "def", def, size) }
 }
 
-/// Writes where the bodies of a tool are when it is at frame to out_frames, which holds capacity frames, in the
-/// order of shx_solver_add_tool, and their number to out_count: pass them to shx_solver_set_body_frames to move
-/// the tool. opening: distance between the faces of plates, m, 0 or above; other tools ignore it. out_frames
-/// may be null if you need the number only.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+/// Writes where the bodies of a tool are when it is at frame to out_frames, which holds capacity frames, in
+/// the order of shx_solver_add_tool, and their number to out_count: pass them to shx_solver_set_body_frames
+/// to move the tool. opening: distance between the faces of plates, m, 0 or above; other tools ignore it.
+/// out_frames may be null if you need the number only.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
+/// SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_tool_frames(
@@ -173,10 +174,10 @@ pub unsafe extern "C" fn shx_tool_frames(
     })
 }
 
-/// Writes half the edges, m, along the axes of the tool, of the box about its origin in which plates or a barrel
-/// heat hair: see shx_heat_def. opening: as in shx_tool_frames.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED (a
-/// tool that is not hot).
+/// Writes half the edges, m, along the axes of the tool, of the box about its origin in which plates or a
+/// barrel heat hair: see shx_heat_def. opening: as in shx_tool_frames.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED
+/// (a tool that is not hot).
 /// Threads: any.
 /// cbindgen:ptrs-as-arrays=[[out_half_edges; 3]]
 #[unsafe(no_mangle)]
@@ -236,7 +237,8 @@ pub struct shx_clip_def {
     pub kind: u32,
     /// Where it is, world. Default: at the origin, aligned with the world axes.
     pub frame: shx_frame,
-    /// Half the edges of the box in which it holds hair, along the axes of the frame, m; above 0. Default 0.01 each.
+    /// Half the edges of the box in which it holds hair, along the axes of the frame, m; above 0. Default 0.01
+    /// each.
     pub half_edges: [f64; 3],
     /// As in shx_constraint_def. Default 0: rigid.
     pub compliance: f64,
@@ -283,10 +285,10 @@ pub unsafe extern "C" fn shx_clip_def_init(def: *mut shx_clip_def, size: usize) 
     unsafe { initialise("shx_clip_def_init", "def", def, size) }
 }
 
-/// Closes a clip on count strands: each stretch of a strand inside the box is held, where it is, at its middle.
-/// The clip is the constraints that this adds: their ids go to out_ids, which holds capacity ids, their number
-/// to out_count. shx_solver_move_constraints moves the clip, shx_solver_remove_constraints opens it. Nothing
-/// moves at once. Each strand may appear once.
+/// Closes a clip on count strands: each stretch of a strand inside the box is held, where it is, at its
+/// middle. The clip is the constraints that this adds: their ids go to out_ids, which holds capacity ids,
+/// their number to out_count. shx_solver_move_constraints moves the clip, shx_solver_remove_constraints opens
+/// it. Nothing moves at once. Each strand may appear once.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
 /// SHX_ERROR_BUFFER_TOO_SMALL (nothing is added then), SHX_ERROR_OUT_OF_MEMORY.
 /// Threads: exclusive.
@@ -316,8 +318,8 @@ pub unsafe extern "C" fn shx_solver_clip_strands(
     }
 }
 
-/// Moves the targets of count constraints over the next over_seconds of simulated time as something rigid that
-/// goes from frame `from` to frame `to`, for example a clip. 0: within the next substep. All or none.
+/// Moves the targets of count constraints over the next over_seconds of simulated time as something rigid
+/// that goes from frame `from` to frame `to`, for example a clip. 0: within the next substep. All or none.
 /// Errors: as shx_solver_set_constraint_targets.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
@@ -356,11 +358,11 @@ pub struct shx_cut {
 
 const _: () = assert!(size_of::<shx_cut>() == 56 && offset_of!(shx_cut, position) == 24);
 
-/// Cuts those of count strands that cross a blade, a quad given by its corners in order (four points, m, world),
-/// each at the crossing closest to its root, but no shorter than min_length (m, above 0). Shapes, natural shapes
-/// and velocities of what is left stay exactly; nothing else moves. Constraints on what is cut off are removed.
-/// Writes what was cut to out_cuts, which holds count items, in the order of ids, and their number to out_count.
-/// Each strand may appear once.
+/// Cuts those of count strands that cross a blade, a quad given by its corners in order (four points, m,
+/// world), each at the crossing closest to its root, but no shorter than min_length (m, above 0). Shapes,
+/// natural shapes and velocities of what is left stay exactly; nothing else moves. Constraints on what is cut
+/// off are removed. Writes what was cut to out_cuts, which holds count items, in the order of ids, and their
+/// number to out_count. Each strand may appear once.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 /// cbindgen:ptrs-as-arrays=[[corners; 12]]
@@ -416,7 +418,8 @@ pub struct shx_heat_def {
     pub frame: shx_frame,
     /// Half its edges along the axes of the frame, m; above 0: see shx_tool_hot_box. Default 0.01 each.
     pub half_edges: [f64; 3],
-    /// Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default 5.
+    /// Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default
+    /// 5.
     pub rate: f64,
 }
 
@@ -481,12 +484,13 @@ pub unsafe extern "C" fn shx_solver_heat_strands(
 }
 
 /// Fixes the style of count strands: their current shapes become rest shapes (see
-/// shx_solver_adopt_rest_shapes), their velocities zero, and from now on they keep their shape, move with their
-/// roots, and cost next to nothing. A frozen strand wakes in the substep in which a body comes closer than 1 mm to
-/// it, or closer than it already was, and when a constraint holds it. Other strands do not touch frozen ones. Awake
-/// and untouched it stays where it is. Strands that are frozen already stay as they are. Each may appear once.
-/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (also a strand that is too
-/// limp for finite natural curvatures to hold it).
+/// shx_solver_adopt_rest_shapes), their velocities zero, and from now on they keep their shape, move with
+/// their roots, and cost next to nothing. A frozen strand wakes in the substep in which a body comes closer
+/// than 1 mm to it, or closer than it already was, and when a constraint holds it. Other strands do not touch
+/// frozen ones. Awake and untouched it stays where it is. Strands that are frozen already stay as they are.
+/// Each may appear once.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (also a strand that is
+/// too limp for finite natural curvatures to hold it).
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_freeze_strands(
@@ -498,8 +502,8 @@ pub unsafe extern "C" fn shx_solver_freeze_strands(
     unsafe { write("shx_solver_freeze_strands", solver, |core, _| core.freeze_strands(&strand_ids(ids, count)?)) }
 }
 
-/// Wakes count strands: they move again from the next step on, from their current shape, at rest relative to their
-/// roots. Strands that are awake stay as they are.
+/// Wakes count strands: they move again from the next step on, from their current shape, at rest relative to
+/// their roots. Strands that are awake stay as they are.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]

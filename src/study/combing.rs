@@ -1,5 +1,5 @@
 //! A standard combing experiment: force against stroke. Hairs hang from a row of clamps; three rods close on them, so that each hair bends round
-//! them, and are drawn down over it. The rods feel how stiff the hairs are across the stroke, and how rough along it.
+//! them about its longer axis, and are drawn down over it. The rods feel how stiff the hairs are across the stroke, and how rough along it.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use crate::solver::definition::{SolverOptions, StrandDef};
 /// How the experiment is made. Lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CombingTest {
-    /// Hairs, 1 to 1000, each turned about its axis otherwise.
+    /// Hairs side by side, 1 to 1000: forces are of all together.
     pub strands: u32,
     /// Their length, 0.03 or above.
     pub length: f64,
@@ -33,7 +33,7 @@ pub struct CombingTest {
 
 impl Default for CombingTest {
     fn default() -> Self {
-        Self { strands: 8, length: 0.06, stroke: 0.03, speed: 0.05, elements: 40, rate: 240.0 }
+        Self { strands: 1, length: 0.06, stroke: 0.03, speed: 0.01, elements: 40, rate: 240.0 }
     }
 }
 
@@ -184,9 +184,8 @@ impl CombingTest {
         def.initial = Some(vec![[0.0; 3]; count]);
         def.material = hair.material;
         let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.5 * PI);
-        let about = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI * f64::from(k) / f64::from(self.strands));
         let y = 2e-3 * (f64::from(k) - 0.5 * f64::from(self.strands - 1));
-        def.root = Frame { origin: Vector3::y() * y, rotation: down * about };
+        def.root = Frame { origin: Vector3::y() * y, rotation: down };
         def
     }
 }

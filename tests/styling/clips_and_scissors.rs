@@ -31,8 +31,8 @@ fn a_clip_holds_and_lets_go() {
             assert!(moved < 1e-6, "{hold:?} {moved}");
         }
         let to = Frame {
-            origin: Vector3::new(0.02, 0.0, -0.05),
-            rotation: from_rotation_vector(Vector3::new(0.0, 0.3, 0.0)),
+            origin: Vector3::new(0.0, 0.0, -0.055),
+            rotation: from_rotation_vector(Vector3::new(0.0, 0.1, 0.1)),
         };
         solver.move_constraints(&held, &def.frame, &to, 0.25).unwrap();
         for _ in 0..60 {
@@ -60,7 +60,7 @@ fn a_clip_holds_and_lets_go() {
 #[test]
 fn scissors_cut_where_the_blade_crosses() {
     let (mut solver, ids) = row(5, 0.12, &WAVY);
-    let held = solver.clip_strands(&ids[1..2], &clip(-0.1, Hold::Point)).unwrap();
+    let held = solver.clip_strands(&ids[1..2], &clip(-0.085, Hold::Point)).unwrap();
     let before: Vec<_> = ids.iter().map(|id| solver.curvatures(*id).unwrap().to_vec()).collect();
     // A blade in the plane z = −0.07 that reaches the first three.
     let (a, b) = (Vector3::new(-0.1, -0.1, -0.07), Vector3::new(0.002, 0.1, -0.07));

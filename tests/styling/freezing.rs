@@ -204,7 +204,7 @@ fn they_cost_next_to_nothing() {
     let head = Shape::new_sphere(0.1).unwrap();
     let pose = Frame { origin: Vector3::new(0.06, 0.06, 0.101), ..Frame::default() };
     solver.add_bodies(vec![BodyDef { pose, ..BodyDef::new(Arc::new(head)) }]).unwrap();
-    let mut time = |solver: &mut Solver| {
+    let time = |solver: &mut Solver| {
         solver.step(STEP, 1).unwrap();
         let began = Instant::now();
         for _ in 0..10 {
