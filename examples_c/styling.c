@@ -102,7 +102,7 @@ int main(void) {
   heat.shape = SHX_HEAT_STRAIGHT;
   heat.rate = 8;
   for (int i = 0; i < 360; i++) {
-    heat.frame = at(0, 0, -0.15 * i / 360, 0);
+    heat.pose = at(0, 0, -0.15 * i / 360, 0);
     CHECK(shx_solver_heat_strands(solver, &heat, ids, STRANDS, STEP, NULL));
     CHECK(shx_solver_step(solver, STEP, 1, NULL));
   }
@@ -124,12 +124,12 @@ int main(void) {
   size_t held_count;
   CHECK(shx_clip_def_init(&clip, sizeof clip));
   clip.kind = SHX_CONSTRAINT_POINT;
-  clip.frame = at(0, 0, -0.06, 0);
+  clip.pose = at(0, 0, -0.06, 0);
   clip.half_edges[0] = clip.half_edges[1] = 0.03;
   clip.half_edges[2] = 0.004;
   CHECK(shx_solver_clip_strands(solver, &clip, ids, STRANDS, held, MANY, &held_count));
   frame = at(0.02, 0, -0.055, 0);
-  CHECK(shx_solver_move_constraints(solver, held, held_count, &clip.frame, &frame, 0.5));
+  CHECK(shx_solver_move_constraints(solver, held, held_count, &clip.pose, &frame, 0.5));
   for (int i = 0; i < 120; i++)
     CHECK(shx_solver_step(solver, STEP, 1, NULL));
   printf("clipped %zu\n", held_count);

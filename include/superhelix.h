@@ -2024,107 +2024,6 @@ SHX_API shx_result shx_haptic_after_step(shx_haptic *haptic, shx_solver *solver)
 SHX_API shx_result shx_haptic_update(shx_haptic *haptic, const shx_frame *pose, const double velocity[6],
     double dt, double out_wrench[6], shx_haptic_state *state);
 
-// ---- Hair handle ------------------------------------------------------------------------------------------
-
-// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry,
-// bending and friction. Fill it with shx_hair_handle_init or shx_hair_handle_from_name.
-typedef struct shx_hair_handle {
-  // Set by shx_hair_handle_init.
-  uint32_t struct_size;
-  // Must be 0.
-  uint32_t reserved0;
-  // Geometry: the longer diameter of the cross-section, m; above 0.
-  double major_diameter;
-  // Geometry: ratio of the longer to the shorter diameter; 1 or above.
-  double ellipticity;
-  // Geometry: natural twist, rad/m; 0 where natural_curvature is 0.
-  double natural_twist;
-  // Geometry: natural curvature, rad/m; 0 (straight) or above.
-  double natural_curvature;
-  // Bending stiffness about the longer axis, N m^2; above 0.
-  double bending_stiffness;
-  // Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients.
-  double frictional_force;
-  // Internal friction gamma, kg m^3/s; 0 or above.
-  double internal_friction;
-} shx_hair_handle;
-
-// Fills *handle with that of hair GA1. size is sizeof(shx_hair_handle).
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
-// Threads: any.
-SHX_API shx_result shx_hair_handle_init(shx_hair_handle *handle, size_t size);
-
-// Writes the handle of a measured type of hair to out_handle, which shx_hair_handle_init has filled. The
-// names are those of shx_hair_type_from_name; "h1", "h2", "ga1" and "gc3" are Bonanni and Kmoch 2008, table
-// 1.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name).
-// Threads: any.
-SHX_API shx_result shx_hair_handle_from_name(const char *name, shx_hair_handle *out_handle);
-
-// Writes handle with two sliders moved, each from -1 to 1 (0 changes nothing), to out_handle, which
-// shx_hair_handle_init has filled; it may be handle itself. curliness acts on natural twist and curvature,
-// combing_ease on both kinds of friction, as the shx_hair_sliders of those names do.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
-// Threads: any.
-SHX_API shx_result shx_hair_handle_adjust(const shx_hair_handle *handle, double curliness,
-    double combing_ease, shx_hair_handle *out_handle);
-
-// Writes the type of hair that has this handle, without variation, to out_hair, which shx_hair_type_init has
-// filled: shx_hair_strands makes strands of it.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
-// Threads: any.
-SHX_API shx_result shx_hair_handle_to_type(const shx_hair_handle *handle, shx_hair_type *out_hair);
-
-// A standard combing experiment. Fill it with shx_combing_test_init, then change what you need.
-typedef struct shx_combing_test {
-  // Set by shx_combing_test_init.
-  uint32_t struct_size;
-  // Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.
-  uint32_t strand_count;
-  // Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.
-  uint32_t element_count;
-  // Must be 0.
-  uint32_t reserved0;
-  // Length of the hairs, m. Default 0.06.
-  double length;
-  // Stroke, m; at most length - 0.025. Default 0.03.
-  double stroke;
-  // Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.
-  double speed;
-  // Steps per second; above 0. Default 240.
-  double rate;
-} shx_combing_test;
-
-// Result of a combing experiment; the means are over the second half of the stroke.
-typedef struct shx_combing_result {
-  // Number of steps of the stroke, and of entries in each list.
-  uint64_t step_count;
-  // Force against the stroke, N: how hard the hair is to comb.
-  double mean_force;
-  // Sum of the forces on the rods across the stroke, N: how stiff it is.
-  double mean_pressure;
-  // mean_force / mean_pressure: how rough it is.
-  double friction;
-  // Work of the stroke, J.
-  double work;
-} shx_combing_result;
-
-// Fills *test with defaults. size is sizeof(shx_combing_test).
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
-// Threads: any.
-SHX_API shx_result shx_combing_test_init(shx_combing_test *test, size_t size);
-
-// Combs hair with this handle: hairs hang from clamps, three rods close on them so that each hair bends
-// around them, and are drawn down over it. test may be null: defaults. Writes position, m, force against the
-// stroke, N, and pressure across it, N, of each step to out_stroke, out_force and out_pressure, each of
-// which holds capacity numbers or is null. Takes a fraction of a second with the defaults.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
-// SHX_ERROR_BUFFER_TOO_SMALL (the message has the number of steps).
-// Threads: any.
-SHX_API shx_result shx_combing_test_run(const shx_combing_test *test, const shx_hair_handle *handle,
-    double *out_stroke, double *out_force, double *out_pressure, size_t capacity,
-    shx_combing_result *out_result);
-
 // ---- Styling tools ----------------------------------------------------------------------------------------
 
 // A row of teeth along the x axis of the tool that point along its z axis; one body per tooth.
@@ -2199,15 +2098,15 @@ SHX_API shx_result shx_tool_hot_box(const shx_tool_def *def, double opening, dou
 SHX_API shx_result shx_solver_add_tool(shx_solver *solver, const shx_tool_def *def, const shx_frame *frame,
     double opening, shx_body_id *out_ids, size_t capacity, size_t *out_count);
 
-// Definition of a clip. Fill it with shx_clip_def_init, then set frame and half_edges.
+// Definition of a clip. Fill it with shx_clip_def_init, then set pose and half_edges.
 typedef struct shx_clip_def {
   // Set by shx_clip_def_init.
   uint32_t struct_size;
   // SHX_CONSTRAINT_FRAME (default), _DIRECTION or _POINT: how it holds hair.
   uint32_t kind;
   // Where it is, world. Default: at the origin, aligned with the world axes.
-  shx_frame frame;
-  // Half the edges of the box in which it holds hair, along the axes of the frame, m; above 0. Default 0.01
+  shx_frame pose;
+  // Half the edges of the box in which it holds hair, along its axes, m; above 0. Default 0.01
   // each.
   double half_edges[3];
   // As in shx_constraint_def. Default 0: rigid.
@@ -2266,15 +2165,15 @@ SHX_API shx_result shx_solver_scissor_strands(shx_solver *solver, const shx_stra
 // Heated hair keeps the shape in which it is held: a curling iron.
 #define SHX_HEAT_PRESENT 2
 
-// Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set frame and half_edges.
+// Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set pose and half_edges.
 typedef struct shx_heat_def {
   // Set by shx_heat_def_init.
   uint32_t struct_size;
   // SHX_HEAT_STRAIGHT (default) or _PRESENT.
   uint32_t shape;
-  // Frame of the hot box, world. Default: at the origin, aligned with the world axes.
-  shx_frame frame;
-  // Half its edges along the axes of the frame, m; above 0: see shx_tool_hot_box. Default 0.01 each.
+  // Where the hot box is, world. Default: at the origin, aligned with the world axes.
+  shx_frame pose;
+  // Half its edges along its axes, m; above 0: see shx_tool_hot_box. Default 0.01 each.
   double half_edges[3];
   // Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default
   // 5.
@@ -3295,6 +3194,107 @@ SHX_API shx_result shx_hair_strands_def_init(shx_hair_strands_def *def, size_t s
 // Threads: any.
 SHX_API shx_result shx_hair_strands(const shx_hair_strands_def *def, shx_hair_strand *out_strands,
     size_t stride, double *out_curvatures, size_t capacity);
+
+// ---- Hair handle ------------------------------------------------------------------------------------------
+
+// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry,
+// bending and friction. Fill it with shx_hair_handle_init or shx_hair_handle_from_name.
+typedef struct shx_hair_handle {
+  // Set by shx_hair_handle_init.
+  uint32_t struct_size;
+  // Must be 0.
+  uint32_t reserved0;
+  // Geometry: the longer diameter of the cross-section, m; above 0.
+  double major_diameter;
+  // Geometry: ratio of the longer to the shorter diameter; 1 or above.
+  double ellipticity;
+  // Geometry: natural twist, rad/m; 0 where natural_curvature is 0.
+  double natural_twist;
+  // Geometry: natural curvature, rad/m; 0 (straight) or above.
+  double natural_curvature;
+  // Bending stiffness about the longer axis, N m^2; above 0.
+  double bending_stiffness;
+  // Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients.
+  double frictional_force;
+  // Internal friction gamma, kg m^3/s; 0 or above.
+  double internal_friction;
+} shx_hair_handle;
+
+// Fills *handle with that of hair GA1. size is sizeof(shx_hair_handle).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_hair_handle_init(shx_hair_handle *handle, size_t size);
+
+// Writes the handle of a measured type of hair to out_handle, which shx_hair_handle_init has filled. The
+// names are those of shx_hair_type_from_name; "h1", "h2", "ga1" and "gc3" are Bonanni and Kmoch 2008, table
+// 1.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name).
+// Threads: any.
+SHX_API shx_result shx_hair_handle_from_name(const char *name, shx_hair_handle *out_handle);
+
+// Writes handle with two sliders moved, each from -1 to 1 (0 changes nothing), to out_handle, which
+// shx_hair_handle_init has filled; it may be handle itself. curliness acts on natural twist and curvature,
+// combing_ease on both kinds of friction, as the shx_hair_sliders of those names do.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: any.
+SHX_API shx_result shx_hair_handle_adjust(const shx_hair_handle *handle, double curliness,
+    double combing_ease, shx_hair_handle *out_handle);
+
+// Writes the type of hair that has this handle, without variation, to out_hair, which shx_hair_type_init has
+// filled: shx_hair_strands makes strands of it.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: any.
+SHX_API shx_result shx_hair_handle_to_type(const shx_hair_handle *handle, shx_hair_type *out_hair);
+
+// A standard combing experiment. Fill it with shx_combing_test_init, then change what you need.
+typedef struct shx_combing_test {
+  // Set by shx_combing_test_init.
+  uint32_t struct_size;
+  // Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.
+  uint32_t strand_count;
+  // Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.
+  uint32_t element_count;
+  // Must be 0.
+  uint32_t reserved0;
+  // Length of the hairs, m. Default 0.06.
+  double length;
+  // Stroke, m; at most length - 0.025. Default 0.03.
+  double stroke;
+  // Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.
+  double speed;
+  // Steps per second; above 0. Default 240.
+  double rate;
+} shx_combing_test;
+
+// Result of a combing experiment; the means are over the second half of the stroke.
+typedef struct shx_combing_result {
+  // Number of steps of the stroke, and of entries in each list.
+  uint64_t step_count;
+  // Force against the stroke, N: how hard the hair is to comb.
+  double mean_force;
+  // Sum of the forces on the rods across the stroke, N: how stiff it is.
+  double mean_pressure;
+  // mean_force / mean_pressure: how rough it is.
+  double friction;
+  // Work of the stroke, J.
+  double work;
+} shx_combing_result;
+
+// Fills *test with defaults. size is sizeof(shx_combing_test).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_combing_test_init(shx_combing_test *test, size_t size);
+
+// Combs hair with this handle: hairs hang from clamps, three rods close on them so that each hair bends
+// around them, and are drawn down over it. test may be null: defaults. Writes position, m, force against the
+// stroke, N, and pressure across it, N, of each step to out_stroke, out_force and out_pressure, each of
+// which holds capacity numbers or is null. Takes a fraction of a second with the defaults.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
+// SHX_ERROR_BUFFER_TOO_SMALL (the message has the number of steps).
+// Threads: any.
+SHX_API shx_result shx_combing_test_run(const shx_combing_test *test, const shx_hair_handle *handle,
+    double *out_stroke, double *out_force, double *out_pressure, size_t capacity,
+    shx_combing_result *out_result);
 
 // ---- Scalps and follicles ---------------------------------------------------------------------------------
 

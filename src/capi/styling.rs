@@ -227,7 +227,7 @@ pub unsafe extern "C" fn shx_solver_add_tool(
     }
 }
 
-/// Definition of a clip. Fill it with shx_clip_def_init, then set frame and half_edges.
+/// Definition of a clip. Fill it with shx_clip_def_init, then set pose and half_edges.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_clip_def {
@@ -236,8 +236,8 @@ pub struct shx_clip_def {
     /// SHX_CONSTRAINT_FRAME (default), _DIRECTION or _POINT: how it holds hair.
     pub kind: u32,
     /// Where it is, world. Default: at the origin, aligned with the world axes.
-    pub frame: shx_frame,
-    /// Half the edges of the box in which it holds hair, along the axes of the frame, m; above 0. Default 0.01
+    pub pose: shx_frame,
+    /// Half the edges of the box in which it holds hair, along its axes, m; above 0. Default 0.01
     /// each.
     pub half_edges: [f64; 3],
     /// As in shx_constraint_def. Default 0: rigid.
@@ -252,7 +252,7 @@ unsafe impl Versioned for shx_clip_def {
         Self {
             struct_size: size_of::<Self>() as u32,
             kind: SHX_CONSTRAINT_FRAME,
-            frame: (&Frame::default()).into(),
+            pose: (&Frame::default()).into(),
             half_edges: [0.01; 3],
             compliance: 0.0,
         }
@@ -271,7 +271,7 @@ impl shx_clip_def {
                 return Err(Error::invalid("def.kind", other, "SHX_CONSTRAINT_FRAME, _DIRECTION or _POINT"));
             }
         };
-        let frame = Frame::from_arrays("def.frame", self.frame.origin, self.frame.rotation)?;
+        let frame = Frame::from_arrays("def.pose", self.pose.origin, self.pose.rotation)?;
         Ok(ClipDef { frame, half_edges: self.half_edges.into(), hold, compliance: self.compliance })
     }
 }
@@ -308,7 +308,7 @@ pub unsafe extern "C" fn shx_solver_clip_strands(
             let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
             let made = Place::new("out_count", out_count)?;
             let clip = read_versioned("def", def)?.clip()?;
-            let defs = core.clip_constraints(&strand_ids(ids, count)?, &clip).map_err(|error| error.renamed("clip", "def"))?;
+            let defs = core.clip_constraints(&strand_ids(ids, count)?, &clip).map_err(|error| error.renamed("clip", "def").renamed("def.frame", "def.pose"))?;
             places.check_room(defs.len())?;
             let ids = core.add_constraints(&defs)?;
             places.write(&ids.iter().map(|id| shx_constraint_id { bits: id.bits() }).collect::<Vec<_>>())?;
@@ -406,7 +406,7 @@ pub const SHX_HEAT_STRAIGHT: u32 = 1;
 /// Heated hair keeps the shape in which it is held: a curling iron.
 pub const SHX_HEAT_PRESENT: u32 = 2;
 
-/// Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set frame and half_edges.
+/// Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set pose and half_edges.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct shx_heat_def {
@@ -414,9 +414,9 @@ pub struct shx_heat_def {
     pub struct_size: u32,
     /// SHX_HEAT_STRAIGHT (default) or _PRESENT.
     pub shape: u32,
-    /// Frame of the hot box, world. Default: at the origin, aligned with the world axes.
-    pub frame: shx_frame,
-    /// Half its edges along the axes of the frame, m; above 0: see shx_tool_hot_box. Default 0.01 each.
+    /// Where the hot box is, world. Default: at the origin, aligned with the world axes.
+    pub pose: shx_frame,
+    /// Half its edges along its axes, m; above 0: see shx_tool_hot_box. Default 0.01 each.
     pub half_edges: [f64; 3],
     /// Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default
     /// 5.
@@ -431,7 +431,7 @@ unsafe impl Versioned for shx_heat_def {
         Self {
             struct_size: size_of::<Self>() as u32,
             shape: SHX_HEAT_STRAIGHT,
-            frame: (&Frame::default()).into(),
+            pose: (&Frame::default()).into(),
             half_edges: [0.01; 3],
             rate: 5.0,
         }
@@ -474,10 +474,10 @@ pub unsafe extern "C" fn shx_solver_heat_strands(
                 SHX_HEAT_PRESENT => HeatedShape::Present,
                 other => return Err(Error::invalid("def.shape", other, "SHX_HEAT_STRAIGHT or _PRESENT")),
             };
-            let frame = Frame::from_arrays("def.frame", def.frame.origin, def.frame.rotation)?;
+            let frame = Frame::from_arrays("def.pose", def.pose.origin, def.pose.rotation)?;
             let heat = HeatDef { frame, half_edges: def.half_edges.into(), shape, rate: def.rate };
             let hot =
-                core.heat_strands(&strand_ids(ids, count)?, &heat, seconds).map_err(|error| error.renamed("heat", "def"))?;
+                core.heat_strands(&strand_ids(ids, count)?, &heat, seconds).map_err(|error| error.renamed("heat", "def").renamed("def.frame", "def.pose"))?;
             places.map_or(Ok(()), |places| places.write(&hot))
         })
     }

@@ -666,7 +666,7 @@ AT(shx_tool_def, thickness, 56);
 SIZE(shx_clip_def, 96);
 AT(shx_clip_def, struct_size, 0);
 AT(shx_clip_def, kind, 4);
-AT(shx_clip_def, frame, 8);
+AT(shx_clip_def, pose, 8);
 AT(shx_clip_def, half_edges, 64);
 AT(shx_clip_def, compliance, 88);
 
@@ -680,7 +680,7 @@ AT(shx_cut, removed_constraints, 48);
 SIZE(shx_heat_def, 96);
 AT(shx_heat_def, struct_size, 0);
 AT(shx_heat_def, shape, 4);
-AT(shx_heat_def, frame, 8);
+AT(shx_heat_def, pose, 8);
 AT(shx_heat_def, half_edges, 64);
 AT(shx_heat_def, rate, 88);
 

@@ -26,7 +26,6 @@ const SUBJECTS: [(&str, &[&str]); 32] = [
     ("Overlaps", &["overlaps", "push_out"]),
     ("Constraints", &["constraints"]),
     ("Haptics", &["haptic_def", "haptic"]),
-    ("Hair handle", &["hair_handle"]),
     ("Styling tools", &["styling", "ring_comb"]),
     ("Snapshots", &["state"]),
     ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),
@@ -35,6 +34,7 @@ const SUBJECTS: [(&str, &[&str]); 32] = [
     ("Fitting friction to a recording", &["friction_fit"]),
     ("Groom files and caches", &["curves", "curve_data", "curve_cache"]),
     ("Hair types", &["hair_type"]),
+    ("Hair handle", &["hair_handle"]),
     ("Scalps and follicles", &["scalp"]),
     ("Render hair", &["render_def", "render_hair"]),
 ];

@@ -110,9 +110,9 @@ fn every_size_and_offset_is_as_published() {
         shx_combing_test: 48 { struct_size: 0, strand_count: 4, element_count: 8, reserved0: 12, length: 16, stroke: 24, speed: 32, rate: 40 }
         shx_combing_result: 40 { step_count: 0, mean_force: 8, mean_pressure: 16, friction: 24, work: 32 }
         shx_tool_def: 64 { struct_size: 0, kind: 4, tooth_count: 8, row_count: 12, spacing: 16, row_spacing: 24, length: 32, radius: 40, width: 48, thickness: 56 }
-        shx_clip_def: 96 { struct_size: 0, kind: 4, frame: 8, half_edges: 64, compliance: 88 }
+        shx_clip_def: 96 { struct_size: 0, kind: 4, pose: 8, half_edges: 64, compliance: 88 }
         shx_cut: 56 { strand: 0, length: 8, removed: 16, position: 24, removed_constraints: 48 }
-        shx_heat_def: 96 { struct_size: 0, shape: 4, frame: 8, half_edges: 64, rate: 88 }
+        shx_heat_def: 96 { struct_size: 0, shape: 4, pose: 8, half_edges: 64, rate: 88 }
         shx_ring_comb_def: 32 { struct_size: 0, reserved0: 4, friction: 8, max_force: 16, exempt_length: 24 }
         shx_ring_comb_report: 64 { held: 0, caught: 4, combed: 8, let_go: 12, force: 16, torque: 40 }
     };

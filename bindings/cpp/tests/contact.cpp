@@ -177,11 +177,11 @@ TEST(styling) {
   NEAR(half_edges[1], 0.007, 1e-15);
   EXPECT(WHY(tool_hot_box(teeth_def, 0.01)).code() == SHX_ERROR_UNSUPPORTED);
   clip_def clip;
-  clip.frame = make_frame({0.0, 0.0, -0.05});
+  clip.pose = make_frame({0.0, 0.0, -0.05});
   clip.half_edges[0] = clip.half_edges[1] = 0.1;
   const auto held = GET(hair.clip_strands(clip, ids));
   EXPECT(held.size() == 4);
-  GET(hair.move_constraints(held, clip.frame, make_frame({0.01, 0.0, -0.05}), 0.1));
+  GET(hair.move_constraints(held, clip.pose, make_frame({0.01, 0.0, -0.05}), 0.1));
   GET(hair.step(0.1, 4));
   GET(hair.remove_constraints(held));
   heat_def heat;

@@ -194,11 +194,11 @@ namespace Superhelix.Tests
         tool.Kind = Tool.Plates;
         Check.That(Math.Abs(Styling.ToolHotBox(tool, 0.01).Y - 0.007) < 1e-15, "hot box");
         ClipDef clip = ClipDef.Default;
-        clip.Frame = At(0, 0, -0.05);
+        clip.Pose = At(0, 0, -0.05);
         clip.HalfEdges = new Vec3(0.1, 0.1, 0.01);
         ConstraintId[] held = hair.ClipStrands(clip, ids);
         Check.That(held.Length == 4, "clip");
-        hair.MoveConstraints(held, clip.Frame, At(0.01, 0, -0.05), 0.1);
+        hair.MoveConstraints(held, clip.Pose, At(0.01, 0, -0.05), 0.1);
         hair.Step(0.1, 4);
         hair.RemoveConstraints(held);
         HeatDef heat = HeatDef.Default;

@@ -32,10 +32,10 @@ def test_tools_are_bodies() -> None:
 def test_clip_cut_heat_freeze() -> None:
     with shx.Solver() as solver:
         ids = hanging(solver)
-        clip = shx.ClipDef(frame=shx.Frame(origin=(0.0, 0.0, -0.05)), half_edges=(0.1, 0.1, 0.005))
+        clip = shx.ClipDef(pose=shx.Frame(origin=(0.0, 0.0, -0.05)), half_edges=(0.1, 0.1, 0.005))
         held = solver.clip_strands(clip)
         assert len(held) == 4
-        solver.move_constraints(clip.frame, shx.Frame(origin=(0.01, 0.0, -0.05)), held, 0.1)
+        solver.move_constraints(clip.pose, shx.Frame(origin=(0.01, 0.0, -0.05)), held, 0.1)
         solver.step(0.1, 4)
         assert np.all(solver.constraint_targets(held)[:, 0] > 0.009)
         solver.remove_constraints(held)

@@ -1162,105 +1162,13 @@ struct haptic_state : shx_haptic_state {
   }
 };
 
-// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry, bending and friction. Fill it
-// with shx_hair_handle_init or shx_hair_handle_from_name.
-struct hair_handle : shx_hair_handle {
-  hair_handle() : shx_hair_handle{} { detail::prepared(shx_hair_handle_init(this, sizeof(shx_hair_handle))); }
-
-  // Geometry: the longer diameter of the cross-section, m; above 0.
-  hair_handle &with_major_diameter(double value) {
-    major_diameter = value;
-    return *this;
-  }
-
-  // Geometry: ratio of the longer to the shorter diameter; 1 or above.
-  hair_handle &with_ellipticity(double value) {
-    ellipticity = value;
-    return *this;
-  }
-
-  // Geometry: natural twist, rad/m; 0 where natural_curvature is 0.
-  hair_handle &with_natural_twist(double value) {
-    natural_twist = value;
-    return *this;
-  }
-
-  // Geometry: natural curvature, rad/m; 0 (straight) or above.
-  hair_handle &with_natural_curvature(double value) {
-    natural_curvature = value;
-    return *this;
-  }
-
-  // Bending stiffness about the longer axis, N m^2; above 0.
-  hair_handle &with_bending_stiffness(double value) {
-    bending_stiffness = value;
-    return *this;
-  }
-
-  // Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients.
-  hair_handle &with_frictional_force(double value) {
-    frictional_force = value;
-    return *this;
-  }
-
-  // Internal friction gamma, kg m^3/s; 0 or above.
-  hair_handle &with_internal_friction(double value) {
-    internal_friction = value;
-    return *this;
-  }
-};
-
-// A standard combing experiment. Fill it with shx_combing_test_init, then change what you need.
-struct combing_test : shx_combing_test {
-  combing_test() : shx_combing_test{} { detail::prepared(shx_combing_test_init(this, sizeof(shx_combing_test))); }
-
-  // Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.
-  combing_test &with_strand_count(std::uint32_t value) {
-    strand_count = value;
-    return *this;
-  }
-
-  // Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.
-  combing_test &with_element_count(std::uint32_t value) {
-    element_count = value;
-    return *this;
-  }
-
-  // Length of the hairs, m. Default 0.06.
-  combing_test &with_length(double value) {
-    length = value;
-    return *this;
-  }
-
-  // Stroke, m; at most length - 0.025. Default 0.03.
-  combing_test &with_stroke(double value) {
-    stroke = value;
-    return *this;
-  }
-
-  // Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.
-  combing_test &with_speed(double value) {
-    speed = value;
-    return *this;
-  }
-
-  // Steps per second; above 0. Default 240.
-  combing_test &with_rate(double value) {
-    rate = value;
-    return *this;
-  }
-};
-
-// Result of a combing experiment; the means are over the second half of the stroke.
-using combing_result = shx_combing_result;
-
 // Definition of a tool: bodies from a few numbers. Fill it with shx_tool_def_init, then set kind and what you need. Where a number is 0,
 // that of the kind is used.
 struct tool_def : shx_tool_def {
   tool_def() : shx_tool_def{} { detail::prepared(shx_tool_def_init(this, sizeof(shx_tool_def))); }
 
   // SHX_TOOL_COMB (default), _BRUSH, _FINGER, _PLATES or _BARREL.
-  tool_def &with_kind(std::uint32_t value) {
+  tool_def &with_kind(superhelix::tool::type value) {
     kind = value;
     return *this;
   }
@@ -1315,23 +1223,23 @@ struct tool_def : shx_tool_def {
   }
 };
 
-// Definition of a clip. Fill it with shx_clip_def_init, then set frame and half_edges.
+// Definition of a clip. Fill it with shx_clip_def_init, then set pose and half_edges.
 struct clip_def : shx_clip_def {
   clip_def() : shx_clip_def{} { detail::prepared(shx_clip_def_init(this, sizeof(shx_clip_def))); }
 
   // SHX_CONSTRAINT_FRAME (default), _DIRECTION or _POINT: how it holds hair.
-  clip_def &with_kind(std::uint32_t value) {
+  clip_def &with_kind(superhelix::constraint_kind::type value) {
     kind = value;
     return *this;
   }
 
   // Where it is, world. Default: at the origin, aligned with the world axes.
-  clip_def &with_frame(const frame &value) {
-    frame = value;
+  clip_def &with_pose(const frame &value) {
+    pose = value;
     return *this;
   }
 
-  // Half the edges of the box in which it holds hair, along the axes of the frame, m; above 0. Default 0.01 each.
+  // Half the edges of the box in which it holds hair, along its axes, m; above 0. Default 0.01 each.
   clip_def &with_half_edges(const vec3 &value) {
     detail::copy(value, half_edges);
     return *this;
@@ -1347,23 +1255,23 @@ struct clip_def : shx_clip_def {
 // A strand that was cut.
 using cut = shx_cut;
 
-// Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set frame and half_edges.
+// Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set pose and half_edges.
 struct heat_def : shx_heat_def {
   heat_def() : shx_heat_def{} { detail::prepared(shx_heat_def_init(this, sizeof(shx_heat_def))); }
 
   // SHX_HEAT_STRAIGHT (default) or _PRESENT.
-  heat_def &with_shape(std::uint32_t value) {
+  heat_def &with_shape(superhelix::heat::type value) {
     shape = value;
     return *this;
   }
 
-  // Frame of the hot box, world. Default: at the origin, aligned with the world axes.
-  heat_def &with_frame(const frame &value) {
-    frame = value;
+  // Where the hot box is, world. Default: at the origin, aligned with the world axes.
+  heat_def &with_pose(const frame &value) {
+    pose = value;
     return *this;
   }
 
-  // Half its edges along the axes of the frame, m; above 0: see shx_tool_hot_box. Default 0.01 each.
+  // Half its edges along its axes, m; above 0: see shx_tool_hot_box. Default 0.01 each.
   heat_def &with_half_edges(const vec3 &value) {
     detail::copy(value, half_edges);
     return *this;
@@ -2149,6 +2057,98 @@ struct hair_strands_def : shx_hair_strands_def {
  private:
   std::size_t element_length_count_ = 0;
 };
+
+// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry, bending and friction. Fill it
+// with shx_hair_handle_init or shx_hair_handle_from_name.
+struct hair_handle : shx_hair_handle {
+  hair_handle() : shx_hair_handle{} { detail::prepared(shx_hair_handle_init(this, sizeof(shx_hair_handle))); }
+
+  // Geometry: the longer diameter of the cross-section, m; above 0.
+  hair_handle &with_major_diameter(double value) {
+    major_diameter = value;
+    return *this;
+  }
+
+  // Geometry: ratio of the longer to the shorter diameter; 1 or above.
+  hair_handle &with_ellipticity(double value) {
+    ellipticity = value;
+    return *this;
+  }
+
+  // Geometry: natural twist, rad/m; 0 where natural_curvature is 0.
+  hair_handle &with_natural_twist(double value) {
+    natural_twist = value;
+    return *this;
+  }
+
+  // Geometry: natural curvature, rad/m; 0 (straight) or above.
+  hair_handle &with_natural_curvature(double value) {
+    natural_curvature = value;
+    return *this;
+  }
+
+  // Bending stiffness about the longer axis, N m^2; above 0.
+  hair_handle &with_bending_stiffness(double value) {
+    bending_stiffness = value;
+    return *this;
+  }
+
+  // Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients.
+  hair_handle &with_frictional_force(double value) {
+    frictional_force = value;
+    return *this;
+  }
+
+  // Internal friction gamma, kg m^3/s; 0 or above.
+  hair_handle &with_internal_friction(double value) {
+    internal_friction = value;
+    return *this;
+  }
+};
+
+// A standard combing experiment. Fill it with shx_combing_test_init, then change what you need.
+struct combing_test : shx_combing_test {
+  combing_test() : shx_combing_test{} { detail::prepared(shx_combing_test_init(this, sizeof(shx_combing_test))); }
+
+  // Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.
+  combing_test &with_strand_count(std::uint32_t value) {
+    strand_count = value;
+    return *this;
+  }
+
+  // Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.
+  combing_test &with_element_count(std::uint32_t value) {
+    element_count = value;
+    return *this;
+  }
+
+  // Length of the hairs, m. Default 0.06.
+  combing_test &with_length(double value) {
+    length = value;
+    return *this;
+  }
+
+  // Stroke, m; at most length - 0.025. Default 0.03.
+  combing_test &with_stroke(double value) {
+    stroke = value;
+    return *this;
+  }
+
+  // Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.
+  combing_test &with_speed(double value) {
+    speed = value;
+    return *this;
+  }
+
+  // Steps per second; above 0. Default 240.
+  combing_test &with_rate(double value) {
+    rate = value;
+    return *this;
+  }
+};
+
+// Result of a combing experiment; the means are over the second half of the stroke.
+using combing_result = shx_combing_result;
 
 // A point on a triangle of a scalp.
 using follicle = shx_follicle;

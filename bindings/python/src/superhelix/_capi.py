@@ -637,52 +637,6 @@ class shx_haptic_state(ctypes.Structure):
     ]
 
 
-class shx_hair_handle(ctypes.Structure):
-    """64 bytes."""
-
-    __slots__ = ("kept",)
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("reserved0", ctypes.c_uint32),
-        ("major_diameter", ctypes.c_double),
-        ("ellipticity", ctypes.c_double),
-        ("natural_twist", ctypes.c_double),
-        ("natural_curvature", ctypes.c_double),
-        ("bending_stiffness", ctypes.c_double),
-        ("frictional_force", ctypes.c_double),
-        ("internal_friction", ctypes.c_double),
-    ]
-
-
-class shx_combing_test(ctypes.Structure):
-    """48 bytes."""
-
-    __slots__ = ("kept",)
-    _fields_ = [
-        ("struct_size", ctypes.c_uint32),
-        ("strand_count", ctypes.c_uint32),
-        ("element_count", ctypes.c_uint32),
-        ("reserved0", ctypes.c_uint32),
-        ("length", ctypes.c_double),
-        ("stroke", ctypes.c_double),
-        ("speed", ctypes.c_double),
-        ("rate", ctypes.c_double),
-    ]
-
-
-class shx_combing_result(ctypes.Structure):
-    """40 bytes."""
-
-    __slots__ = ("kept",)
-    _fields_ = [
-        ("step_count", ctypes.c_uint64),
-        ("mean_force", ctypes.c_double),
-        ("mean_pressure", ctypes.c_double),
-        ("friction", ctypes.c_double),
-        ("work", ctypes.c_double),
-    ]
-
-
 class shx_tool_def(ctypes.Structure):
     """64 bytes."""
 
@@ -708,7 +662,7 @@ class shx_clip_def(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("kind", ctypes.c_uint32),
-        ("frame", shx_frame),
+        ("pose", shx_frame),
         ("half_edges", ctypes.c_double * 3),
         ("compliance", ctypes.c_double),
     ]
@@ -734,7 +688,7 @@ class shx_heat_def(ctypes.Structure):
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("shape", ctypes.c_uint32),
-        ("frame", shx_frame),
+        ("pose", shx_frame),
         ("half_edges", ctypes.c_double * 3),
         ("rate", ctypes.c_double),
     ]
@@ -1073,6 +1027,52 @@ class shx_hair_strands_def(ctypes.Structure):
     ]
 
 
+class shx_hair_handle(ctypes.Structure):
+    """64 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved0", ctypes.c_uint32),
+        ("major_diameter", ctypes.c_double),
+        ("ellipticity", ctypes.c_double),
+        ("natural_twist", ctypes.c_double),
+        ("natural_curvature", ctypes.c_double),
+        ("bending_stiffness", ctypes.c_double),
+        ("frictional_force", ctypes.c_double),
+        ("internal_friction", ctypes.c_double),
+    ]
+
+
+class shx_combing_test(ctypes.Structure):
+    """48 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("strand_count", ctypes.c_uint32),
+        ("element_count", ctypes.c_uint32),
+        ("reserved0", ctypes.c_uint32),
+        ("length", ctypes.c_double),
+        ("stroke", ctypes.c_double),
+        ("speed", ctypes.c_double),
+        ("rate", ctypes.c_double),
+    ]
+
+
+class shx_combing_result(ctypes.Structure):
+    """40 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("step_count", ctypes.c_uint64),
+        ("mean_force", ctypes.c_double),
+        ("mean_pressure", ctypes.c_double),
+        ("friction", ctypes.c_double),
+        ("work", ctypes.c_double),
+    ]
+
+
 class shx_follicle(ctypes.Structure):
     """24 bytes."""
 
@@ -1312,12 +1312,6 @@ class Functions:
     shx_haptic_before_step: Callable[[Pointer, Pointer, float], int]
     shx_haptic_after_step: Callable[[Pointer, Pointer], int]
     shx_haptic_update: Callable[[Pointer, Pointer, Pointer, float, Pointer, Pointer], int]
-    shx_hair_handle_init: Callable[[Pointer, int], int]
-    shx_hair_handle_from_name: Callable[[Pointer, Pointer], int]
-    shx_hair_handle_adjust: Callable[[Pointer, float, float, Pointer], int]
-    shx_hair_handle_to_type: Callable[[Pointer, Pointer], int]
-    shx_combing_test_init: Callable[[Pointer, int], int]
-    shx_combing_test_run: Callable[[Pointer, Pointer, Pointer, Pointer, Pointer, int, Pointer], int]
     shx_tool_def_init: Callable[[Pointer, int], int]
     shx_tool_frames: Callable[[Pointer, Pointer, float, Pointer, int, Pointer], int]
     shx_tool_hot_box: Callable[[Pointer, float, Pointer], int]
@@ -1381,6 +1375,12 @@ class Functions:
     shx_hair_type_from_name: Callable[[Pointer, Pointer], int]
     shx_hair_strands_def_init: Callable[[Pointer, int], int]
     shx_hair_strands: Callable[[Pointer, Pointer, int, Pointer, int], int]
+    shx_hair_handle_init: Callable[[Pointer, int], int]
+    shx_hair_handle_from_name: Callable[[Pointer, Pointer], int]
+    shx_hair_handle_adjust: Callable[[Pointer, float, float, Pointer], int]
+    shx_hair_handle_to_type: Callable[[Pointer, Pointer], int]
+    shx_combing_test_init: Callable[[Pointer, int], int]
+    shx_combing_test_run: Callable[[Pointer, Pointer, Pointer, Pointer, Pointer, int, Pointer], int]
     shx_scalp_def_init: Callable[[Pointer, int], int]
     shx_scatter_def_init: Callable[[Pointer, int], int]
     shx_scalp_create: Callable[[Pointer, Pointer], int]
@@ -1634,15 +1634,6 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
         ctypes.c_int32,
         [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p],
     ),
-    "shx_hair_handle_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
-    "shx_hair_handle_from_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
-    "shx_hair_handle_adjust": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_void_p]),
-    "shx_hair_handle_to_type": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
-    "shx_combing_test_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
-    "shx_combing_test_run": (
-        ctypes.c_int32,
-        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
-    ),
     "shx_tool_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_tool_frames": (
         ctypes.c_int32,
@@ -1742,6 +1733,15 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_hair_type_from_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_hair_strands_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_hair_strands": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_hair_handle_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_hair_handle_from_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_hair_handle_adjust": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_void_p]),
+    "shx_hair_handle_to_type": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_combing_test_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_combing_test_run": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
     "shx_scalp_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_scatter_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_scalp_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
@@ -1813,8 +1813,6 @@ INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_constraint_def: "shx_constraint_def_init",
     shx_haptic_def: "shx_haptic_def_init",
     shx_haptic_state: "shx_haptic_state_init",
-    shx_hair_handle: "shx_hair_handle_init",
-    shx_combing_test: "shx_combing_test_init",
     shx_tool_def: "shx_tool_def_init",
     shx_clip_def: "shx_clip_def_init",
     shx_heat_def: "shx_heat_def_init",
@@ -1832,6 +1830,8 @@ INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_hair_type: "shx_hair_type_init",
     shx_hair_sliders: "shx_hair_sliders_init",
     shx_hair_strands_def: "shx_hair_strands_def_init",
+    shx_hair_handle: "shx_hair_handle_init",
+    shx_combing_test: "shx_combing_test_init",
     shx_scalp_def: "shx_scalp_def_init",
     shx_scatter_def: "shx_scatter_def_init",
     shx_render_settings: "shx_render_settings_init",

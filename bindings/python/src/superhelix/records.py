@@ -935,90 +935,6 @@ class HapticState(Record):
         )
 
 
-class HairHandle(Record):
-    """Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry, bending and
-    friction."""
-
-    __slots__ = ()
-    _STRUCT = _capi.shx_hair_handle
-    major_diameter = FloatField("Geometry: the longer diameter of the cross-section, m; above 0.")
-    ellipticity = FloatField("Geometry: ratio of the longer to the shorter diameter; 1 or above.")
-    natural_twist = FloatField("Geometry: natural twist, rad/m; 0 where natural_curvature is 0.")
-    natural_curvature = FloatField("Geometry: natural curvature, rad/m; 0 (straight) or above.")
-    bending_stiffness = FloatField("Bending stiffness about the longer axis, N m^2; above 0.")
-    frictional_force = FloatField(
-        "Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients."
-    )
-    internal_friction = FloatField("Internal friction gamma, kg m^3/s; 0 or above.")
-
-    def __init__(
-        self,
-        *,
-        major_diameter: float | None = None,
-        ellipticity: float | None = None,
-        natural_twist: float | None = None,
-        natural_curvature: float | None = None,
-        bending_stiffness: float | None = None,
-        frictional_force: float | None = None,
-        internal_friction: float | None = None,
-    ) -> None:
-        super().__init__()
-        self._set(
-            major_diameter=major_diameter,
-            ellipticity=ellipticity,
-            natural_twist=natural_twist,
-            natural_curvature=natural_curvature,
-            bending_stiffness=bending_stiffness,
-            frictional_force=frictional_force,
-            internal_friction=internal_friction,
-        )
-
-
-class CombingTest(Record):
-    """A standard combing experiment."""
-
-    __slots__ = ()
-    _STRUCT = _capi.shx_combing_test
-    strand_count = IntField("Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.")
-    element_count = IntField("Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.")
-    length = FloatField("Length of the hairs, m. Default 0.06.")
-    stroke = FloatField("Stroke, m; at most length - 0.025. Default 0.03.")
-    speed = FloatField("Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.")
-    rate = FloatField("Steps per second; above 0. Default 240.")
-
-    def __init__(
-        self,
-        *,
-        strand_count: int | None = None,
-        element_count: int | None = None,
-        length: float | None = None,
-        stroke: float | None = None,
-        speed: float | None = None,
-        rate: float | None = None,
-    ) -> None:
-        super().__init__()
-        self._set(
-            strand_count=strand_count,
-            element_count=element_count,
-            length=length,
-            stroke=stroke,
-            speed=speed,
-            rate=rate,
-        )
-
-
-class CombingResult(Record):
-    """Result of a combing experiment; the means are over the second half of the stroke."""
-
-    __slots__ = ()
-    _STRUCT = _capi.shx_combing_result
-    step_count = IntField("Number of steps of the stroke, and of entries in each list.")
-    mean_force = FloatField("Force against the stroke, N: how hard the hair is to comb.")
-    mean_pressure = FloatField("Sum of the forces on the rods across the stroke, N: how stiff it is.")
-    friction = FloatField("mean_force / mean_pressure: how rough it is.")
-    work = FloatField("Work of the stroke, J.")
-
-
 class ToolDef(Record):
     """Definition of a tool: bodies from a few numbers. Where a number is 0, that of the kind is used."""
 
@@ -1070,25 +986,22 @@ class ClipDef(Record):
     __slots__ = ()
     _STRUCT = _capi.shx_clip_def
     kind = EnumField(ConstraintKind, "ConstraintKind.FRAME (default), DIRECTION or POINT: how it holds hair.")
-    frame = RecordField(Frame, "Where it is, world. Default: at the origin, aligned with the world axes.")
-    half_edges = VectorField(
-        3,
-        "Half the edges of the box in which it holds hair, along the axes of the frame, m; above 0. Default 0.01 each."
-    )
+    pose = RecordField(Frame, "Where it is, world. Default: at the origin, aligned with the world axes.")
+    half_edges = VectorField(3, "Half the edges of the box in which it holds hair, along its axes, m; above 0. Default 0.01 each.")
     compliance = FloatField("As in ConstraintDef. Default 0: rigid.")
 
     def __init__(
         self,
         *,
         kind: ConstraintKind | None = None,
-        frame: Frame | None = None,
+        pose: Frame | None = None,
         half_edges: Sequence[float] | None = None,
         compliance: float | None = None,
     ) -> None:
         super().__init__()
         self._set(
             kind=kind,
-            frame=frame,
+            pose=pose,
             half_edges=half_edges,
             compliance=compliance,
         )
@@ -1112,22 +1025,22 @@ class HeatDef(Record):
     __slots__ = ()
     _STRUCT = _capi.shx_heat_def
     shape = EnumField(Heat, "Heat.STRAIGHT (default) or PRESENT.")
-    frame = RecordField(Frame, "Frame of the hot box, world. Default: at the origin, aligned with the world axes.")
-    half_edges = VectorField(3, "Half its edges along the axes of the frame, m; above 0: see shx_tool_hot_box. Default 0.01 each.")
+    pose = RecordField(Frame, "Where the hot box is, world. Default: at the origin, aligned with the world axes.")
+    half_edges = VectorField(3, "Half its edges along its axes, m; above 0: see shx_tool_hot_box. Default 0.01 each.")
     rate = FloatField("Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default 5.")
 
     def __init__(
         self,
         *,
         shape: Heat | None = None,
-        frame: Frame | None = None,
+        pose: Frame | None = None,
         half_edges: Sequence[float] | None = None,
         rate: float | None = None,
     ) -> None:
         super().__init__()
         self._set(
             shape=shape,
-            frame=frame,
+            pose=pose,
             half_edges=half_edges,
             rate=rate,
         )
@@ -1679,6 +1592,90 @@ class HairStrandTable(Table):
     root_turn = FloatColumn("Rotation of the root frame about the tangent, rad.")
     friction_along = FloatColumn("Coulomb coefficient from root to tip, against bodies and hair.")
     friction_against = FloatColumn("The same from tip to root, against the scales.")
+
+
+class HairHandle(Record):
+    """Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry, bending and
+    friction."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_hair_handle
+    major_diameter = FloatField("Geometry: the longer diameter of the cross-section, m; above 0.")
+    ellipticity = FloatField("Geometry: ratio of the longer to the shorter diameter; 1 or above.")
+    natural_twist = FloatField("Geometry: natural twist, rad/m; 0 where natural_curvature is 0.")
+    natural_curvature = FloatField("Geometry: natural curvature, rad/m; 0 (straight) or above.")
+    bending_stiffness = FloatField("Bending stiffness about the longer axis, N m^2; above 0.")
+    frictional_force = FloatField(
+        "Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients."
+    )
+    internal_friction = FloatField("Internal friction gamma, kg m^3/s; 0 or above.")
+
+    def __init__(
+        self,
+        *,
+        major_diameter: float | None = None,
+        ellipticity: float | None = None,
+        natural_twist: float | None = None,
+        natural_curvature: float | None = None,
+        bending_stiffness: float | None = None,
+        frictional_force: float | None = None,
+        internal_friction: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            major_diameter=major_diameter,
+            ellipticity=ellipticity,
+            natural_twist=natural_twist,
+            natural_curvature=natural_curvature,
+            bending_stiffness=bending_stiffness,
+            frictional_force=frictional_force,
+            internal_friction=internal_friction,
+        )
+
+
+class CombingTest(Record):
+    """A standard combing experiment."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_combing_test
+    strand_count = IntField("Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.")
+    element_count = IntField("Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.")
+    length = FloatField("Length of the hairs, m. Default 0.06.")
+    stroke = FloatField("Stroke, m; at most length - 0.025. Default 0.03.")
+    speed = FloatField("Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.")
+    rate = FloatField("Steps per second; above 0. Default 240.")
+
+    def __init__(
+        self,
+        *,
+        strand_count: int | None = None,
+        element_count: int | None = None,
+        length: float | None = None,
+        stroke: float | None = None,
+        speed: float | None = None,
+        rate: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            strand_count=strand_count,
+            element_count=element_count,
+            length=length,
+            stroke=stroke,
+            speed=speed,
+            rate=rate,
+        )
+
+
+class CombingResult(Record):
+    """Result of a combing experiment; the means are over the second half of the stroke."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_combing_result
+    step_count = IntField("Number of steps of the stroke, and of entries in each list.")
+    mean_force = FloatField("Force against the stroke, N: how hard the hair is to comb.")
+    mean_pressure = FloatField("Sum of the forces on the rods across the stroke, N: how stiff it is.")
+    friction = FloatField("mean_force / mean_pressure: how rough it is.")
+    work = FloatField("Work of the stroke, J.")
 
 
 class FollicleTable(Table):

@@ -80,10 +80,10 @@ def run_combing_test(handle: HairHandle, test: CombingTest | None = None) -> Com
     steps = options.stroke / options.speed * options.rate if options.speed else 0.0
     room = int(steps) + 4 if 0.0 < steps < 1e8 else 4
     lists, result = np.empty((3, room)), _capi.shx_combing_result()
-    places = [address(row) for row in lists]
-    check(functions.shx_combing_test_run(given, reference("handle", handle, HairHandle), *places, room, ctypes.byref(result)))
-    stroke, force, pressure = lists[:, : result.step_count].copy()
-    return CombingCurve(stroke, force, pressure, result.mean_force, result.mean_pressure, result.friction, result.work)
+    stroke, force, pressure = (address(row) for row in lists)
+    check(functions.shx_combing_test_run(given, reference("handle", handle, HairHandle), stroke, force, pressure, room, ctypes.byref(result)))
+    curves = lists[:, : result.step_count].copy()
+    return CombingCurve(curves[0], curves[1], curves[2], result.mean_force, result.mean_pressure, result.friction, result.work)
 
 
 class RingCombReport(NamedTuple):

@@ -411,43 +411,6 @@ namespace Superhelix
         Compare(ref first, "HapticState.Residual", (byte*)&x.Residual - at, 168);
       }
       {
-        HairHandle x = default(HairHandle);
-        byte* at = (byte*)&x;
-        Compare(ref first, "sizeof HairHandle", sizeof(HairHandle), 64);
-        Compare(ref first, "HairHandle.StructSize", (byte*)&x.StructSize - at, 0);
-        Compare(ref first, "HairHandle.reserved0", (byte*)&x.reserved0 - at, 4);
-        Compare(ref first, "HairHandle.MajorDiameter", (byte*)&x.MajorDiameter - at, 8);
-        Compare(ref first, "HairHandle.Ellipticity", (byte*)&x.Ellipticity - at, 16);
-        Compare(ref first, "HairHandle.NaturalTwist", (byte*)&x.NaturalTwist - at, 24);
-        Compare(ref first, "HairHandle.NaturalCurvature", (byte*)&x.NaturalCurvature - at, 32);
-        Compare(ref first, "HairHandle.BendingStiffness", (byte*)&x.BendingStiffness - at, 40);
-        Compare(ref first, "HairHandle.FrictionalForce", (byte*)&x.FrictionalForce - at, 48);
-        Compare(ref first, "HairHandle.InternalFriction", (byte*)&x.InternalFriction - at, 56);
-      }
-      {
-        CombingTest x = default(CombingTest);
-        byte* at = (byte*)&x;
-        Compare(ref first, "sizeof CombingTest", sizeof(CombingTest), 48);
-        Compare(ref first, "CombingTest.StructSize", (byte*)&x.StructSize - at, 0);
-        Compare(ref first, "CombingTest.StrandCount", (byte*)&x.StrandCount - at, 4);
-        Compare(ref first, "CombingTest.ElementCount", (byte*)&x.ElementCount - at, 8);
-        Compare(ref first, "CombingTest.reserved0", (byte*)&x.reserved0 - at, 12);
-        Compare(ref first, "CombingTest.Length", (byte*)&x.Length - at, 16);
-        Compare(ref first, "CombingTest.Stroke", (byte*)&x.Stroke - at, 24);
-        Compare(ref first, "CombingTest.Speed", (byte*)&x.Speed - at, 32);
-        Compare(ref first, "CombingTest.Rate", (byte*)&x.Rate - at, 40);
-      }
-      {
-        CombingResult x = default(CombingResult);
-        byte* at = (byte*)&x;
-        Compare(ref first, "sizeof CombingResult", sizeof(CombingResult), 40);
-        Compare(ref first, "CombingResult.StepCount", (byte*)&x.StepCount - at, 0);
-        Compare(ref first, "CombingResult.MeanForce", (byte*)&x.MeanForce - at, 8);
-        Compare(ref first, "CombingResult.MeanPressure", (byte*)&x.MeanPressure - at, 16);
-        Compare(ref first, "CombingResult.Friction", (byte*)&x.Friction - at, 24);
-        Compare(ref first, "CombingResult.Work", (byte*)&x.Work - at, 32);
-      }
-      {
         ToolDef x = default(ToolDef);
         byte* at = (byte*)&x;
         Compare(ref first, "sizeof ToolDef", sizeof(ToolDef), 64);
@@ -468,7 +431,7 @@ namespace Superhelix
         Compare(ref first, "sizeof ClipDef", sizeof(ClipDef), 96);
         Compare(ref first, "ClipDef.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "ClipDef.Kind", (byte*)&x.Kind - at, 4);
-        Compare(ref first, "ClipDef.Frame", (byte*)&x.Frame - at, 8);
+        Compare(ref first, "ClipDef.Pose", (byte*)&x.Pose - at, 8);
         Compare(ref first, "ClipDef.HalfEdges", (byte*)&x.HalfEdges - at, 64);
         Compare(ref first, "ClipDef.Compliance", (byte*)&x.Compliance - at, 88);
       }
@@ -488,7 +451,7 @@ namespace Superhelix
         Compare(ref first, "sizeof HeatDef", sizeof(HeatDef), 96);
         Compare(ref first, "HeatDef.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "HeatDef.Shape", (byte*)&x.Shape - at, 4);
-        Compare(ref first, "HeatDef.Frame", (byte*)&x.Frame - at, 8);
+        Compare(ref first, "HeatDef.Pose", (byte*)&x.Pose - at, 8);
         Compare(ref first, "HeatDef.HalfEdges", (byte*)&x.HalfEdges - at, 64);
         Compare(ref first, "HeatDef.Rate", (byte*)&x.Rate - at, 88);
       }
@@ -770,6 +733,43 @@ namespace Superhelix
         Compare(ref first, "HairStrandsDefRaw.StrandCount", (byte*)&x.StrandCount - at, 32);
         Compare(ref first, "HairStrandsDefRaw.ElementCounts", (byte*)&x.ElementCounts - at, 40);
         Compare(ref first, "HairStrandsDefRaw.ElementLengths", (byte*)&x.ElementLengths - at, 48);
+      }
+      {
+        HairHandle x = default(HairHandle);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof HairHandle", sizeof(HairHandle), 64);
+        Compare(ref first, "HairHandle.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "HairHandle.reserved0", (byte*)&x.reserved0 - at, 4);
+        Compare(ref first, "HairHandle.MajorDiameter", (byte*)&x.MajorDiameter - at, 8);
+        Compare(ref first, "HairHandle.Ellipticity", (byte*)&x.Ellipticity - at, 16);
+        Compare(ref first, "HairHandle.NaturalTwist", (byte*)&x.NaturalTwist - at, 24);
+        Compare(ref first, "HairHandle.NaturalCurvature", (byte*)&x.NaturalCurvature - at, 32);
+        Compare(ref first, "HairHandle.BendingStiffness", (byte*)&x.BendingStiffness - at, 40);
+        Compare(ref first, "HairHandle.FrictionalForce", (byte*)&x.FrictionalForce - at, 48);
+        Compare(ref first, "HairHandle.InternalFriction", (byte*)&x.InternalFriction - at, 56);
+      }
+      {
+        CombingTest x = default(CombingTest);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof CombingTest", sizeof(CombingTest), 48);
+        Compare(ref first, "CombingTest.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "CombingTest.StrandCount", (byte*)&x.StrandCount - at, 4);
+        Compare(ref first, "CombingTest.ElementCount", (byte*)&x.ElementCount - at, 8);
+        Compare(ref first, "CombingTest.reserved0", (byte*)&x.reserved0 - at, 12);
+        Compare(ref first, "CombingTest.Length", (byte*)&x.Length - at, 16);
+        Compare(ref first, "CombingTest.Stroke", (byte*)&x.Stroke - at, 24);
+        Compare(ref first, "CombingTest.Speed", (byte*)&x.Speed - at, 32);
+        Compare(ref first, "CombingTest.Rate", (byte*)&x.Rate - at, 40);
+      }
+      {
+        CombingResult x = default(CombingResult);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof CombingResult", sizeof(CombingResult), 40);
+        Compare(ref first, "CombingResult.StepCount", (byte*)&x.StepCount - at, 0);
+        Compare(ref first, "CombingResult.MeanForce", (byte*)&x.MeanForce - at, 8);
+        Compare(ref first, "CombingResult.MeanPressure", (byte*)&x.MeanPressure - at, 16);
+        Compare(ref first, "CombingResult.Friction", (byte*)&x.Friction - at, 24);
+        Compare(ref first, "CombingResult.Work", (byte*)&x.Work - at, 32);
       }
       {
         Follicle x = default(Follicle);

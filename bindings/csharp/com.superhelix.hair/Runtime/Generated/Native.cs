@@ -343,24 +343,6 @@ namespace Superhelix
     internal static extern int shx_haptic_update(HapticHandle haptic, Frame* pose, double* velocity, double dt, double* out_wrench, HapticState* state);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-    internal static extern int shx_hair_handle_init(HairHandle* handle, UIntPtr size);
-
-    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-    internal static extern int shx_hair_handle_from_name(byte* name, HairHandle* out_handle);
-
-    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-    internal static extern int shx_hair_handle_adjust(HairHandle* handle, double curliness, double combing_ease, HairHandle* out_handle);
-
-    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-    internal static extern int shx_hair_handle_to_type(HairHandle* handle, HairType* out_hair);
-
-    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-    internal static extern int shx_combing_test_init(CombingTest* test, UIntPtr size);
-
-    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-    internal static extern int shx_combing_test_run(CombingTest* test, HairHandle* handle, double* out_stroke, double* out_force, double* out_pressure, UIntPtr capacity, CombingResult* out_result);
-
-    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_tool_def_init(ToolDef* @def, UIntPtr size);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -548,6 +530,24 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_hair_strands(HairStrandsDefRaw* @def, HairStrand* out_strands, UIntPtr stride, double* out_curvatures, UIntPtr capacity);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_hair_handle_init(HairHandle* handle, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_hair_handle_from_name(byte* name, HairHandle* out_handle);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_hair_handle_adjust(HairHandle* handle, double curliness, double combing_ease, HairHandle* out_handle);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_hair_handle_to_type(HairHandle* handle, HairType* out_hair);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_combing_test_init(CombingTest* test, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_combing_test_run(CombingTest* test, HairHandle* handle, double* out_stroke, double* out_force, double* out_pressure, UIntPtr capacity, CombingResult* out_result);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_scalp_def_init(ScalpDefRaw* @def, UIntPtr size);

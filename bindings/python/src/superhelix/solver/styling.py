@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,7 @@ from superhelix import _capi
 from superhelix._buffers import address, column, frame_rows
 from superhelix._library import functions
 from superhelix._record import reference
-from superhelix.errors import BufferTooSmallError
+from superhelix.errors import BufferTooSmallError, check
 from superhelix.ids import BodyIds, ConstraintIds, StrandIds
 from superhelix.records import ClipDef, Frame, HeatDef, ToolDef
 from superhelix.solver._base import ConstraintsLike, Numbers, SolverBase, StrandsLike
@@ -39,8 +39,6 @@ def one_frame(name: str, value: npt.ArrayLike | Frame) -> npt.NDArray[np.float64
 def tool_body_count(definition: ToolDef) -> int:
     """How many bodies a tool is made of."""
     count, frame = ctypes.c_size_t(), one_frame("frame", (0, 0, 0, 0, 0, 0, 1))
-    from superhelix.errors import check
-
     check(functions.shx_tool_frames(reference("definition", definition, ToolDef), address(frame), 0.0, None, 0, ctypes.byref(count)))
     return count.value
 
@@ -68,9 +66,7 @@ class Styling(SolverBase):
         while True:
             bits = np.empty(room, dtype=np.uint64)
             try:
-                self._call(
-                    functions.shx_solver_clip_strands, options, address(strands), len(strands), address(bits), room, ctypes.byref(count)
-                )
+                self._call(functions.shx_solver_clip_strands, options, address(strands), len(strands), address(bits), room, ctypes.byref(count))
             except BufferTooSmallError:
                 # A strand may lie in the box more than once.
                 room = 2 * room + 1
@@ -87,9 +83,7 @@ class Styling(SolverBase):
         """Moves the targets of constraints over the next over_seconds as something rigid that goes from frame start to frame end."""
         bits = self._constraints(ids)
         rows = one_frame("start", start), one_frame("end", end)
-        self._call(
-            functions.shx_solver_move_constraints, address(bits), len(bits), address(rows[0]), address(rows[1]), over_seconds
-        )
+        self._call(functions.shx_solver_move_constraints, address(bits), len(bits), address(rows[0]), address(rows[1]), over_seconds)
 
     def scissor_strands(self, corners: npt.ArrayLike, ids: StrandsLike = None, min_length: float = 1e-3) -> Cuts:
         """Cuts the strands that cross a blade, a quad of four corners in order (4, 3), m, each where that is closest to its root, but no shorter
@@ -97,17 +91,18 @@ class Styling(SolverBase):
         """
         strands = self._strands(ids)
         blade = column("corners", corners, np.float64, 4, width=3)
-        made, count = (_capi.shx_cut * max(len(strands), 1))(), ctypes.c_size_t()
+        # A shx_cut is seven words: the strand, five numbers, a count.
+        made, count = np.empty((len(strands), ctypes.sizeof(_capi.shx_cut) // 8), dtype=np.uint64), ctypes.c_size_t()
         self._call(
             functions.shx_solver_scissor_strands,
             address(strands),
             len(strands),
             address(blade),
             min_length,
-            ctypes.cast(made, ctypes.c_void_p),
+            address(made),
             ctypes.byref(count),
         )
-        cuts: Any = np.frombuffer(made, dtype=np.uint64).reshape(-1, 7)[: count.value].copy()
+        cuts = made[: count.value]
         numbers = cuts.view(np.float64)
         return Cuts(StrandIds(cuts[:, 0].copy()), numbers[:, 1], numbers[:, 2], numbers[:, 3:6], cuts[:, 6])
 
