@@ -308,7 +308,9 @@ pub unsafe extern "C" fn shx_solver_clip_strands(
             let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
             let made = Place::new("out_count", out_count)?;
             let clip = read_versioned("def", def)?.clip()?;
-            let defs = core.clip_constraints(&strand_ids(ids, count)?, &clip).map_err(|error| error.renamed("clip", "def").renamed("def.frame", "def.pose"))?;
+            let defs = core
+                .clip_constraints(&strand_ids(ids, count)?, &clip)
+                .map_err(|error| error.renamed("clip", "def").renamed("def.frame", "def.pose"))?;
             places.check_room(defs.len())?;
             let ids = core.add_constraints(&defs)?;
             places.write(&ids.iter().map(|id| shx_constraint_id { bits: id.bits() }).collect::<Vec<_>>())?;
@@ -476,8 +478,9 @@ pub unsafe extern "C" fn shx_solver_heat_strands(
             };
             let frame = Frame::from_arrays("def.pose", def.pose.origin, def.pose.rotation)?;
             let heat = HeatDef { frame, half_edges: def.half_edges.into(), shape, rate: def.rate };
-            let hot =
-                core.heat_strands(&strand_ids(ids, count)?, &heat, seconds).map_err(|error| error.renamed("heat", "def").renamed("def.frame", "def.pose"))?;
+            let hot = core
+                .heat_strands(&strand_ids(ids, count)?, &heat, seconds)
+                .map_err(|error| error.renamed("heat", "def").renamed("def.frame", "def.pose"))?;
             places.map_or(Ok(()), |places| places.write(&hot))
         })
     }

@@ -100,9 +100,7 @@ impl Strand {
         };
         let reach = Vector3::repeat(model.length() + contact.radius + REACH);
         let around = Bounds::around(start.origin, reach).union(&Bounds::around(end.origin, reach));
-        let near = |body: &&BodyAt| {
-            body.meets(contact.groups, contact.mask) && body.bounds.grown(body.thickness).meets(&around)
-        };
+        let near = |body: &&BodyAt| body.meets(contact.groups, contact.mask) && body.bounds.grown(body.thickness).meets(&around);
         for body in bodies.iter().filter(near) {
             let id = ids[body.index as usize];
             let places = [start.inverse().compose(&body.start), end.inverse().compose(&body.end)];
@@ -231,7 +229,9 @@ impl Solver {
             return;
         }
         for constraint in self.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
-            for index in [Some(constraint.def.strand), constraint.other()].into_iter().flatten().filter_map(|id| self.slots.index(id)) {
+            for index in
+                [Some(constraint.def.strand), constraint.other()].into_iter().flatten().filter_map(|id| self.slots.index(id))
+            {
                 self.strands[index].frozen = None;
             }
         }

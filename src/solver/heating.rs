@@ -5,9 +5,9 @@ use nalgebra::Vector3;
 use super::Solver;
 use super::crossing::Curve;
 use super::id::StrandId;
-use crate::error::{Result, check_finite, check_not_negative, check_positive};
 #[cfg(doc)]
 use crate::error::Error;
+use crate::error::{Result, check_finite, check_not_negative, check_positive};
 use crate::math::frame::Frame;
 
 /// What heated hair takes on as its natural shape.

@@ -35,7 +35,11 @@ pub(super) fn take(
     for index in &aside {
         let strand = &mut strands[*index];
         let stays = strand.frozen.is_some();
-        tally.add(&if stays { strand.stay(setting.surroundings.gravity.into(), h, setting.rules) } else { strand.go_back(h, setting.rules) });
+        tally.add(&if stays {
+            strand.stay(setting.surroundings.gravity.into(), h, setting.rules)
+        } else {
+            strand.go_back(h, setting.rules)
+        });
         strand.held = true;
     }
     take_present(strands, setting, h, set, tally, scratch, meter);

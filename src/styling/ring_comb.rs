@@ -115,13 +115,9 @@ impl RingComb {
         }
         self.forget_removed(solver);
         let place = |frame: &Frame, point: &Vector3<f64>| frame.origin + frame.rotation * point;
-        let quads: Vec<[Vector3<f64>; 4]> = self
-            .teeth
-            .iter()
-            .map(|[a, b]| [place(&self.pose, a), place(&self.pose, b), place(to, b), place(to, a)])
-            .collect();
-        let free: Vec<StrandId> =
-            ids.iter().copied().filter(|id| self.rings.iter().all(|ring| ring.strand != *id)).collect();
+        let quads: Vec<[Vector3<f64>; 4]> =
+            self.teeth.iter().map(|[a, b]| [place(&self.pose, a), place(&self.pose, b), place(to, b), place(to, a)]).collect();
+        let free: Vec<StrandId> = ids.iter().copied().filter(|id| self.rings.iter().all(|ring| ring.strand != *id)).collect();
         let segments: Vec<[Vector3<f64>; 2]> = quads.iter().map(|quad| [quad[0], quad[1]]).collect();
         let distances = solver.distances_to_segments(&self.loose, &segments);
         let (radius, mut distance) = (self.radius, distances.into_iter());
@@ -144,7 +140,11 @@ impl RingComb {
             let StrandContact { friction, .. } = contact;
             let target = Frame { origin: hit.position, ..Frame::default() };
             let hold = Hold::Ring { friction: scaled(friction) };
-            made.push((id, a + (b - a) * share, ConstraintDef { strand: id, arclength: hit.arclength, hold, target, compliance: 0.0 }));
+            made.push((
+                id,
+                a + (b - a) * share,
+                ConstraintDef { strand: id, arclength: hit.arclength, hold, target, compliance: 0.0 },
+            ));
         }
         let defs: Vec<ConstraintDef> = made.iter().map(|(_, _, def)| *def).collect();
         let constraints = solver.add_constraints(&defs)?;

@@ -121,9 +121,7 @@ impl Tool {
                 lengths(&[("length", length), ("radius", radius)])?;
                 capsule(length, radius, 1.0)
             }
-            Tool::Plates { width, depth, thickness } => {
-                lengths(&[("width", width), ("length", depth), ("thickness", thickness)])
-            }
+            Tool::Plates { width, depth, thickness } => lengths(&[("width", width), ("length", depth), ("thickness", thickness)]),
             Tool::Barrel { length, radius } => {
                 lengths(&[("length", length), ("radius", radius)])?;
                 capsule(length, radius, 2.0)

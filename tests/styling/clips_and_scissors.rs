@@ -30,10 +30,7 @@ fn a_clip_holds_and_lets_go() {
             let moved = apart(&points(&solver, *id, 30), before);
             assert!(moved < 1e-6, "{hold:?} {moved}");
         }
-        let to = Frame {
-            origin: Vector3::new(0.0, 0.0, -0.055),
-            rotation: from_rotation_vector(Vector3::new(0.0, 0.1, 0.1)),
-        };
+        let to = Frame { origin: Vector3::new(0.0, 0.0, -0.055), rotation: from_rotation_vector(Vector3::new(0.0, 0.1, 0.1)) };
         solver.move_constraints(&held, &def.frame, &to, 0.25).unwrap();
         for _ in 0..60 {
             solver.step(STEP, 1).unwrap();

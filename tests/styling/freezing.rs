@@ -197,7 +197,14 @@ fn a_constraint_wakes() {
 fn they_cost_next_to_nothing() {
     let (mut solver, _) = row(0, LENGTH, &WAVY);
     let defs: Vec<_> = (0..1000)
-        .map(|k| crate::scene::hanging(Vector3::new(4e-3 * f64::from(k % 32), 4e-3 * f64::from(k / 32), 0.0), f64::from(k), LENGTH, &WAVY))
+        .map(|k| {
+            crate::scene::hanging(
+                Vector3::new(4e-3 * f64::from(k % 32), 4e-3 * f64::from(k / 32), 0.0),
+                f64::from(k),
+                LENGTH,
+                &WAVY,
+            )
+        })
         .collect();
     let ids = solver.add_strands(&defs).unwrap();
     solver.set_contact(&ids, Some(&Default::default())).unwrap();

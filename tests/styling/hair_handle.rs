@@ -56,6 +56,11 @@ fn combing_ranks_as_table_1_does() {
             curve.friction(),
             1e6 * curve.work()
         );
+        let list = |values: &[f64], scale: f64| {
+            let words: Vec<String> = values.iter().step_by(10).map(|value| format!("{:.2}", scale * value)).collect();
+            words.join(",")
+        };
+        println!("\n{} stroke,mm {} force,uN {}", kind.name(), list(&curve.stroke, 1e3), list(&curve.force, 1e6));
     }
     let handles = TABLE.map(HairHandle::from);
     for a in 0..4 {

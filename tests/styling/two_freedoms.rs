@@ -79,7 +79,11 @@ fn tips_of_two_freedoms_and_of_three() {
         for (column, load) in loads.into_iter().enumerate() {
             let [a, b] = [two, Freedoms::ALL].map(|freedoms| path(HairType::Ga1, natural, load, freedoms));
             table[row][column] = off(&a, &b);
-            println!("{name}, {load:?}: {:.1} % rms, {:.1} % at most", 100.0 * table[row][column].0, 100.0 * table[row][column].1);
+            println!(
+                "{name}, {load:?}: {:.1} % rms, {:.1} % at most",
+                100.0 * table[row][column].0,
+                100.0 * table[row][column].1
+            );
         }
     }
     let [straight, ..] = table;

@@ -120,7 +120,8 @@ impl Reader<'_> {
     fn frozen(&mut self) -> Result<Vec<Known>> {
         let count = self.count(8 * 9)?;
         let known = |reader: &mut Self| {
-            let (body, place) = (BodyId::from_bits(reader.u64()?), reader.finite_frame("where a body is to a strand that stands still")?);
+            let (body, place) =
+                (BodyId::from_bits(reader.u64()?), reader.finite_frame("where a body is to a strand that stands still")?);
             let gap = reader.f64()?;
             if gap.is_nan() { Err(bad("a body's distance from a strand is no number")) } else { Ok(Known { body, place, gap }) }
         };
