@@ -152,7 +152,7 @@ int main(void) {
   for (int i = 1; i <= 60; i++) {
     shx_input frames;
     memset(&frames, 0, sizeof frames);
-    frame = at(-0.03 + 0.03 * i / 60, -0.03, -0.05, 1);
+    frame = at(-0.03 + 0.037 * i / 60, -0.03, -0.05, 1);
     frames.data = &frame;
     frames.count = 1;
     frames.format = SHX_FORMAT_FRAME;
