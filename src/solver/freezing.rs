@@ -157,7 +157,7 @@ fn comes_nearer(frozen: &Frozen, way: &BodyAt, radius: f64, threshold: f64) -> b
 impl Solver {
     /// Fixes the style of strands: their present shapes become rest shapes ([`Solver::take_rest_shapes`]), their velocities zero, and from now on
     /// they keep their shape and go along with their roots. Each wakes in the substep in which a body comes to it ([`Solver::set_contact`]), nearer
-    /// than 1 mm or, where it was nearer already, nearer than it was; a constraint wakes it too. Other strands do not feel it
+    /// than 1 mm or, where it was nearer already, nearer than it was; a constraint wakes it too, and a shape that the host gives it. Other strands do not feel it
     /// and do not wake it. Those that are frozen already stay as they are.
     ///
     /// Once awake and untouched it stands, since its shape is at rest under gravity without any contact; whether that rest is stable

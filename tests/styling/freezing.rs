@@ -190,6 +190,11 @@ fn a_constraint_wakes() {
     solver.add_constraints(&[def]).unwrap();
     solver.step(STEP, 1).unwrap();
     assert_eq!(solver.are_frozen(&ids).unwrap(), [false, true]);
+    // So does a shape given by hand; scissors do not.
+    solver.cut(&ids[1..], &[0.1]).unwrap();
+    assert!(solver.are_frozen(&ids).unwrap()[1]);
+    solver.reset_strands(&ids[1..]).unwrap();
+    assert!(!solver.are_frozen(&ids).unwrap()[1]);
 }
 
 /// A thousand frozen strands on a head cost less than a fiftieth of the same awake.
