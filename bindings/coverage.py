@@ -58,7 +58,7 @@ def python_calls(paths: Iterable[Path]) -> Calls:
 
 
 #: Parts of Python's Solver, which users know by that name alone.
-PARTS = {"SolverBase", "Strands", "Shapes", "Posing", "Sampling", "Bodies", "Contact", "Constraints", "Stepping"}
+PARTS = {"SolverBase", "Strands", "Shapes", "Posing", "Sampling", "Bodies", "Contact", "Constraints", "Styling", "Stepping"}
 
 
 def public_name(names: tuple[str, ...]) -> str:

@@ -52,6 +52,9 @@ PREFIXES = {
     ("shx_solver_def", "log_level"): "SHX_LOG_",
     ("shx_constraint_def", "kind"): "SHX_CONSTRAINT_",
     ("shx_spline_def", "kind"): "SHX_SPLINE_",
+    ("shx_tool_def", "kind"): "SHX_TOOL_",
+    ("shx_clip_def", "kind"): "SHX_CONSTRAINT_",
+    ("shx_heat_def", "shape"): "SHX_HEAT_",
     ("shx_friction_fit_def", "coefficients"): "SHX_FRICTION_",
 }
 

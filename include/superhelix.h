@@ -168,6 +168,12 @@ typedef struct shx_render_hair shx_render_hair;
 // at the same time (two for velocities between frames).
 typedef struct shx_render_pose shx_render_pose;
 
+// A comb whose teeth hold the strands that they run into: each slides through a ring on its tooth, with
+// friction, until it has been combed to the tip or is let go. It needs no bodies. A strand is on one tooth
+// of a comb at a time; several combs may hold it. shx_ring_comb_create makes it, you own it,
+// shx_ring_comb_destroy frees it.
+typedef struct shx_ring_comb shx_ring_comb;
+
 // A triangle mesh at rest that carries follicles. shx_scalp_create makes it, you own it, shx_scalp_destroy
 // frees it. Immutable: any number of threads may use it at once.
 typedef struct shx_scalp shx_scalp;
@@ -2038,6 +2044,264 @@ SHX_API shx_result shx_haptic_after_step(shx_haptic *haptic, shx_solver *solver)
 SHX_API shx_result shx_haptic_update(shx_haptic *haptic, const shx_frame *pose, const double velocity[6],
     double dt, double out_wrench[6], shx_haptic_state *state);
 
+// ---- Styling tools ----------------------------------------------------------------------------------------
+
+// A row of teeth along the x axis of the tool that point along its z axis; one body per tooth.
+#define SHX_TOOL_COMB 1
+
+// Rows of bristles, one row after another along the y axis; one body per bristle.
+#define SHX_TOOL_BRUSH 2
+
+// A finger along the z axis.
+#define SHX_TOOL_FINGER 3
+
+// The two plates of a straightener, on both sides of the tool's origin along the y axis.
+#define SHX_TOOL_PLATES 4
+
+// The barrel of a curling iron, along the x axis.
+#define SHX_TOOL_BARREL 5
+
+// Definition of a tool: bodies from a few numbers. Fill it with shx_tool_def_init, then set kind and what
+// you need. Where a number is 0, that of the kind is used.
+typedef struct shx_tool_def {
+  // Set by shx_tool_def_init.
+  uint32_t struct_size;
+  // SHX_TOOL_COMB (default), _BRUSH, _FINGER, _PLATES or _BARREL.
+  uint32_t kind;
+  // Comb: number of teeth (12). Brush: bristles in a row (10). At most 1000.
+  uint32_t tooth_count;
+  // Brush: number of rows (4), at most 1000.
+  uint32_t row_count;
+  // Comb (0.0025) and brush (0.004): distance from axis to axis in a row, m.
+  double spacing;
+  // Brush: distance from row to row, m (0.005).
+  double row_spacing;
+  // Length of a tooth (0.03), bristle (0.015), finger (0.07) or barrel (0.12), or depth of the plates along
+  // the z axis, the way that hair passes (0.025), m.
+  double length;
+  // Radius of a tooth or bristle (0.0005), finger (0.008) or barrel (0.0125), m.
+  double radius;
+  // Plates: width along the x axis, m (0.09).
+  double width;
+  // Plates: thickness of each, m (0.004).
+  double thickness;
+} shx_tool_def;
+
+// Fills *def with defaults. size is sizeof(shx_tool_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_tool_def_init(shx_tool_def *def, size_t size);
+
+// Writes where the bodies of a tool are when it is at frame to out_frames, which holds capacity frames, in
+// the order of shx_solver_add_tool, and their number to out_count: pass them to shx_solver_set_body_frames
+// to move the tool. opening: distance between the faces of plates, m, 0 or above; other tools ignore it.
+// out_frames may be null if you need the number only.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
+// SHX_ERROR_BUFFER_TOO_SMALL.
+// Threads: any.
+SHX_API shx_result shx_tool_frames(const shx_tool_def *def, const shx_frame *frame, double opening,
+    shx_frame *out_frames, size_t capacity, size_t *out_count);
+
+// Writes half the edges, m, along the axes of the tool, of the box about its origin in which plates or a
+// barrel heat hair: see shx_heat_def. opening: as in shx_tool_frames.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED
+// (a tool that is not hot).
+// Threads: any.
+SHX_API shx_result shx_tool_hot_box(const shx_tool_def *def, double opening, double out_half_edges[3]);
+
+// Adds the bodies of a tool at frame and writes their ids to out_ids, which holds capacity ids, and their
+// number to out_count (see shx_tool_frames). They are ordinary bodies: move them together, give them to
+// shx_haptic_create, or remove them. opening: as in shx_tool_frames.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
+// SHX_ERROR_BUFFER_TOO_SMALL, SHX_ERROR_OUT_OF_MEMORY.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_add_tool(shx_solver *solver, const shx_tool_def *def, const shx_frame *frame,
+    double opening, shx_body_id *out_ids, size_t capacity, size_t *out_count);
+
+// Definition of a clip. Fill it with shx_clip_def_init, then set pose and half_edges.
+typedef struct shx_clip_def {
+  // Set by shx_clip_def_init.
+  uint32_t struct_size;
+  // SHX_CONSTRAINT_FRAME (default), _DIRECTION or _POINT: how it holds hair.
+  uint32_t kind;
+  // Where it is, world. Default: at the origin, aligned with the world axes.
+  shx_frame pose;
+  // Half the edges of the box in which it holds hair, along its axes, m; above 0. Default 0.01
+  // each.
+  double half_edges[3];
+  // As in shx_constraint_def. Default 0: rigid.
+  double compliance;
+} shx_clip_def;
+
+// Fills *def with defaults. size is sizeof(shx_clip_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_clip_def_init(shx_clip_def *def, size_t size);
+
+// Closes a clip on count strands: each stretch of a strand inside the box is held, where it is, at its
+// middle. The clip is the constraints that this adds: their ids go to out_ids, which holds capacity ids,
+// their number to out_count. shx_solver_move_constraints moves the clip, shx_solver_remove_constraints opens
+// it. Nothing moves at once. Each strand may appear once.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT,
+// SHX_ERROR_BUFFER_TOO_SMALL (nothing is added then), SHX_ERROR_OUT_OF_MEMORY.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_clip_strands(shx_solver *solver, const shx_clip_def *def,
+    const shx_strand_id *ids, size_t count, shx_constraint_id *out_ids, size_t capacity, size_t *out_count);
+
+// Moves the targets of count constraints over the next over_seconds of simulated time as something rigid
+// that goes from frame `from` to frame `to`, for example a clip. 0: within the next substep. All or none.
+// Errors: as shx_solver_set_constraint_targets.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_move_constraints(shx_solver *solver, const shx_constraint_id *ids, size_t count,
+    const shx_frame *from, const shx_frame *to, double over_seconds);
+
+// A strand that was cut.
+typedef struct shx_cut {
+  // The strand.
+  shx_strand_id strand;
+  // Its length now, m.
+  double length;
+  // Length of what was cut off, m.
+  double removed;
+  // Where it was cut, m, world.
+  double position[3];
+  // Number of constraints that held what was cut off: they are removed.
+  uint64_t removed_constraints;
+} shx_cut;
+
+// Cuts those of count strands that cross a blade, a quad given by its corners in order (four points, m,
+// world), each at the crossing closest to its root, but no shorter than min_length (m, above 0). Shapes,
+// natural shapes and velocities of what is left stay exactly; nothing else moves. Constraints on what is cut
+// off are removed. Writes what was cut to out_cuts, which holds count items, in the order of ids, and their
+// number to out_count. Each strand may appear once.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_scissor_strands(shx_solver *solver, const shx_strand_id *ids, size_t count,
+    const double corners[12], double min_length, shx_cut *out_cuts, size_t *out_count);
+
+// Heated hair becomes straight: a straightener.
+#define SHX_HEAT_STRAIGHT 1
+
+// Heated hair keeps the shape in which it is held: a curling iron.
+#define SHX_HEAT_PRESENT 2
+
+// Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set pose and half_edges.
+typedef struct shx_heat_def {
+  // Set by shx_heat_def_init.
+  uint32_t struct_size;
+  // SHX_HEAT_STRAIGHT (default) or _PRESENT.
+  uint32_t shape;
+  // Where the hot box is, world. Default: at the origin, aligned with the world axes.
+  shx_frame pose;
+  // Half its edges along its axes, m; above 0: see shx_tool_hot_box. Default 0.01 each.
+  double half_edges[3];
+  // Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default
+  // 5.
+  double rate;
+} shx_heat_def;
+
+// Fills *def with defaults. size is sizeof(shx_heat_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_heat_def_init(shx_heat_def *def, size_t size);
+
+// Heats count strands for `seconds`, usually once per step: inside the hot box natural twist and curvatures
+// approach those of the new natural shape. An element that lies in the box in part is slower accordingly.
+// Frozen curvatures stay. Nothing moves at once. Writes the length of each strand that was hot, m, to
+// out_heated: count numbers, or null. Each strand may appear once.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_heat_strands(shx_solver *solver, const shx_heat_def *def,
+    const shx_strand_id *ids, size_t count, double seconds, double *out_heated);
+
+// Fixes the style of count strands: their current shapes become rest shapes (see
+// shx_solver_adopt_rest_shapes), their velocities zero, and from now on they keep their shape, move with
+// their roots, and cost next to nothing. A frozen strand wakes in the substep in which a body comes closer
+// than 1 mm to it, or closer than it already was, and when a constraint holds it. Other strands do not touch
+// frozen ones. Awake and untouched it stays where it is. Strands that are frozen already stay as they are.
+// Each may appear once.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT (also a strand that is
+// too limp for finite natural curvatures to hold it).
+// Threads: exclusive.
+SHX_API shx_result shx_solver_freeze_strands(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// Wakes count strands: they move again from the next step on, from their current shape, at rest relative to
+// their roots. Strands that are awake stay as they are.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_wake_strands(shx_solver *solver, const shx_strand_id *ids, size_t count);
+
+// Writes 1 for each of count strands that is frozen, else 0, to out_frozen, which holds count bytes.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+// Threads: shared.
+SHX_API shx_result shx_solver_frozen_strands(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    uint8_t *out_frozen);
+
+// Definition of such a comb. Fill it with shx_ring_comb_def_init, then change what you need.
+typedef struct shx_ring_comb_def {
+  // Set by shx_ring_comb_def_init.
+  uint32_t struct_size;
+  // Must be 0.
+  uint32_t reserved0;
+  // Factor on the Coulomb coefficients of the strands against bodies; 0 or above. Default 1.
+  double friction;
+  // A strand is let go when its tooth pulls harder than this, N; above 0. Default 0.05.
+  double max_force;
+  // No strand is caught closer to its root than this, m; 0 or above. Default 0.002.
+  double exempt_length;
+} shx_ring_comb_def;
+
+// What a step did to such a comb.
+typedef struct shx_ring_comb_report {
+  // Number of strands on teeth.
+  uint32_t held;
+  // Caught in this step.
+  uint32_t caught;
+  // Combed to the tip in this step.
+  uint32_t combed;
+  // Let go in this step, because of max_force.
+  uint32_t let_go;
+  // Force of the strands on the comb, N, world.
+  double force[3];
+  // Torque about the origin of its frame, N m, world.
+  double torque[3];
+} shx_ring_comb_report;
+
+// Fills *def with defaults. size is sizeof(shx_ring_comb_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_ring_comb_def_init(shx_ring_comb_def *def, size_t size);
+
+// Creates a comb with the teeth of a tool (any but plates) at frame. def may be null: all defaults. You own
+// *out_comb; free it with shx_ring_comb_destroy.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_UNSUPPORTED.
+// Threads: any.
+SHX_API shx_result shx_ring_comb_create(const shx_tool_def *tool, const shx_frame *frame,
+    const shx_ring_comb_def *def, shx_ring_comb **out_comb);
+
+// Frees a comb. Strands that it holds stay held: call shx_ring_comb_release first. Null is allowed.
+// Threads: exclusive. The handle must not be used afterwards.
+SHX_API void shx_ring_comb_destroy(shx_ring_comb *comb);
+
+// Call it before a step of dt seconds: the comb moves to frame meanwhile, and those of count strands that a
+// tooth runs into on the way are caught.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUSY.
+// Threads: exclusive, for the solver and the comb.
+SHX_API shx_result shx_ring_comb_before_step(shx_ring_comb *comb, shx_solver *solver,
+    const shx_strand_id *ids, size_t count, const shx_frame *frame, double dt);
+
+// Call it after the step: lets go of strands that are combed to the tip or pulled too hard, and writes what
+// happened to out_report.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUSY.
+// Threads: exclusive, for the solver and the comb.
+SHX_API shx_result shx_ring_comb_after_step(shx_ring_comb *comb, shx_solver *solver,
+    shx_ring_comb_report *out_report);
+
+// Lets go of all strands that the comb holds.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_BUSY.
+// Threads: exclusive, for the solver and the comb.
+SHX_API shx_result shx_ring_comb_release(shx_ring_comb *comb, shx_solver *solver);
+
 // ---- Snapshots --------------------------------------------------------------------------------------------
 
 // Writes a snapshot of everything that a step depends on (strands, roots, states, bodies, constraints,
@@ -2950,6 +3214,107 @@ SHX_API shx_result shx_hair_strands_def_init(shx_hair_strands_def *def, size_t s
 // Threads: any.
 SHX_API shx_result shx_hair_strands(const shx_hair_strands_def *def, shx_hair_strand *out_strands,
     size_t stride, double *out_curvatures, size_t capacity);
+
+// ---- Hair handle ------------------------------------------------------------------------------------------
+
+// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry,
+// bending and friction. Fill it with shx_hair_handle_init or shx_hair_handle_from_name.
+typedef struct shx_hair_handle {
+  // Set by shx_hair_handle_init.
+  uint32_t struct_size;
+  // Must be 0.
+  uint32_t reserved0;
+  // Geometry: the longer diameter of the cross-section, m; above 0.
+  double major_diameter;
+  // Geometry: ratio of the longer to the shorter diameter; 1 or above.
+  double ellipticity;
+  // Geometry: natural twist, rad/m; 0 where natural_curvature is 0.
+  double natural_twist;
+  // Geometry: natural curvature, rad/m; 0 (straight) or above.
+  double natural_curvature;
+  // Bending stiffness about the longer axis, N m^2; above 0.
+  double bending_stiffness;
+  // Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients.
+  double frictional_force;
+  // Internal friction gamma, kg m^3/s; 0 or above.
+  double internal_friction;
+} shx_hair_handle;
+
+// Fills *handle with that of hair GA1. size is sizeof(shx_hair_handle).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_hair_handle_init(shx_hair_handle *handle, size_t size);
+
+// Writes the handle of a measured type of hair to out_handle, which shx_hair_handle_init has filled. The
+// names are those of shx_hair_type_from_name; "h1", "h2", "ga1" and "gc3" are Bonanni and Kmoch 2008, table
+// 1.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (name).
+// Threads: any.
+SHX_API shx_result shx_hair_handle_from_name(const char *name, shx_hair_handle *out_handle);
+
+// Writes handle with two sliders moved, each from -1 to 1 (0 changes nothing), to out_handle, which
+// shx_hair_handle_init has filled; it may be handle itself. curliness acts on natural twist and curvature,
+// combing_ease on both kinds of friction, as the shx_hair_sliders of those names do.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: any.
+SHX_API shx_result shx_hair_handle_adjust(const shx_hair_handle *handle, double curliness,
+    double combing_ease, shx_hair_handle *out_handle);
+
+// Writes the type of hair that has this handle, without variation, to out_hair, which shx_hair_type_init has
+// filled: shx_hair_strands makes strands of it.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: any.
+SHX_API shx_result shx_hair_handle_to_type(const shx_hair_handle *handle, shx_hair_type *out_hair);
+
+// A standard combing experiment. Fill it with shx_combing_test_init, then change what you need.
+typedef struct shx_combing_test {
+  // Set by shx_combing_test_init.
+  uint32_t struct_size;
+  // Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.
+  uint32_t strand_count;
+  // Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.
+  uint32_t element_count;
+  // Must be 0.
+  uint32_t reserved0;
+  // Length of the hairs, m. Default 0.06.
+  double length;
+  // Stroke, m; at most length - 0.025. Default 0.03.
+  double stroke;
+  // Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.
+  double speed;
+  // Steps per second; above 0. Default 240.
+  double rate;
+} shx_combing_test;
+
+// Result of a combing experiment; the means are over the second half of the stroke.
+typedef struct shx_combing_result {
+  // Number of steps of the stroke, and of entries in each list.
+  uint64_t step_count;
+  // Force against the stroke, N: how hard the hair is to comb.
+  double mean_force;
+  // Sum of the forces on the rods across the stroke, N: how stiff it is.
+  double mean_pressure;
+  // mean_force / mean_pressure: how rough it is.
+  double friction;
+  // Work of the stroke, J.
+  double work;
+} shx_combing_result;
+
+// Fills *test with defaults. size is sizeof(shx_combing_test).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_combing_test_init(shx_combing_test *test, size_t size);
+
+// Combs hair with this handle: hairs hang from clamps, three rods close on them so that each hair bends
+// around them, and are drawn down over it. test may be null: defaults. Writes position, m, force against the
+// stroke, N, and pressure across it, N, of each step to out_stroke, out_force and out_pressure, each of
+// which holds capacity numbers or is null. Takes a fraction of a second with the defaults.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT,
+// SHX_ERROR_BUFFER_TOO_SMALL (the message has the number of steps).
+// Threads: any.
+SHX_API shx_result shx_combing_test_run(const shx_combing_test *test, const shx_hair_handle *handle,
+    double *out_stroke, double *out_force, double *out_pressure, size_t capacity,
+    shx_combing_result *out_result);
 
 // ---- Scalps and follicles ---------------------------------------------------------------------------------
 

@@ -15,4 +15,5 @@ pub mod rod;
 pub mod solver;
 pub mod step;
 pub mod study;
+pub mod styling;
 pub mod workers;

@@ -64,8 +64,8 @@ const MOST_SHARES: usize = 32;
 /// Who runs, and the scratch memory of those who do.
 pub(crate) struct Crew<S> {
     runner: Runner,
-    /// A thread of the pool finds its own again; all others share the first's.
-    workspaces: Vec<Mutex<Vec<S>>>,
+    /// A thread of the pool finds its own again; all others share the first's. Boxed: they are lent out for every few strands, and are large.
+    workspaces: Vec<Mutex<Vec<Box<S>>>>,
 }
 
 enum Runner {
@@ -142,7 +142,7 @@ impl<S: Default + Send> Crew<S> {
             Workers::Pool(count) => (Runner::Pool(Pool::new(count - 1)?), *count),
             Workers::Host(host) => (Runner::Host(host.clone()), 1),
         };
-        Ok(Self { runner, workspaces: (0..threads).map(|_| Mutex::new(vec![S::default()])).collect() })
+        Ok(Self { runner, workspaces: (0..threads).map(|_| Mutex::new(vec![Box::default()])).collect() })
     }
 
     /// Calls `work` on every item once, each call with scratch memory of its own.

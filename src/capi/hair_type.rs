@@ -84,7 +84,7 @@ const _: () = {
 };
 
 impl shx_hair_type {
-    fn of(hair: &MeasuredHair) -> Self {
+    pub(super) fn of(hair: &MeasuredHair) -> Self {
         let none = Variation::none();
         Self {
             struct_size: size_of::<Self>() as u32,

@@ -4,6 +4,7 @@
 //! Symbols as in `elimination` and `response`: a unit force at a station leaves y on the free curvatures of the elements between it and the root;
 //! ψ, ρ and δ are what these do then.
 
+use super::axes::{axes, for_axes};
 use super::elimination::{Eliminated, Elimination};
 use super::load::Load;
 use crate::math::lane::{Kernel, Lane};
@@ -61,11 +62,12 @@ fn update<T: Lane>(
     axes: &[usize],
     scratch: &mut Vec<[T; 3]>,
 ) {
-    match *axes {
-        [a] => T::call(Columns { done: &elimination.one, kinematics, loads, axes: [a], scratch, columns }),
-        [a, b] => T::call(Columns { done: &elimination.two, kinematics, loads, axes: [a, b], scratch, columns }),
-        _ => T::call(Columns { done: &elimination.three, kinematics, loads, axes: [0, 1, 2], scratch, columns }),
+    macro_rules! call {
+        ($list:ident, $count:literal, $mask:literal) => {
+            T::call(Columns::<_, $count, $mask> { done: &elimination.$list, kinematics, loads, scratch, columns })
+        };
     }
+    for_axes!(axes, call);
     make_symmetric(columns, 3 * loads.len());
 }
 
@@ -83,12 +85,11 @@ fn make_symmetric(columns: &mut [f64], size: usize) {
     }
 }
 
-/// All columns, for D free curvatures an element.
-struct Columns<'a, T, const D: usize> {
+/// All columns, for the D free curvatures of MASK an element.
+struct Columns<'a, T, const D: usize, const MASK: u32> {
     done: &'a [Eliminated<f64, D>],
     kinematics: &'a Kinematics<f64>,
     loads: &'a [Load<f64>],
-    axes: [usize; D],
     scratch: &'a mut Vec<[T; 3]>,
     columns: &'a mut [f64],
 }
@@ -118,11 +119,12 @@ fn select<T: Lane>(mask: T::Mask, yes: Vec3<T>, no: Vec3<T>) -> Vec3<T> {
     out
 }
 
-impl<T: Lane, const D: usize> Kernel for Columns<'_, T, D> {
+impl<T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, T, D, MASK> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Self { done, kinematics, loads, axes, scratch, columns } = self;
+        let Self { done, kinematics, loads, scratch, columns } = self;
+        let axes = const { axes::<D>(MASK) };
         let (count, size) = (kinematics.elements.len(), 3 * loads.len());
         scratch.resize(count, [T::zero(); 3]);
         let mut first = 0;

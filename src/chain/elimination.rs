@@ -7,6 +7,7 @@
 //! stiffness k and force f at place x moves by ρ + ψ×x + J_x δκ. The exact Hessian adds tension: the second variations of x and of the
 //! right end, weighted by −f, −F, −M.
 
+use super::axes::{axes, for_axes};
 use super::load::Load;
 use super::pivot::factorise;
 use super::system::{ChainSystem, Direction, LinearSolve};
@@ -61,21 +62,21 @@ impl<T: Lane> LinearSolve<T> for Elimination<T> {
     }
 }
 
-/// The solve for D free curvatures an element, as a function of its own.
-struct SolveFor<'a, T, const D: usize, const LOADED: bool> {
+/// The solve for the D free curvatures of MASK an element, as a function of its own.
+struct SolveFor<'a, T, const D: usize, const MASK: u32, const LOADED: bool> {
     scratch: &'a mut Vec<Eliminated<T, D>>,
     kinematics: &'a Kinematics<T>,
     system: &'a ChainSystem<T>,
     loads: &'a [Load<T>],
-    axes: [usize; D],
     change: &'a mut Vec<[T; 3]>,
 }
 
-impl<T: Lane, const D: usize, const LOADED: bool> Kernel for SolveFor<'_, T, D, LOADED> {
+impl<T: Lane, const D: usize, const MASK: u32, const LOADED: bool> Kernel for SolveFor<'_, T, D, MASK, LOADED> {
     type Output = Direction<T>;
     #[inline(always)]
     fn run(self) -> Direction<T> {
-        solve_for::<T, D, LOADED>(self.scratch, self.kinematics, self.system, self.loads, self.axes, self.change)
+        let axes = const { axes::<D>(MASK) };
+        solve_for::<T, D, LOADED>(self.scratch, self.kinematics, self.system, self.loads, axes, self.change)
     }
 }
 
@@ -102,15 +103,12 @@ impl<T: Lane> Elimination<T> {
         axes: &[usize],
         change: &mut Vec<[T; 3]>,
     ) -> Direction<T> {
-        match *axes {
-            [a] => T::call(SolveFor::<_, 1, LOADED> { scratch: &mut self.one, kinematics, system, loads, axes: [a], change }),
-            [a, b] => {
-                T::call(SolveFor::<_, 2, LOADED> { scratch: &mut self.two, kinematics, system, loads, axes: [a, b], change })
-            }
-            _ => {
-                T::call(SolveFor::<_, 3, LOADED> { scratch: &mut self.three, kinematics, system, loads, axes: [0, 1, 2], change })
-            }
+        macro_rules! call {
+            ($list:ident, $count:literal, $mask:literal) => {
+                T::call(SolveFor::<_, $count, $mask, LOADED> { scratch: &mut self.$list, kinematics, system, loads, change })
+            };
         }
+        for_axes!(axes, call)
     }
 }
 

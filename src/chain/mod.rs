@@ -1,5 +1,6 @@
 //! The linear systems of one strand: the linear-time elimination from tip to root, and the dense reference it is tested against.
 
+pub(crate) mod axes;
 pub mod delassus;
 pub mod dense;
 pub mod displacement;

@@ -4,6 +4,7 @@
 //! Symbols as in `elimination`: u = (ψ, ρ); y what is left of the forces on an element's free curvatures once all downstream of it is
 //! eliminated, L y = JᵀF + ΨᵀM − …; δκ = L⁻ᵀ(y − W u).
 
+use super::axes::{axes, for_axes};
 use super::elimination::{Eliminated, Elimination};
 use super::load::Load;
 use super::system::Direction;
@@ -32,11 +33,12 @@ impl Elimination<f64> {
         moved: &mut Vec<Vec3<f64>>,
     ) -> Direction<f64> {
         let (scratch, out) = (&mut scratch.left_over, (change, moved));
-        match *axes {
-            [a] => f64::call(Towards { done: &self.one, kinematics, loads, forces, axes: [a], scratch, out }),
-            [a, b] => f64::call(Towards { done: &self.two, kinematics, loads, forces, axes: [a, b], scratch, out }),
-            _ => f64::call(Towards { done: &self.three, kinematics, loads, forces, axes: [0, 1, 2], scratch, out }),
+        macro_rules! call {
+            ($list:ident, $count:literal, $mask:literal) => {
+                f64::call(Towards::<$count, $mask> { done: &self.$list, kinematics, loads, forces, scratch, out })
+            };
         }
+        for_axes!(axes, call)
     }
 }
 
@@ -50,22 +52,21 @@ fn free_columns<const D: usize>(load: &Load<f64>, axes: [usize; D]) -> [Vec3<f64
     out
 }
 
-/// [`Elimination::direction`] for D free curvatures an element.
-struct Towards<'a, const D: usize> {
+/// [`Elimination::direction`] for the D free curvatures of MASK an element.
+struct Towards<'a, const D: usize, const MASK: u32> {
     done: &'a [Eliminated<f64, D>],
     kinematics: &'a Kinematics<f64>,
     loads: &'a [Load<f64>],
     forces: &'a [Vec3<f64>],
-    axes: [usize; D],
     scratch: &'a mut Vec<[f64; 3]>,
     out: (&'a mut Vec<[f64; 3]>, &'a mut Vec<Vec3<f64>>),
 }
 
-impl<const D: usize> Kernel for Towards<'_, D> {
+impl<const D: usize, const MASK: u32> Kernel for Towards<'_, D, MASK> {
     type Output = Direction<f64>;
     #[inline(always)]
     fn run(self) -> Direction<f64> {
-        direction(self.done, self.kinematics, self.loads, self.forces, self.axes, self.scratch, self.out)
+        direction(self.done, self.kinematics, self.loads, self.forces, const { axes::<D>(MASK) }, self.scratch, self.out)
     }
 }
 

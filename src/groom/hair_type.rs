@@ -75,7 +75,7 @@ pub const DISCIPLINED_DRAG: f64 = 5e-6;
 /// Air drag of fuzzy hair (the same), kg/(m·s).
 pub const FUZZY_DRAG: f64 = 5e-5;
 /// The frictional force that stands for the engine's own coefficients, N: the mean of those that table 1 has.
-const MEAN_FRICTIONAL_FORCE: f64 = 0.693e-2;
+pub(crate) const MEAN_FRICTIONAL_FORCE: f64 = 0.693e-2;
 
 impl HairType {
     /// All of them.

@@ -2,6 +2,7 @@
 
 pub mod fit;
 pub mod guide_roots;
+pub mod hair_handle;
 pub mod hair_parameters;
 pub mod hair_type;
 pub mod outside;

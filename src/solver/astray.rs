@@ -82,6 +82,11 @@ impl Strand {
         matches!(self.astray.as_deref(), Some(Astray { state: Whereabouts::Carried { .. }, .. }))
     }
 
+    /// Whether it takes no part in the scene: it is on its way back, or stands still.
+    pub fn is_aside(&self) -> bool {
+        self.frozen.is_some() || self.is_returning()
+    }
+
     /// Whether it is on its way back, and no part of the scene until it is there.
     pub fn is_returning(&self) -> bool {
         self.astray.as_deref().is_some_and(|astray| matches!(astray.state, Whereabouts::Returning { .. }))
@@ -176,7 +181,7 @@ impl Strand {
     }
 
     /// Its velocities are those of a rigid motion with its root, which has come from there in `h` seconds.
-    fn moves_as_its_root(&mut self, from: &Frame, h: f64, rules: &Rules) {
+    pub fn moves_as_its_root(&mut self, from: &Frame, h: f64, rules: &Rules) {
         let to = self.state.root;
         self.state.rates.fill([0.0; 3]);
         self.state.root_velocity = (to.origin - from.origin) / h;

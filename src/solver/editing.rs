@@ -121,7 +121,7 @@ impl Solver {
         Ok(found)
     }
 
-    /// Puts a strand into a shape, with rates (`None`: at rest relative to its root).
+    /// Puts a strand into a shape, with rates (`None`: at rest relative to its root), and wakes it.
     pub(super) fn put(&mut self, index: usize, curvatures: Vec<[f64; 3]>, rates: Option<Vec<[f64; 3]>>) {
         self.put_with(index, curvatures, rates, &mut Kinematics::default());
     }
@@ -137,6 +137,7 @@ impl Solver {
         let strand = &mut self.strands[index];
         strand.state.rates = rates.unwrap_or_else(|| vec![[0.0; 3]; curvatures.len()]);
         strand.state.curvatures = curvatures;
+        strand.frozen = None;
         strand.state.velocities_from_rates(&strand.model, &self.rules);
         strand.fared = Fared::well();
         strand.update_energies(self.options.gravity, &self.rules, kinematics);

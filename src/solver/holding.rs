@@ -143,7 +143,7 @@ impl Holding {
     pub fn mark(scene: &mut Scene, h: f64) {
         let hair = scene.options.hair;
         for strand in scene.strands.iter_mut() {
-            strand.held = !strand.is_returning()
+            strand.held = !strand.is_aside()
                 && strand.contact.as_deref().is_some_and(|contact| {
                     if !strand.bodies_from().is_empty() {
                         // What went past it while it was not there it is to meet.
@@ -163,7 +163,7 @@ impl Holding {
             let ends = [Some(constraint.def.strand), constraint.other()];
             for index in ends.into_iter().flatten().filter_map(|id| scene.slots.index(id)) {
                 let strand = &mut scene.strands[index];
-                strand.held = !strand.is_returning();
+                strand.held = !strand.is_aside();
             }
         }
     }

@@ -27,7 +27,7 @@ fn surprise(from: &Frame, to: &Frame, velocity: Vector3<f64>, spin: Vector3<f64>
 impl Strand {
     /// Where its root will have jumped to in `dt` seconds, if it does: with more than `most` m/s² between what it did and what it is to do.
     fn jump(&self, dt: f64, most: f64) -> Option<Frame> {
-        self.root_move.as_ref()?;
+        self.root_move.as_ref().filter(|_| self.frozen.is_none())?;
         let (from, to) = (&self.state.root, strand::root_after(&self.root_move, &self.state.root, dt));
         let (velocity, spin) = (self.instant_velocity(), self.instant_angular_velocity());
         let length = self.model.length();

@@ -89,5 +89,6 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         contact: contact.clone(),
         allowance: allowance.clone(),
         astray: None,
+        frozen: None,
     }
 }

@@ -162,7 +162,7 @@ impl Solver {
         }
     }
 
-    fn bodies_at_rest(&self) -> Vec<BodyAt<'_>> {
+    pub(super) fn bodies_at_rest(&self) -> Vec<BodyAt<'_>> {
         self.bodies.iter().enumerate().map(|(k, scene)| scene.body.still(k as u32)).collect()
     }
 

@@ -31,18 +31,24 @@ pub(super) fn take(
     meter: &Meter,
 ) {
     // Nothing else is done for these in this substep.
-    let returning: Vec<usize> = (0..strands.len()).filter(|index| strands[*index].is_returning()).collect();
-    for index in &returning {
-        tally.add(&strands[*index].go_back(h, setting.rules));
-        strands[*index].held = true;
+    let aside: Vec<usize> = (0..strands.len()).filter(|index| strands[*index].is_aside()).collect();
+    for index in &aside {
+        let strand = &mut strands[*index];
+        let stays = strand.frozen.is_some();
+        tally.add(&if stays {
+            strand.stay(setting.surroundings.gravity.into(), h, setting.rules)
+        } else {
+            strand.go_back(h, setting.rules)
+        });
+        strand.held = true;
     }
     take_present(strands, setting, h, set, tally, scratch, meter);
-    for index in &returning {
+    for index in &aside {
         strands[*index].held = false;
     }
 }
 
-/// The same of those that are not on their way back.
+/// The same of those that take part.
 fn take_present(
     strands: &mut [Strand],
     setting: &Setting,

@@ -262,13 +262,14 @@ impl Solver {
     /// A substep of `h` seconds, or a part of one.
     fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, place: Place) {
         let Place { is_last, is_fast } = place;
+        for scene_body in &mut self.bodies {
+            scene_body.body.begin(h);
+        }
+        self.wake_touched(h);
         let set = self.instruction_set();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let width = packs::width(self.options.step.precision, set);
-        for scene_body in &mut self.bodies {
-            scene_body.body.begin(h);
-        }
         let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
         let body_ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
         let copies = || -> Vec<Body> { self.bodies.iter().map(|body| body.body.clone()).collect() };

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 
 use super::astray::Astray;
 use super::definition::StrandDef;
+use super::freezing::Frozen;
 use super::id::StrandId;
 use super::report::{Energies, StrandStatus};
 use super::sections;
@@ -50,6 +51,8 @@ pub(super) struct Strand {
     pub allowance: Option<Box<Allowance>>,
     /// What is kept of it where a substep has not brought it through.
     pub astray: Option<Box<Astray>>,
+    /// It stands still.
+    pub frozen: Option<Box<Frozen>>,
 }
 
 /// What is kept of how a substep went; the rest goes into the call's [`Tally`].
@@ -157,6 +160,7 @@ impl Strand {
             contact: None,
             allowance: None,
             astray: None,
+            frozen: None,
         }
     }
 

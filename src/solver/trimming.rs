@@ -79,6 +79,9 @@ impl Solver {
         let mut kinematics = Kinematics::default();
         for Trimmed { index, model, state, authored } in made {
             let strand = &mut self.strands[index];
+            if model.length() > strand.model.length() {
+                strand.frozen = None;
+            }
             (strand.model, strand.state, strand.authored) = (model, state, authored);
             strand.shrink();
             strand.update_energies(self.options.gravity, &self.rules, &mut kinematics);

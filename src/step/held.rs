@@ -292,7 +292,7 @@ impl Held {
         if setting.options.exact_hessian {
             let mut gone = [0.0; MAX_LANES];
             gone[0] = part;
-            foresee(iterate, &gone);
+            foresee(iterate, axes, &gone);
             iterate.system.exact = true;
         }
         self.outcome.residual

@@ -1,6 +1,7 @@
 //! Where Newton's iteration is: a spring at every quadrature point and at every curvature, drawn to its target (`energy`), and the strand
 //! between them, placed, evaluated, and pulled at.
 
+use crate::chain::axes::{axes, for_axes};
 use crate::chain::displacement;
 use crate::chain::system::ChainSystem;
 use crate::math::lane::{Kernel, Lane, MAX_LANES, Precision};
@@ -110,14 +111,21 @@ pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T
 /// The forces that the springs would have come to had the points gone `gone` of the direction along their tangents, from the
 /// forces at hand and the kinematics of where they went from, which are those on trial now.
 #[inline(always)]
-pub(super) fn foresee<T: Lane>(it: &mut Iterate<T>, gone: &[f64; MAX_LANES]) {
+pub(super) fn foresee<T: Lane>(it: &mut Iterate<T>, axes: &[usize], gone: &[f64; MAX_LANES]) {
     let Iterate { trial, system, change, .. } = it;
     system.point_tension.clone_from(&system.point_force);
     let gone = T::from_lanes(|lane| gone[lane]);
-    T::call(Foresee { trial, tension: &mut system.point_tension, stiffness: &system.point_stiffness, change, gone });
+    let (tension, stiffness) = (&mut system.point_tension, &system.point_stiffness);
+    macro_rules! call {
+        ($_list:ident, $count:literal, $mask:literal) => {
+            T::call(Foresee::<_, $count, $mask> { trial, tension, stiffness, change, gone })
+        };
+    }
+    for_axes!(axes, call);
 }
 
-struct Foresee<'a, T> {
+/// [`foresee`] for the D free curvatures of MASK.
+struct Foresee<'a, T, const D: usize, const MASK: u32> {
     trial: &'a Kinematics<T>,
     tension: &'a mut [Vec3<T>],
     stiffness: &'a [T],
@@ -125,12 +133,15 @@ struct Foresee<'a, T> {
     gone: T,
 }
 
-impl<T: Lane> Kernel for Foresee<'_, T> {
+impl<T: Lane, const D: usize, const MASK: u32> Kernel for Foresee<'_, T, D, MASK> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
         let (tension, stiffness, gone) = (self.tension, self.stiffness, self.gone);
-        displacement::for_each_point(self.trial, self.change, |p, moved| tension[p] -= moved.scale(gone * stiffness[p]));
+        let axes = const { axes::<D>(MASK) };
+        displacement::for_each_point_along(self.trial, self.change, axes, |p, moved| {
+            tension[p] -= moved.scale(gone * stiffness[p]);
+        });
     }
 }
 

@@ -210,7 +210,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             break;
         }
         if options.exact_hessian {
-            foresee(it, &control.gone);
+            foresee(it, problem.axes, &control.gone);
         }
         if S::DAMPED && to_check != 0 {
             let still = stationary(problem, it, solver, options);

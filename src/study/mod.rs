@@ -3,6 +3,7 @@
 
 pub mod branch;
 mod branch_system;
+pub mod combing;
 pub mod elements;
 pub mod friction_fit;
 pub mod least_squares;

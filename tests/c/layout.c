@@ -627,4 +627,80 @@ AT(shx_haptic_state, left_out, 160);
 AT(shx_haptic_state, sweeps, 164);
 AT(shx_haptic_state, residual, 168);
 
+SIZE(shx_hair_handle, 64);
+AT(shx_hair_handle, struct_size, 0);
+AT(shx_hair_handle, reserved0, 4);
+AT(shx_hair_handle, major_diameter, 8);
+AT(shx_hair_handle, ellipticity, 16);
+AT(shx_hair_handle, natural_twist, 24);
+AT(shx_hair_handle, natural_curvature, 32);
+AT(shx_hair_handle, bending_stiffness, 40);
+AT(shx_hair_handle, frictional_force, 48);
+AT(shx_hair_handle, internal_friction, 56);
+
+SIZE(shx_combing_test, 48);
+AT(shx_combing_test, struct_size, 0);
+AT(shx_combing_test, strand_count, 4);
+AT(shx_combing_test, element_count, 8);
+AT(shx_combing_test, reserved0, 12);
+AT(shx_combing_test, length, 16);
+AT(shx_combing_test, stroke, 24);
+AT(shx_combing_test, speed, 32);
+AT(shx_combing_test, rate, 40);
+
+SIZE(shx_combing_result, 40);
+AT(shx_combing_result, step_count, 0);
+AT(shx_combing_result, mean_force, 8);
+AT(shx_combing_result, mean_pressure, 16);
+AT(shx_combing_result, friction, 24);
+AT(shx_combing_result, work, 32);
+
+SIZE(shx_tool_def, 64);
+AT(shx_tool_def, struct_size, 0);
+AT(shx_tool_def, kind, 4);
+AT(shx_tool_def, tooth_count, 8);
+AT(shx_tool_def, row_count, 12);
+AT(shx_tool_def, spacing, 16);
+AT(shx_tool_def, row_spacing, 24);
+AT(shx_tool_def, length, 32);
+AT(shx_tool_def, radius, 40);
+AT(shx_tool_def, width, 48);
+AT(shx_tool_def, thickness, 56);
+
+SIZE(shx_clip_def, 96);
+AT(shx_clip_def, struct_size, 0);
+AT(shx_clip_def, kind, 4);
+AT(shx_clip_def, pose, 8);
+AT(shx_clip_def, half_edges, 64);
+AT(shx_clip_def, compliance, 88);
+
+SIZE(shx_cut, 56);
+AT(shx_cut, strand, 0);
+AT(shx_cut, length, 8);
+AT(shx_cut, removed, 16);
+AT(shx_cut, position, 24);
+AT(shx_cut, removed_constraints, 48);
+
+SIZE(shx_heat_def, 96);
+AT(shx_heat_def, struct_size, 0);
+AT(shx_heat_def, shape, 4);
+AT(shx_heat_def, pose, 8);
+AT(shx_heat_def, half_edges, 64);
+AT(shx_heat_def, rate, 88);
+
+SIZE(shx_ring_comb_def, 32);
+AT(shx_ring_comb_def, struct_size, 0);
+AT(shx_ring_comb_def, reserved0, 4);
+AT(shx_ring_comb_def, friction, 8);
+AT(shx_ring_comb_def, max_force, 16);
+AT(shx_ring_comb_def, exempt_length, 24);
+
+SIZE(shx_ring_comb_report, 64);
+AT(shx_ring_comb_report, held, 0);
+AT(shx_ring_comb_report, caught, 4);
+AT(shx_ring_comb_report, combed, 8);
+AT(shx_ring_comb_report, let_go, 12);
+AT(shx_ring_comb_report, force, 16);
+AT(shx_ring_comb_report, torque, 40);
+
 int main(void) { return 0; }

@@ -351,6 +351,29 @@ fn example_haptic_comb() {
 }
 
 #[test]
+fn example_styling() {
+    let path = |linkage: &str| examples().join(linkage).join("styling");
+    let printed = [text(&mut Command::new(path("shared"))), text(&mut Command::new(path("static")))];
+    assert_eq!(printed[0], printed[1]);
+    let lines: Vec<&str> = printed[0].lines().collect();
+    assert_eq!(lines.len(), 7, "{}", printed[0]);
+    let numbers = |line: &str| -> Vec<f64> {
+        let words = line.split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-' || c == 'e'));
+        words.filter_map(|word| word.parse().ok()).collect()
+    };
+    let [hung, straightened] = [0, 2].map(|line| numbers(lines[line])[0]);
+    assert!(straightened > 114.0 && straightened > hung + 5.0, "{}", printed[0]);
+    let combed = numbers(lines[1]);
+    assert!(combed[1] >= 3.0 && combed[0] == combed[1] && combed[2] == 0.0 && combed[3] > 1.0, "{}", printed[0]);
+    let cut = numbers(lines[3]);
+    assert!(cut[0] == 24.0 && (100.0..108.0).contains(&cut[1]), "{}", printed[0]);
+    assert!(numbers(lines[4])[0] >= 24.0, "{}", printed[0]);
+    assert_eq!(numbers(lines[5])[0], 0.0, "{}", printed[0]);
+    let woken = numbers(lines[6])[0];
+    assert!(woken > 0.0 && woken < 24.0, "{}", printed[0]);
+}
+
+#[test]
 fn example_curls() {
     let file = |linkage: &str| scratch("curls").join(format!("{linkage}.obj"));
     let printed = example("curls", |linkage| vec![file(linkage).display().to_string()]);

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The subjects of the header in its order: a title, and the sources whose items stand under it, each in the order of its source.
-const SUBJECTS: [(&str, &[&str]); 30] = [
+const SUBJECTS: [(&str, &[&str]); 32] = [
     ("Version", &["version"]),
     ("Results and errors", &["errors"]),
     (HANDLES, &["guard"]),
@@ -26,6 +26,7 @@ const SUBJECTS: [(&str, &[&str]); 30] = [
     ("Overlaps", &["overlaps", "push_out"]),
     ("Constraints", &["constraints"]),
     ("Haptics", &["haptic_def", "haptic"]),
+    ("Styling tools", &["styling", "ring_comb"]),
     ("Snapshots", &["state"]),
     ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),
     ("Choosing settings", &["settings"]),
@@ -33,6 +34,7 @@ const SUBJECTS: [(&str, &[&str]); 30] = [
     ("Fitting friction to a recording", &["friction_fit"]),
     ("Groom files and caches", &["curves", "curve_data", "curve_cache"]),
     ("Hair types", &["hair_type"]),
+    ("Hair handle", &["hair_handle"]),
     ("Scalps and follicles", &["scalp"]),
     ("Render hair", &["render_def", "render_hair"]),
 ];

@@ -14,12 +14,14 @@ use superhelix::capi::{
     fit::shx_polyline_fit,
     fit_curves::{shx_fit_input, shx_fit_options, shx_fitted_strand},
     friction_fit::{shx_fitted_coefficient, shx_friction_fit_def, shx_friction_fit_report},
+    hair_handle::{shx_combing_result, shx_combing_test, shx_hair_handle},
     hair_type::{shx_hair_sliders, shx_hair_strand, shx_hair_strands_def, shx_hair_type},
     haptic_def::{shx_haptic_def, shx_haptic_state},
     materials::shx_material,
     pose_def::{shx_brush, shx_element_change, shx_pose_options},
     push_out::shx_push_out_def,
     render_def::{shx_render_guides, shx_render_settings, shx_render_view},
+    ring_comb::{shx_ring_comb_def, shx_ring_comb_report},
     sampling::shx_sample_def,
     scalp::{shx_follicle, shx_scalp_def, shx_scatter_def},
     settings::shx_settings,
@@ -29,6 +31,7 @@ use superhelix::capi::{
     step::shx_step_report,
     step_limits::shx_step_limits,
     strand_def::shx_strand_def,
+    styling::{shx_clip_def, shx_cut, shx_heat_def, shx_tool_def},
     suggest::{shx_suggest_def, shx_suggestion},
     types::{shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id},
     wisp::shx_wisp,
@@ -103,6 +106,15 @@ fn every_size_and_offset_is_as_published() {
         shx_spline_def: 48 { struct_size: 0, kind: 4, ends: 8, points_per_span: 12, controls: 16 }
         shx_haptic_def: 200 { struct_size: 0, mode: 4, handle: 8, stiffness: 64, damping: 72, angular_stiffness: 80, angular_damping: 88, max_force: 96, max_torque: 104, max_force_rate: 112, max_torque_rate: 120, energy_allowance: 128, max_energy_credit: 136, max_acceleration: 144, max_angular_acceleration: 152, max_model_age: 160, max_contacts: 168, max_sweeps: 172, force_law: 176, reserved0: 180, explicit_time: 184, explicit_friction: 192 }
         shx_haptic_state: 176 { struct_size: 0, limits: 4, proxy: 8, contact_force: 64, contact_torque: 88, energy_given: 112, energy_received: 120, max_energy_excess: 128, model_age: 136, model_count: 144, contacts: 152, pressing: 156, left_out: 160, sweeps: 164, residual: 168 }
+        shx_hair_handle: 64 { struct_size: 0, reserved0: 4, major_diameter: 8, ellipticity: 16, natural_twist: 24, natural_curvature: 32, bending_stiffness: 40, frictional_force: 48, internal_friction: 56 }
+        shx_combing_test: 48 { struct_size: 0, strand_count: 4, element_count: 8, reserved0: 12, length: 16, stroke: 24, speed: 32, rate: 40 }
+        shx_combing_result: 40 { step_count: 0, mean_force: 8, mean_pressure: 16, friction: 24, work: 32 }
+        shx_tool_def: 64 { struct_size: 0, kind: 4, tooth_count: 8, row_count: 12, spacing: 16, row_spacing: 24, length: 32, radius: 40, width: 48, thickness: 56 }
+        shx_clip_def: 96 { struct_size: 0, kind: 4, pose: 8, half_edges: 64, compliance: 88 }
+        shx_cut: 56 { strand: 0, length: 8, removed: 16, position: 24, removed_constraints: 48 }
+        shx_heat_def: 96 { struct_size: 0, shape: 4, pose: 8, half_edges: 64, rate: 88 }
+        shx_ring_comb_def: 32 { struct_size: 0, reserved0: 4, friction: 8, max_force: 16, exempt_length: 24 }
+        shx_ring_comb_report: 64 { held: 0, caught: 4, combed: 8, let_go: 12, force: 16, torque: 40 }
     };
     let program = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/c/layout.c")).expect("layout.c");
     let asserted: Vec<&str> = program.lines().filter(|line| line.starts_with("SIZE(") || line.starts_with("AT(")).collect();

@@ -167,3 +167,50 @@ TEST(a_hand_feels_hair) {
   EXPECT(felt.force[0] < 0.0 && state.model_count == 59 && state.pressing > 0 && state.energy_given > 0.0);
   EXPECT(WHY(hand.update(make_frame({}), {}, {}, 0.0)).code() == SHX_ERROR_INVALID_ARGUMENT);
 }
+
+TEST(styling) {
+  solver hair = GET(solver::create());
+  const std::vector<strand_id> ids = hanging(hair, 4);
+  const tool_def teeth_def = tool_def().with_kind(tool::comb).with_length(0.06);
+  const std::vector<body_id> teeth = GET(hair.add_tool(teeth_def, make_frame({-0.5, 0.0, 0.0})));
+  EXPECT(teeth.size() == 12 && GET(tool_frames(teeth_def, make_frame({}))).size() == 12);
+  const tool_def plates = tool_def().with_kind(tool::plates);
+  const vec3 half_edges = GET(tool_hot_box(plates, 0.01));
+  NEAR(half_edges[1], 0.007, 1e-15);
+  EXPECT(WHY(tool_hot_box(teeth_def, 0.01)).code() == SHX_ERROR_UNSUPPORTED);
+  clip_def clip;
+  clip.pose = make_frame({0.0, 0.0, -0.05});
+  clip.half_edges[0] = clip.half_edges[1] = 0.1;
+  const auto held = GET(hair.clip_strands(clip, ids));
+  EXPECT(held.size() == 4);
+  GET(hair.move_constraints(held, clip.pose, make_frame({0.01, 0.0, -0.05}), 0.1));
+  GET(hair.step(0.1, 4));
+  GET(hair.remove_constraints(held));
+  heat_def heat;
+  heat.half_edges[0] = heat.half_edges[1] = heat.half_edges[2] = 1.0;
+  EXPECT(GET(hair.heat_strands(heat, ids, 0.1))[2] > 0.05);
+  const auto cuts = GET(hair.scissor_strands(ids, {vec3{-1.0, -1.0, -0.06}, vec3{1.0, -1.0, -0.06}, vec3{1.0, 1.0, -0.06}, vec3{-1.0, 1.0, -0.06}}));
+  EXPECT(cuts.size() == 4 && cuts[0].strand == ids[0] && cuts[0].removed > 0.0);
+  GET(hair.freeze_strands(ids));
+  GET(hair.step(0.1));
+  EXPECT(GET(hair.frozen_strands(ids))[3] == 1);
+  GET(hair.wake_strands(ids));
+  EXPECT(GET(hair.frozen_strands(ids))[3] == 0);
+
+  EXPECT(WHY(ring_comb::create(plates, make_frame({}))).code() == SHX_ERROR_UNSUPPORTED);
+  // A tooth along y that goes along x.
+  const auto tooth = [](double x) { return make_frame({x, -0.03, -0.03}, {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}); };
+  ring_comb comb = GET(ring_comb::create(tool_def().with_kind(tool::finger).with_radius(0.001), tooth(-0.03)));
+  GET(comb.before_step(hair, ids, tooth(0.06), 0.01));
+  GET(hair.step(0.01));
+  EXPECT(GET(comb.after_step(hair)).caught == 4);
+  GET(comb.release(hair));
+  EXPECT(GET(hair.constraint_count()) == 0 && static_cast<bool>(comb));
+
+  const hair_handle h1 = GET(hair_handle_from_name("h1"));
+  NEAR(h1.bending_stiffness, 7.59e-9, 1e-20);
+  const hair_handle easy = GET(adjust_hair_handle(h1, 0.0, 1.0));
+  EXPECT(easy.frictional_force < h1.frictional_force && GET(hair_handle_to_type(easy)).friction < 1.0);
+  const combing_curve felt = GET(run_combing_test(h1, combing_test().with_stroke(0.005)));
+  EXPECT(felt.force.size() == felt.result.step_count && felt.result.mean_force > 0.0 && felt.stroke.back() == 0.005);
+}

@@ -182,5 +182,58 @@ namespace Superhelix.Tests
         }
       }
     }
+
+    internal static void Styles()
+    {
+      using (Solver hair = new Solver())
+      {
+        StrandId[] ids = Check.Hanging(hair, 4);
+        ToolDef tool = ToolDef.Default;
+        tool.Kind = Tool.Comb;
+        Check.That(hair.AddTool(tool, At(-0.5, 0, 0)).Length == 12 && Styling.ToolFrames(tool, At(0, 0, 0)).Length == 12, "teeth");
+        tool.Kind = Tool.Plates;
+        Check.That(Math.Abs(Styling.ToolHotBox(tool, 0.01).Y - 0.007) < 1e-15, "hot box");
+        ClipDef clip = ClipDef.Default;
+        clip.Pose = At(0, 0, -0.05);
+        clip.HalfEdges = new Vec3(0.1, 0.1, 0.01);
+        ConstraintId[] held = hair.ClipStrands(clip, ids);
+        Check.That(held.Length == 4, "clip");
+        hair.MoveConstraints(held, clip.Pose, At(0.01, 0, -0.05), 0.1);
+        hair.Step(0.1, 4);
+        hair.RemoveConstraints(held);
+        HeatDef heat = HeatDef.Default;
+        heat.HalfEdges = new Vec3(1, 1, 1);
+        double[] heated = new double[4];
+        hair.HeatStrands(heat, ids, 0.1, heated);
+        Check.That(heated[2] > 0.05, "heated");
+        Cut[] cuts = hair.ScissorStrands(ids, new[] { new Vec3(-1, -1, -0.06), new Vec3(1, -1, -0.06), new Vec3(1, 1, -0.06), new Vec3(-1, 1, -0.06) });
+        Check.That(cuts.Length == 4 && cuts[0].Removed > 0, "cut");
+        byte[] frozen = new byte[4];
+        hair.FreezeStrands(ids);
+        hair.Step(0.1);
+        hair.FrozenStrands(ids, frozen);
+        Check.That(frozen[3] == 1, "frozen");
+        hair.WakeStrands(ids);
+        hair.FrozenStrands(ids, frozen);
+        Check.That(frozen[3] == 0, "awake");
+        tool.Kind = Tool.Finger;
+        Frame from = At(-0.03, -0.03, -0.03), to = At(0.06, -0.03, -0.03);
+        from.Rotation = to.Rotation = new Quat(-0.70710678118654757, 0, 0, 0.70710678118654757);
+        using (RingComb comb = new RingComb(tool, from))
+        {
+          comb.BeforeStep(hair, ids, to, 0.01);
+          hair.Step(0.01);
+          Check.That(comb.AfterStep(hair).Caught == 4, "caught");
+          comb.Release(hair);
+        }
+        HairHandle h1 = Styling.HairHandle("h1");
+        HairHandle easy = Styling.AdjustHairHandle(h1, 0, 1);
+        Check.That(easy.FrictionalForce < h1.FrictionalForce && Styling.HairHandleType(easy).Friction < 1, "easy");
+        CombingTest test = CombingTest.Default;
+        test.Stroke = 0.005;
+        CombingCurve felt = Styling.RunCombingTest(h1, test);
+        Check.That(felt.Force.Length == (int)felt.Result.StepCount && felt.Result.MeanForce > 0, "combing");
+      }
+    }
   }
 }

@@ -8,11 +8,15 @@ use crate::rod::freedoms::Freedoms;
 use crate::rod::material::Material;
 use crate::rod::strand::StrandModel;
 use crate::solver::astray::{Astray, Whereabouts};
-use crate::solver::id::StrandId;
+use crate::solver::freezing::{Frozen, Known};
+use crate::solver::id::{BodyId, StrandId};
 use crate::solver::report::Energies;
 use crate::solver::sections::Sections;
 use crate::solver::strand::{Authored, Fared, Strand};
 use crate::step::state::{Earlier, Past, StrandState};
+
+/// Says that a strand stands still.
+const FROZEN: u32 = 5;
 
 impl Writer {
     /// The natural shape as it was given, where it has other elements. Apart from the strand: no step depends on it.
@@ -48,6 +52,17 @@ impl Writer {
         }
         self.u64(bodies.len() as u64);
         bodies.iter().for_each(|body| self.frame(body));
+    }
+
+    /// A strand that stands still, in the place of what is kept of one that has strayed.
+    fn frozen(&mut self, bodies: &[Known]) {
+        self.u32(FROZEN);
+        self.u64(bodies.len() as u64);
+        for Known { body, place, gap } in bodies {
+            self.u64(body.bits());
+            self.frame(place);
+            self.f64(*gap);
+        }
     }
 
     /// A strand's constants and state; the identifier stands apart.
@@ -90,7 +105,10 @@ impl Writer {
         self.u32(strand.fared.iterations);
         self.u32(u32::from(strand.fared.converged));
         self.u32(u32::from(strand.fared.quarantined));
-        self.astray(strand.astray.as_deref());
+        match strand.frozen.as_deref() {
+            Some(frozen) => self.frozen(&frozen.bodies),
+            None => self.astray(strand.astray.as_deref()),
+        }
         self.f64(strand.energies.kinetic);
         self.f64(strand.energies.elastic);
         self.f64(strand.energies.gravity);
@@ -98,8 +116,20 @@ impl Writer {
 }
 
 impl Reader<'_> {
-    fn astray(&mut self, elements: usize) -> Result<Option<Box<Astray>>> {
-        let state = match self.u32()? {
+    /// What the bodies of a strand that stands still are to it.
+    fn frozen(&mut self) -> Result<Vec<Known>> {
+        let count = self.count(8 * 9)?;
+        let known = |reader: &mut Self| {
+            let (body, place) =
+                (BodyId::from_bits(reader.u64()?), reader.finite_frame("where a body is to a strand that stands still")?);
+            let gap = reader.f64()?;
+            if gap.is_nan() { Err(bad("a body's distance from a strand is no number")) } else { Ok(Known { body, place, gap }) }
+        };
+        (0..count).map(|_| known(self)).collect()
+    }
+
+    fn astray(&mut self, tag: u32, elements: usize) -> Result<Option<Box<Astray>>> {
+        let state = match tag {
             0 => return Ok(None),
             1 => Whereabouts::Carried { seconds: self.finite("how long a strand is carried along")? },
             2 => Whereabouts::Lost { seconds: self.finite("how long a strand is rolled back")? },
@@ -199,7 +229,8 @@ impl Reader<'_> {
         }
         let root_move = self.way()?.map(Box::new);
         let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
-        let astray = self.astray(count)?;
+        let tag = self.u32()?;
+        let (astray, known) = if tag == FROZEN { (None, Some(self.frozen()?)) } else { (self.astray(tag, count)?, None) };
         let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
         let model = StrandModel::of_section(lengths, natural, sections.of(&material, freedoms));
         let mut strand = Strand {
@@ -216,8 +247,10 @@ impl Reader<'_> {
             contact: None,
             allowance: None,
             astray,
+            frozen: None,
         };
         strand.shrink();
+        strand.frozen = known.map(|known| Box::new(Frozen::new(&strand, known)));
         Ok(strand)
     }
 }

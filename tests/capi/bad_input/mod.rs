@@ -28,6 +28,7 @@ mod settle;
 mod shape;
 mod solver;
 mod strands;
+mod styling;
 mod suggest;
 mod wisp;
 
@@ -49,6 +50,7 @@ use superhelix::capi::fit::*;
 use superhelix::capi::fit_curves::*;
 use superhelix::capi::friction_fit::*;
 use superhelix::capi::guard::shx_solver;
+use superhelix::capi::hair_handle::*;
 use superhelix::capi::hair_type::*;
 use superhelix::capi::haptic::*;
 use superhelix::capi::haptic_def::*;
@@ -59,6 +61,7 @@ use superhelix::capi::pose_def::*;
 use superhelix::capi::posing::*;
 use superhelix::capi::push_out::*;
 use superhelix::capi::restyling::*;
+use superhelix::capi::ring_comb::*;
 use superhelix::capi::roots::*;
 use superhelix::capi::sampling::*;
 use superhelix::capi::settings::*;
@@ -72,6 +75,7 @@ use superhelix::capi::step::*;
 use superhelix::capi::step_limits::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
+use superhelix::capi::styling::*;
 use superhelix::capi::suggest::*;
 use superhelix::capi::types::*;
 use superhelix::capi::wisp::*;
@@ -193,6 +197,7 @@ fn table() -> Vec<Case> {
         curve_cache::cases,
         hair::cases,
         haptic::cases,
+        styling::cases,
         render_hair::cases,
         scalp::cases,
     ] {

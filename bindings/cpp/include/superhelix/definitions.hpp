@@ -1182,6 +1182,154 @@ struct haptic_state : shx_haptic_state {
   }
 };
 
+// Definition of a tool: bodies from a few numbers. Fill it with shx_tool_def_init, then set kind and what you need. Where a number is 0,
+// that of the kind is used.
+struct tool_def : shx_tool_def {
+  tool_def() : shx_tool_def{} { detail::prepared(shx_tool_def_init(this, sizeof(shx_tool_def))); }
+
+  // SHX_TOOL_COMB (default), _BRUSH, _FINGER, _PLATES or _BARREL.
+  tool_def &with_kind(superhelix::tool::type value) {
+    kind = value;
+    return *this;
+  }
+
+  // Comb: number of teeth (12). Brush: bristles in a row (10). At most 1000.
+  tool_def &with_tooth_count(std::uint32_t value) {
+    tooth_count = value;
+    return *this;
+  }
+
+  // Brush: number of rows (4), at most 1000.
+  tool_def &with_row_count(std::uint32_t value) {
+    row_count = value;
+    return *this;
+  }
+
+  // Comb (0.0025) and brush (0.004): distance from axis to axis in a row, m.
+  tool_def &with_spacing(double value) {
+    spacing = value;
+    return *this;
+  }
+
+  // Brush: distance from row to row, m (0.005).
+  tool_def &with_row_spacing(double value) {
+    row_spacing = value;
+    return *this;
+  }
+
+  // Length of a tooth (0.03), bristle (0.015), finger (0.07) or barrel (0.12), or depth of the plates along the z axis, the way that hair
+  // passes (0.025), m.
+  tool_def &with_length(double value) {
+    length = value;
+    return *this;
+  }
+
+  // Radius of a tooth or bristle (0.0005), finger (0.008) or barrel (0.0125), m.
+  tool_def &with_radius(double value) {
+    radius = value;
+    return *this;
+  }
+
+  // Plates: width along the x axis, m (0.09).
+  tool_def &with_width(double value) {
+    width = value;
+    return *this;
+  }
+
+  // Plates: thickness of each, m (0.004).
+  tool_def &with_thickness(double value) {
+    thickness = value;
+    return *this;
+  }
+};
+
+// Definition of a clip. Fill it with shx_clip_def_init, then set pose and half_edges.
+struct clip_def : shx_clip_def {
+  clip_def() : shx_clip_def{} { detail::prepared(shx_clip_def_init(this, sizeof(shx_clip_def))); }
+
+  // SHX_CONSTRAINT_FRAME (default), _DIRECTION or _POINT: how it holds hair.
+  clip_def &with_kind(superhelix::constraint_kind::type value) {
+    kind = value;
+    return *this;
+  }
+
+  // Where it is, world. Default: at the origin, aligned with the world axes.
+  clip_def &with_pose(const frame &value) {
+    pose = value;
+    return *this;
+  }
+
+  // Half the edges of the box in which it holds hair, along its axes, m; above 0. Default 0.01 each.
+  clip_def &with_half_edges(const vec3 &value) {
+    detail::copy(value, half_edges);
+    return *this;
+  }
+
+  // As in shx_constraint_def. Default 0: rigid.
+  clip_def &with_compliance(double value) {
+    compliance = value;
+    return *this;
+  }
+};
+
+// A strand that was cut.
+using cut = shx_cut;
+
+// Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set pose and half_edges.
+struct heat_def : shx_heat_def {
+  heat_def() : shx_heat_def{} { detail::prepared(shx_heat_def_init(this, sizeof(shx_heat_def))); }
+
+  // SHX_HEAT_STRAIGHT (default) or _PRESENT.
+  heat_def &with_shape(superhelix::heat::type value) {
+    shape = value;
+    return *this;
+  }
+
+  // Where the hot box is, world. Default: at the origin, aligned with the world axes.
+  heat_def &with_pose(const frame &value) {
+    pose = value;
+    return *this;
+  }
+
+  // Half its edges along its axes, m; above 0: see shx_tool_hot_box. Default 0.01 each.
+  heat_def &with_half_edges(const vec3 &value) {
+    detail::copy(value, half_edges);
+    return *this;
+  }
+
+  // Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default 5.
+  heat_def &with_rate(double value) {
+    rate = value;
+    return *this;
+  }
+};
+
+// Definition of such a comb. Fill it with shx_ring_comb_def_init, then change what you need.
+struct ring_comb_def : shx_ring_comb_def {
+  ring_comb_def() : shx_ring_comb_def{} { detail::prepared(shx_ring_comb_def_init(this, sizeof(shx_ring_comb_def))); }
+
+  // Factor on the Coulomb coefficients of the strands against bodies; 0 or above. Default 1.
+  ring_comb_def &with_friction(double value) {
+    friction = value;
+    return *this;
+  }
+
+  // A strand is let go when its tooth pulls harder than this, N; above 0. Default 0.05.
+  ring_comb_def &with_max_force(double value) {
+    max_force = value;
+    return *this;
+  }
+
+  // No strand is caught closer to its root than this, m; 0 or above. Default 0.002.
+  ring_comb_def &with_exempt_length(double value) {
+    exempt_length = value;
+    return *this;
+  }
+};
+
+// What a step did to such a comb.
+using ring_comb_report = shx_ring_comb_report;
+
 // A strand fitted to a polyline, apart from its element lengths and curvatures. Fill it with shx_polyline_fit_init.
 struct polyline_fit : shx_polyline_fit {
   polyline_fit() : shx_polyline_fit{} { detail::prepared(shx_polyline_fit_init(this, sizeof(shx_polyline_fit))); }
@@ -1929,6 +2077,98 @@ struct hair_strands_def : shx_hair_strands_def {
  private:
   std::size_t element_length_count_ = 0;
 };
+
+// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry, bending and friction. Fill it
+// with shx_hair_handle_init or shx_hair_handle_from_name.
+struct hair_handle : shx_hair_handle {
+  hair_handle() : shx_hair_handle{} { detail::prepared(shx_hair_handle_init(this, sizeof(shx_hair_handle))); }
+
+  // Geometry: the longer diameter of the cross-section, m; above 0.
+  hair_handle &with_major_diameter(double value) {
+    major_diameter = value;
+    return *this;
+  }
+
+  // Geometry: ratio of the longer to the shorter diameter; 1 or above.
+  hair_handle &with_ellipticity(double value) {
+    ellipticity = value;
+    return *this;
+  }
+
+  // Geometry: natural twist, rad/m; 0 where natural_curvature is 0.
+  hair_handle &with_natural_twist(double value) {
+    natural_twist = value;
+    return *this;
+  }
+
+  // Geometry: natural curvature, rad/m; 0 (straight) or above.
+  hair_handle &with_natural_curvature(double value) {
+    natural_curvature = value;
+    return *this;
+  }
+
+  // Bending stiffness about the longer axis, N m^2; above 0.
+  hair_handle &with_bending_stiffness(double value) {
+    bending_stiffness = value;
+    return *this;
+  }
+
+  // Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients.
+  hair_handle &with_frictional_force(double value) {
+    frictional_force = value;
+    return *this;
+  }
+
+  // Internal friction gamma, kg m^3/s; 0 or above.
+  hair_handle &with_internal_friction(double value) {
+    internal_friction = value;
+    return *this;
+  }
+};
+
+// A standard combing experiment. Fill it with shx_combing_test_init, then change what you need.
+struct combing_test : shx_combing_test {
+  combing_test() : shx_combing_test{} { detail::prepared(shx_combing_test_init(this, sizeof(shx_combing_test))); }
+
+  // Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.
+  combing_test &with_strand_count(std::uint32_t value) {
+    strand_count = value;
+    return *this;
+  }
+
+  // Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.
+  combing_test &with_element_count(std::uint32_t value) {
+    element_count = value;
+    return *this;
+  }
+
+  // Length of the hairs, m. Default 0.06.
+  combing_test &with_length(double value) {
+    length = value;
+    return *this;
+  }
+
+  // Stroke, m; at most length - 0.025. Default 0.03.
+  combing_test &with_stroke(double value) {
+    stroke = value;
+    return *this;
+  }
+
+  // Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.
+  combing_test &with_speed(double value) {
+    speed = value;
+    return *this;
+  }
+
+  // Steps per second; above 0. Default 240.
+  combing_test &with_rate(double value) {
+    rate = value;
+    return *this;
+  }
+};
+
+// Result of a combing experiment; the means are over the second half of the stroke.
+using combing_result = shx_combing_result;
 
 // A point on a triangle of a scalp.
 using follicle = shx_follicle;

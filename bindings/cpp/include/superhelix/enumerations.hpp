@@ -311,6 +311,32 @@ struct haptic_limit {
   };
 };
 
+// SHX_TOOL_
+struct tool {
+  enum type : std::uint32_t {
+    // A row of teeth along the x axis of the tool that point along its z axis; one body per tooth.
+    comb = SHX_TOOL_COMB,
+    // Rows of bristles, one row after another along the y axis; one body per bristle.
+    brush = SHX_TOOL_BRUSH,
+    // A finger along the z axis.
+    finger = SHX_TOOL_FINGER,
+    // The two plates of a straightener, on both sides of the tool's origin along the y axis.
+    plates = SHX_TOOL_PLATES,
+    // The barrel of a curling iron, along the x axis.
+    barrel = SHX_TOOL_BARREL,
+  };
+};
+
+// SHX_HEAT_
+struct heat {
+  enum type : std::uint32_t {
+    // Heated hair becomes straight: a straightener.
+    straight = SHX_HEAT_STRAIGHT,
+    // Heated hair keeps the shape in which it is held: a curling iron.
+    present = SHX_HEAT_PRESENT,
+  };
+};
+
 // SHX_FIT_LENGTHS_
 struct fit_lengths {
   enum type : std::uint32_t {

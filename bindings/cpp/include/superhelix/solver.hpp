@@ -13,6 +13,7 @@
 #include "solver/sampling.hpp"
 #include "solver/shapes.hpp"
 #include "solver/strands.hpp"
+#include "solver/styling.hpp"
 
 namespace superhelix {
 inline namespace SUPERHELIX_WAY {
@@ -27,7 +28,8 @@ class solver : public solver_strands<solver>,
                public solver_bodies<solver>,
                public solver_contact<solver>,
                public solver_constraints<solver>,
-               public solver_rendering<solver> {
+               public solver_rendering<solver>,
+               public solver_styling<solver> {
  public:
   // An empty one, to move another into.
   explicit solver(std::nullptr_t) noexcept {}

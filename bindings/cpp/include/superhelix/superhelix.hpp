@@ -16,6 +16,7 @@
 #include "settings.hpp"
 #include "solver.hpp"
 #include "span.hpp"
+#include "styling.hpp"
 #include "types.hpp"
 
 #endif  // SUPERHELIX_HPP

@@ -29,6 +29,15 @@ from superhelix.scalp import Scalp
 from superhelix.settings import preset_settings, suggest_elements, suggest_settings
 from superhelix.solver import Cancel, Solver
 from superhelix.strand_defs import StrandDefs
+from superhelix.styling import (
+    RingComb,
+    adjust_hair_handle,
+    hair_handle,
+    hair_handle_type,
+    run_combing_test,
+    tool_frames,
+    tool_hot_box,
+)
 
 __version__ = version()
 
@@ -49,6 +58,7 @@ __all__ = [
     "RenderGuides",
     "RenderHair",
     "RenderPose",
+    "RingComb",
     "Run",
     "Scalp",
     "Solver",
@@ -56,6 +66,7 @@ __all__ = [
     "StrandId",
     "StrandIds",
     "abi_version",
+    "adjust_hair_handle",
     "bake_distance_grid",
     "build_info",
     "carried",
@@ -66,6 +77,8 @@ __all__ = [
     "fit_strands",
     "frames",
     "groom",
+    "hair_handle",
+    "hair_handle_type",
     "hair_strands",
     "hair_type",
     "interpolate",
@@ -77,11 +90,14 @@ __all__ = [
     "read_motion",
     "read_obj_mesh",
     "records",
+    "run_combing_test",
     "sag_free_curvatures",
     "simulate",
     "spline_points",
     "suggest_elements",
     "suggest_settings",
+    "tool_frames",
+    "tool_hot_box",
     "version",
     "wisp_material",
     "write_curves",

@@ -100,6 +100,13 @@ SHX_HAPTIC_LIMIT_CLAMPED = 1
 SHX_HAPTIC_LIMIT_RATE = 2
 SHX_HAPTIC_LIMIT_PASSIVITY = 4
 SHX_HAPTIC_LIMIT_STALE = 8
+SHX_TOOL_COMB = 1
+SHX_TOOL_BRUSH = 2
+SHX_TOOL_FINGER = 3
+SHX_TOOL_PLATES = 4
+SHX_TOOL_BARREL = 5
+SHX_HEAT_STRAIGHT = 1
+SHX_HEAT_PRESENT = 2
 SHX_FIT_LENGTHS_EQUAL = 1
 SHX_FIT_LENGTHS_AUTO = 2
 SHX_FIT_LENGTHS_FREE = 3
@@ -636,6 +643,90 @@ class shx_haptic_state(ctypes.Structure):
     ]
 
 
+class shx_tool_def(ctypes.Structure):
+    """64 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("kind", ctypes.c_uint32),
+        ("tooth_count", ctypes.c_uint32),
+        ("row_count", ctypes.c_uint32),
+        ("spacing", ctypes.c_double),
+        ("row_spacing", ctypes.c_double),
+        ("length", ctypes.c_double),
+        ("radius", ctypes.c_double),
+        ("width", ctypes.c_double),
+        ("thickness", ctypes.c_double),
+    ]
+
+
+class shx_clip_def(ctypes.Structure):
+    """96 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("kind", ctypes.c_uint32),
+        ("pose", shx_frame),
+        ("half_edges", ctypes.c_double * 3),
+        ("compliance", ctypes.c_double),
+    ]
+
+
+class shx_cut(ctypes.Structure):
+    """56 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("strand", shx_strand_id),
+        ("length", ctypes.c_double),
+        ("removed", ctypes.c_double),
+        ("position", ctypes.c_double * 3),
+        ("removed_constraints", ctypes.c_uint64),
+    ]
+
+
+class shx_heat_def(ctypes.Structure):
+    """96 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("shape", ctypes.c_uint32),
+        ("pose", shx_frame),
+        ("half_edges", ctypes.c_double * 3),
+        ("rate", ctypes.c_double),
+    ]
+
+
+class shx_ring_comb_def(ctypes.Structure):
+    """32 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved0", ctypes.c_uint32),
+        ("friction", ctypes.c_double),
+        ("max_force", ctypes.c_double),
+        ("exempt_length", ctypes.c_double),
+    ]
+
+
+class shx_ring_comb_report(ctypes.Structure):
+    """64 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("held", ctypes.c_uint32),
+        ("caught", ctypes.c_uint32),
+        ("combed", ctypes.c_uint32),
+        ("let_go", ctypes.c_uint32),
+        ("force", ctypes.c_double * 3),
+        ("torque", ctypes.c_double * 3),
+    ]
+
+
 class shx_polyline_fit(ctypes.Structure):
     """88 bytes."""
 
@@ -942,6 +1033,52 @@ class shx_hair_strands_def(ctypes.Structure):
     ]
 
 
+class shx_hair_handle(ctypes.Structure):
+    """64 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("reserved0", ctypes.c_uint32),
+        ("major_diameter", ctypes.c_double),
+        ("ellipticity", ctypes.c_double),
+        ("natural_twist", ctypes.c_double),
+        ("natural_curvature", ctypes.c_double),
+        ("bending_stiffness", ctypes.c_double),
+        ("frictional_force", ctypes.c_double),
+        ("internal_friction", ctypes.c_double),
+    ]
+
+
+class shx_combing_test(ctypes.Structure):
+    """48 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("strand_count", ctypes.c_uint32),
+        ("element_count", ctypes.c_uint32),
+        ("reserved0", ctypes.c_uint32),
+        ("length", ctypes.c_double),
+        ("stroke", ctypes.c_double),
+        ("speed", ctypes.c_double),
+        ("rate", ctypes.c_double),
+    ]
+
+
+class shx_combing_result(ctypes.Structure):
+    """40 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("step_count", ctypes.c_uint64),
+        ("mean_force", ctypes.c_double),
+        ("mean_pressure", ctypes.c_double),
+        ("friction", ctypes.c_double),
+        ("work", ctypes.c_double),
+    ]
+
+
 class shx_follicle(ctypes.Structure):
     """24 bytes."""
 
@@ -1181,6 +1318,25 @@ class Functions:
     shx_haptic_before_step: Callable[[Pointer, Pointer, float], int]
     shx_haptic_after_step: Callable[[Pointer, Pointer], int]
     shx_haptic_update: Callable[[Pointer, Pointer, Pointer, float, Pointer, Pointer], int]
+    shx_tool_def_init: Callable[[Pointer, int], int]
+    shx_tool_frames: Callable[[Pointer, Pointer, float, Pointer, int, Pointer], int]
+    shx_tool_hot_box: Callable[[Pointer, float, Pointer], int]
+    shx_solver_add_tool: Callable[[Pointer, Pointer, Pointer, float, Pointer, int, Pointer], int]
+    shx_clip_def_init: Callable[[Pointer, int], int]
+    shx_solver_clip_strands: Callable[[Pointer, Pointer, Pointer, int, Pointer, int, Pointer], int]
+    shx_solver_move_constraints: Callable[[Pointer, Pointer, int, Pointer, Pointer, float], int]
+    shx_solver_scissor_strands: Callable[[Pointer, Pointer, int, Pointer, float, Pointer, Pointer], int]
+    shx_heat_def_init: Callable[[Pointer, int], int]
+    shx_solver_heat_strands: Callable[[Pointer, Pointer, Pointer, int, float, Pointer], int]
+    shx_solver_freeze_strands: Callable[[Pointer, Pointer, int], int]
+    shx_solver_wake_strands: Callable[[Pointer, Pointer, int], int]
+    shx_solver_frozen_strands: Callable[[Pointer, Pointer, int, Pointer], int]
+    shx_ring_comb_def_init: Callable[[Pointer, int], int]
+    shx_ring_comb_create: Callable[[Pointer, Pointer, Pointer, Pointer], int]
+    shx_ring_comb_destroy: Callable[[Pointer], None]
+    shx_ring_comb_before_step: Callable[[Pointer, Pointer, Pointer, int, Pointer, float], int]
+    shx_ring_comb_after_step: Callable[[Pointer, Pointer, Pointer], int]
+    shx_ring_comb_release: Callable[[Pointer, Pointer], int]
     shx_solver_snapshot: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_restore: Callable[[Pointer, Pointer, int], int]
     shx_solver_state_hash: Callable[[Pointer, Pointer], int]
@@ -1225,6 +1381,12 @@ class Functions:
     shx_hair_type_from_name: Callable[[Pointer, Pointer], int]
     shx_hair_strands_def_init: Callable[[Pointer, int], int]
     shx_hair_strands: Callable[[Pointer, Pointer, int, Pointer, int], int]
+    shx_hair_handle_init: Callable[[Pointer, int], int]
+    shx_hair_handle_from_name: Callable[[Pointer, Pointer], int]
+    shx_hair_handle_adjust: Callable[[Pointer, float, float, Pointer], int]
+    shx_hair_handle_to_type: Callable[[Pointer, Pointer], int]
+    shx_combing_test_init: Callable[[Pointer, int], int]
+    shx_combing_test_run: Callable[[Pointer, Pointer, Pointer, Pointer, Pointer, int, Pointer], int]
     shx_scalp_def_init: Callable[[Pointer, int], int]
     shx_scatter_def_init: Callable[[Pointer, int], int]
     shx_scalp_create: Callable[[Pointer, Pointer], int]
@@ -1478,6 +1640,46 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
         ctypes.c_int32,
         [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p],
     ),
+    "shx_tool_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_tool_frames": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
+    "shx_tool_hot_box": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p]),
+    "shx_solver_add_tool": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
+    "shx_clip_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_clip_strands": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
+    "shx_solver_move_constraints": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double],
+    ),
+    "shx_solver_scissor_strands": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p],
+    ),
+    "shx_heat_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_heat_strands": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_double, ctypes.c_void_p],
+    ),
+    "shx_solver_freeze_strands": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_wake_strands": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_frozen_strands": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_ring_comb_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_ring_comb_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_ring_comb_destroy": (None, [ctypes.c_void_p]),
+    "shx_ring_comb_before_step": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_double],
+    ),
+    "shx_ring_comb_after_step": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_ring_comb_release": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_snapshot": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_restore": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_state_hash": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
@@ -1537,6 +1739,15 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_hair_type_from_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_hair_strands_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_hair_strands": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_hair_handle_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_hair_handle_from_name": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_hair_handle_adjust": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_double, ctypes.c_double, ctypes.c_void_p]),
+    "shx_hair_handle_to_type": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_combing_test_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_combing_test_run": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
     "shx_scalp_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_scatter_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_scalp_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
@@ -1608,6 +1819,10 @@ INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_constraint_def: "shx_constraint_def_init",
     shx_haptic_def: "shx_haptic_def_init",
     shx_haptic_state: "shx_haptic_state_init",
+    shx_tool_def: "shx_tool_def_init",
+    shx_clip_def: "shx_clip_def_init",
+    shx_heat_def: "shx_heat_def_init",
+    shx_ring_comb_def: "shx_ring_comb_def_init",
     shx_polyline_fit: "shx_polyline_fit_init",
     shx_fit_options: "shx_fit_options_init",
     shx_fit_input: "shx_fit_input_init",
@@ -1621,6 +1836,8 @@ INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_hair_type: "shx_hair_type_init",
     shx_hair_sliders: "shx_hair_sliders_init",
     shx_hair_strands_def: "shx_hair_strands_def_init",
+    shx_hair_handle: "shx_hair_handle_init",
+    shx_combing_test: "shx_combing_test_init",
     shx_scalp_def: "shx_scalp_def_init",
     shx_scatter_def: "shx_scatter_def_init",
     shx_render_settings: "shx_render_settings_init",

@@ -273,6 +273,30 @@ class HapticLimit(IntFlag):
     """The local model is older than max_model_age: the force fades."""
 
 
+class Tool(IntEnum):
+    """What ToolDef.kind may be."""
+
+    COMB = 1
+    """A row of teeth along the x axis of the tool that point along its z axis; one body per tooth."""
+    BRUSH = 2
+    """Rows of bristles, one row after another along the y axis; one body per bristle."""
+    FINGER = 3
+    """A finger along the z axis."""
+    PLATES = 4
+    """The two plates of a straightener, on both sides of the tool's origin along the y axis."""
+    BARREL = 5
+    """The barrel of a curling iron, along the x axis."""
+
+
+class Heat(IntEnum):
+    """What HeatDef.shape may be."""
+
+    STRAIGHT = 1
+    """Heated hair becomes straight: a straightener."""
+    PRESENT = 2
+    """Heated hair keeps the shape in which it is held: a curling iron."""
+
+
 class FitLengths(IntEnum):
     """What FitOptions.length_mode may be."""
 
@@ -430,6 +454,7 @@ __all__ = [
     "HapticForce",
     "HapticLimit",
     "HapticMode",
+    "Heat",
     "InstructionSet",
     "Integrator",
     "Interpolation",
@@ -446,5 +471,6 @@ __all__ = [
     "Stiffen",
     "StopReason",
     "StrandStatus",
+    "Tool",
     "UpAxis",
 ]

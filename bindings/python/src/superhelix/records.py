@@ -35,6 +35,7 @@ from superhelix.enums import (
     HapticForce,
     HapticLimit,
     HapticMode,
+    Heat,
     InstructionSet,
     Integrator,
     Interpolation,
@@ -45,6 +46,7 @@ from superhelix.enums import (
     Shape,
     Sides,
     StopReason,
+    Tool,
 )
 from superhelix.ids import (
     BodyId,
@@ -949,6 +951,154 @@ class HapticState(Record):
         )
 
 
+class ToolDef(Record):
+    """Definition of a tool: bodies from a few numbers. Where a number is 0, that of the kind is used."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_tool_def
+    kind = EnumField(Tool, "Tool.COMB (default), BRUSH, FINGER, PLATES or BARREL.")
+    tooth_count = IntField("Comb: number of teeth (12). Brush: bristles in a row (10). At most 1000.")
+    row_count = IntField("Brush: number of rows (4), at most 1000.")
+    spacing = FloatField("Comb (0.0025) and brush (0.004): distance from axis to axis in a row, m.")
+    row_spacing = FloatField("Brush: distance from row to row, m (0.005).")
+    length = FloatField(
+        "Length of a tooth (0.03), bristle (0.015), finger (0.07) or barrel (0.12), or depth of the plates along the z axis, the "
+        "way that hair passes (0.025), m."
+    )
+    radius = FloatField("Radius of a tooth or bristle (0.0005), finger (0.008) or barrel (0.0125), m.")
+    width = FloatField("Plates: width along the x axis, m (0.09).")
+    thickness = FloatField("Plates: thickness of each, m (0.004).")
+
+    def __init__(
+        self,
+        *,
+        kind: Tool | None = None,
+        tooth_count: int | None = None,
+        row_count: int | None = None,
+        spacing: float | None = None,
+        row_spacing: float | None = None,
+        length: float | None = None,
+        radius: float | None = None,
+        width: float | None = None,
+        thickness: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            kind=kind,
+            tooth_count=tooth_count,
+            row_count=row_count,
+            spacing=spacing,
+            row_spacing=row_spacing,
+            length=length,
+            radius=radius,
+            width=width,
+            thickness=thickness,
+        )
+
+
+class ClipDef(Record):
+    """Definition of a clip."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_clip_def
+    kind = EnumField(ConstraintKind, "ConstraintKind.FRAME (default), DIRECTION or POINT: how it holds hair.")
+    pose = RecordField(Frame, "Where it is, world. Default: at the origin, aligned with the world axes.")
+    half_edges = VectorField(3, "Half the edges of the box in which it holds hair, along its axes, m; above 0. Default 0.01 each.")
+    compliance = FloatField("As in ConstraintDef. Default 0: rigid.")
+
+    def __init__(
+        self,
+        *,
+        kind: ConstraintKind | None = None,
+        pose: Frame | None = None,
+        half_edges: Sequence[float] | None = None,
+        compliance: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            kind=kind,
+            pose=pose,
+            half_edges=half_edges,
+            compliance=compliance,
+        )
+
+
+class Cut(Record):
+    """A strand that was cut."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_cut
+    strand = IdField(StrandId, "The strand.")
+    length = FloatField("Its length now, m.")
+    removed = FloatField("Length of what was cut off, m.")
+    position = VectorField(3, "Where it was cut, m, world.")
+    removed_constraints = IntField("Number of constraints that held what was cut off: they are removed.")
+
+
+class HeatDef(Record):
+    """Where hair is heated, and what it becomes."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_heat_def
+    shape = EnumField(Heat, "Heat.STRAIGHT (default) or PRESENT.")
+    pose = RecordField(Frame, "Where the hot box is, world. Default: at the origin, aligned with the world axes.")
+    half_edges = VectorField(3, "Half its edges along its axes, m; above 0: see shx_tool_hot_box. Default 0.01 each.")
+    rate = FloatField("Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default 5.")
+
+    def __init__(
+        self,
+        *,
+        shape: Heat | None = None,
+        pose: Frame | None = None,
+        half_edges: Sequence[float] | None = None,
+        rate: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            shape=shape,
+            pose=pose,
+            half_edges=half_edges,
+            rate=rate,
+        )
+
+
+class RingCombDef(Record):
+    """Definition of such a comb."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_ring_comb_def
+    friction = FloatField("Factor on the Coulomb coefficients of the strands against bodies; 0 or above. Default 1.")
+    max_force = FloatField("A strand is let go when its tooth pulls harder than this, N; above 0. Default 0.05.")
+    exempt_length = FloatField("No strand is caught closer to its root than this, m; 0 or above. Default 0.002.")
+
+    def __init__(
+        self,
+        *,
+        friction: float | None = None,
+        max_force: float | None = None,
+        exempt_length: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            friction=friction,
+            max_force=max_force,
+            exempt_length=exempt_length,
+        )
+
+
+class RingCombReport(Record):
+    """What a step did to such a comb."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_ring_comb_report
+    held = IntField("Number of strands on teeth.")
+    caught = IntField("Caught in this step.")
+    combed = IntField("Combed to the tip in this step.")
+    let_go = IntField("Let go in this step, because of max_force.")
+    force = VectorField(3, "Force of the strands on the comb, N, world.")
+    torque = VectorField(3, "Torque about the origin of its frame, N m, world.")
+
+
 class PolylineFit(Record):
     """A strand fitted to a polyline, apart from its element lengths and curvatures."""
 
@@ -1460,6 +1610,90 @@ class HairStrandTable(Table):
     friction_against = FloatColumn("The same from tip to root, against the scales.")
 
 
+class HairHandle(Record):
+    """Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry, bending and
+    friction."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_hair_handle
+    major_diameter = FloatField("Geometry: the longer diameter of the cross-section, m; above 0.")
+    ellipticity = FloatField("Geometry: ratio of the longer to the shorter diameter; 1 or above.")
+    natural_twist = FloatField("Geometry: natural twist, rad/m; 0 where natural_curvature is 0.")
+    natural_curvature = FloatField("Geometry: natural curvature, rad/m; 0 (straight) or above.")
+    bending_stiffness = FloatField("Bending stiffness about the longer axis, N m^2; above 0.")
+    frictional_force = FloatField(
+        "Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients."
+    )
+    internal_friction = FloatField("Internal friction gamma, kg m^3/s; 0 or above.")
+
+    def __init__(
+        self,
+        *,
+        major_diameter: float | None = None,
+        ellipticity: float | None = None,
+        natural_twist: float | None = None,
+        natural_curvature: float | None = None,
+        bending_stiffness: float | None = None,
+        frictional_force: float | None = None,
+        internal_friction: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            major_diameter=major_diameter,
+            ellipticity=ellipticity,
+            natural_twist=natural_twist,
+            natural_curvature=natural_curvature,
+            bending_stiffness=bending_stiffness,
+            frictional_force=frictional_force,
+            internal_friction=internal_friction,
+        )
+
+
+class CombingTest(Record):
+    """A standard combing experiment."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_combing_test
+    strand_count = IntField("Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.")
+    element_count = IntField("Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.")
+    length = FloatField("Length of the hairs, m. Default 0.06.")
+    stroke = FloatField("Stroke, m; at most length - 0.025. Default 0.03.")
+    speed = FloatField("Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.")
+    rate = FloatField("Steps per second; above 0. Default 240.")
+
+    def __init__(
+        self,
+        *,
+        strand_count: int | None = None,
+        element_count: int | None = None,
+        length: float | None = None,
+        stroke: float | None = None,
+        speed: float | None = None,
+        rate: float | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            strand_count=strand_count,
+            element_count=element_count,
+            length=length,
+            stroke=stroke,
+            speed=speed,
+            rate=rate,
+        )
+
+
+class CombingResult(Record):
+    """Result of a combing experiment; the means are over the second half of the stroke."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_combing_result
+    step_count = IntField("Number of steps of the stroke, and of entries in each list.")
+    mean_force = FloatField("Force against the stroke, N: how hard the hair is to comb.")
+    mean_pressure = FloatField("Sum of the forces on the rods across the stroke, N: how stiff it is.")
+    friction = FloatField("mean_force / mean_pressure: how rough it is.")
+    work = FloatField("Work of the stroke, J.")
+
+
 class FollicleTable(Table):
     """A row each: a point on a triangle of a scalp."""
 
@@ -1590,10 +1824,14 @@ class RenderSettings(Record):
 
 __all__ = [
     "Brush",
+    "ClipDef",
+    "CombingResult",
+    "CombingTest",
     "ConstraintDef",
     "ConstraintStateTable",
     "ContactOptions",
     "ContactTable",
+    "Cut",
     "ElementChange",
     "FitOptions",
     "FittedCoefficient",
@@ -1602,15 +1840,19 @@ __all__ = [
     "Frame",
     "FrictionFitDef",
     "FrictionFitReport",
+    "HairHandle",
     "HairSliders",
     "HairStrandTable",
     "HairType",
     "HapticDef",
     "HapticState",
+    "HeatDef",
     "Material",
     "PolylineFit",
     "PoseOptions",
     "RenderSettings",
+    "RingCombDef",
+    "RingCombReport",
     "Settings",
     "SettleDef",
     "SettleReport",
@@ -1619,5 +1861,6 @@ __all__ = [
     "StrandContact",
     "SuggestDef",
     "Suggestion",
+    "ToolDef",
     "Wisp",
 ]

@@ -345,6 +345,30 @@ namespace Superhelix
     Stale = 8,
   }
 
+  /// <summary>SHX_TOOL_ of the C interface.</summary>
+  public enum Tool : uint
+  {
+    /// <summary>A row of teeth along the x axis of the tool that point along its z axis; one body per tooth.</summary>
+    Comb = 1,
+    /// <summary>Rows of bristles, one row after another along the y axis; one body per bristle.</summary>
+    Brush = 2,
+    /// <summary>A finger along the z axis.</summary>
+    Finger = 3,
+    /// <summary>The two plates of a straightener, on both sides of the tool's origin along the y axis.</summary>
+    Plates = 4,
+    /// <summary>The barrel of a curling iron, along the x axis.</summary>
+    Barrel = 5,
+  }
+
+  /// <summary>SHX_HEAT_ of the C interface.</summary>
+  public enum Heat : uint
+  {
+    /// <summary>Heated hair becomes straight: a straightener.</summary>
+    Straight = 1,
+    /// <summary>Heated hair keeps the shape in which it is held: a curling iron.</summary>
+    Present = 2,
+  }
+
   /// <summary>SHX_FIT_LENGTHS_ of the C interface.</summary>
   public enum FitLengths : uint
   {

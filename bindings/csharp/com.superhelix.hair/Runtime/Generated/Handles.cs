@@ -173,6 +173,34 @@ namespace Superhelix
     }
   }
 
+  /// <summary>Owns a shx_ring_comb: frees it when it is disposed, or when nothing names it any more.</summary>
+  public sealed class RingCombHandle : SafeHandle
+  {
+    // Callbacks that the library may call as long as this lives.
+    internal readonly Hooks Hooks;
+
+    internal RingCombHandle(IntPtr raw, Hooks hooks) : base(IntPtr.Zero, true)
+    {
+      Hooks = hooks;
+      SetHandle(raw);
+    }
+
+    /// <summary>Whether it owns nothing.</summary>
+    public override bool IsInvalid
+    {
+      get { return handle == IntPtr.Zero; }
+    }
+
+    /// <summary>Frees what it owns.</summary>
+    protected override bool ReleaseHandle()
+    {
+      Native.shx_ring_comb_destroy(handle);
+      if (Hooks != null)
+        Hooks.Dispose();
+      return true;
+    }
+  }
+
   /// <summary>Owns a shx_scalp: frees it when it is disposed, or when nothing names it any more.</summary>
   public sealed class ScalpHandle : SafeHandle
   {

@@ -415,6 +415,72 @@ namespace Superhelix
         Compare(ref first, "HapticState.Residual", (byte*)&x.Residual - at, 168);
       }
       {
+        ToolDef x = default(ToolDef);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof ToolDef", sizeof(ToolDef), 64);
+        Compare(ref first, "ToolDef.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "ToolDef.Kind", (byte*)&x.Kind - at, 4);
+        Compare(ref first, "ToolDef.ToothCount", (byte*)&x.ToothCount - at, 8);
+        Compare(ref first, "ToolDef.RowCount", (byte*)&x.RowCount - at, 12);
+        Compare(ref first, "ToolDef.Spacing", (byte*)&x.Spacing - at, 16);
+        Compare(ref first, "ToolDef.RowSpacing", (byte*)&x.RowSpacing - at, 24);
+        Compare(ref first, "ToolDef.Length", (byte*)&x.Length - at, 32);
+        Compare(ref first, "ToolDef.Radius", (byte*)&x.Radius - at, 40);
+        Compare(ref first, "ToolDef.Width", (byte*)&x.Width - at, 48);
+        Compare(ref first, "ToolDef.Thickness", (byte*)&x.Thickness - at, 56);
+      }
+      {
+        ClipDef x = default(ClipDef);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof ClipDef", sizeof(ClipDef), 96);
+        Compare(ref first, "ClipDef.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "ClipDef.Kind", (byte*)&x.Kind - at, 4);
+        Compare(ref first, "ClipDef.Pose", (byte*)&x.Pose - at, 8);
+        Compare(ref first, "ClipDef.HalfEdges", (byte*)&x.HalfEdges - at, 64);
+        Compare(ref first, "ClipDef.Compliance", (byte*)&x.Compliance - at, 88);
+      }
+      {
+        Cut x = default(Cut);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof Cut", sizeof(Cut), 56);
+        Compare(ref first, "Cut.Strand", (byte*)&x.Strand - at, 0);
+        Compare(ref first, "Cut.Length", (byte*)&x.Length - at, 8);
+        Compare(ref first, "Cut.Removed", (byte*)&x.Removed - at, 16);
+        Compare(ref first, "Cut.Position", (byte*)&x.Position - at, 24);
+        Compare(ref first, "Cut.RemovedConstraints", (byte*)&x.RemovedConstraints - at, 48);
+      }
+      {
+        HeatDef x = default(HeatDef);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof HeatDef", sizeof(HeatDef), 96);
+        Compare(ref first, "HeatDef.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "HeatDef.Shape", (byte*)&x.Shape - at, 4);
+        Compare(ref first, "HeatDef.Pose", (byte*)&x.Pose - at, 8);
+        Compare(ref first, "HeatDef.HalfEdges", (byte*)&x.HalfEdges - at, 64);
+        Compare(ref first, "HeatDef.Rate", (byte*)&x.Rate - at, 88);
+      }
+      {
+        RingCombDef x = default(RingCombDef);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof RingCombDef", sizeof(RingCombDef), 32);
+        Compare(ref first, "RingCombDef.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "RingCombDef.reserved0", (byte*)&x.reserved0 - at, 4);
+        Compare(ref first, "RingCombDef.Friction", (byte*)&x.Friction - at, 8);
+        Compare(ref first, "RingCombDef.MaxForce", (byte*)&x.MaxForce - at, 16);
+        Compare(ref first, "RingCombDef.ExemptLength", (byte*)&x.ExemptLength - at, 24);
+      }
+      {
+        RingCombReport x = default(RingCombReport);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof RingCombReport", sizeof(RingCombReport), 64);
+        Compare(ref first, "RingCombReport.Held", (byte*)&x.Held - at, 0);
+        Compare(ref first, "RingCombReport.Caught", (byte*)&x.Caught - at, 4);
+        Compare(ref first, "RingCombReport.Combed", (byte*)&x.Combed - at, 8);
+        Compare(ref first, "RingCombReport.LetGo", (byte*)&x.LetGo - at, 12);
+        Compare(ref first, "RingCombReport.Force", (byte*)&x.Force - at, 16);
+        Compare(ref first, "RingCombReport.Torque", (byte*)&x.Torque - at, 40);
+      }
+      {
         PolylineFit x = default(PolylineFit);
         byte* at = (byte*)&x;
         Compare(ref first, "sizeof PolylineFit", sizeof(PolylineFit), 88);
@@ -671,6 +737,43 @@ namespace Superhelix
         Compare(ref first, "HairStrandsDefRaw.StrandCount", (byte*)&x.StrandCount - at, 32);
         Compare(ref first, "HairStrandsDefRaw.ElementCounts", (byte*)&x.ElementCounts - at, 40);
         Compare(ref first, "HairStrandsDefRaw.ElementLengths", (byte*)&x.ElementLengths - at, 48);
+      }
+      {
+        HairHandle x = default(HairHandle);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof HairHandle", sizeof(HairHandle), 64);
+        Compare(ref first, "HairHandle.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "HairHandle.reserved0", (byte*)&x.reserved0 - at, 4);
+        Compare(ref first, "HairHandle.MajorDiameter", (byte*)&x.MajorDiameter - at, 8);
+        Compare(ref first, "HairHandle.Ellipticity", (byte*)&x.Ellipticity - at, 16);
+        Compare(ref first, "HairHandle.NaturalTwist", (byte*)&x.NaturalTwist - at, 24);
+        Compare(ref first, "HairHandle.NaturalCurvature", (byte*)&x.NaturalCurvature - at, 32);
+        Compare(ref first, "HairHandle.BendingStiffness", (byte*)&x.BendingStiffness - at, 40);
+        Compare(ref first, "HairHandle.FrictionalForce", (byte*)&x.FrictionalForce - at, 48);
+        Compare(ref first, "HairHandle.InternalFriction", (byte*)&x.InternalFriction - at, 56);
+      }
+      {
+        CombingTest x = default(CombingTest);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof CombingTest", sizeof(CombingTest), 48);
+        Compare(ref first, "CombingTest.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "CombingTest.StrandCount", (byte*)&x.StrandCount - at, 4);
+        Compare(ref first, "CombingTest.ElementCount", (byte*)&x.ElementCount - at, 8);
+        Compare(ref first, "CombingTest.reserved0", (byte*)&x.reserved0 - at, 12);
+        Compare(ref first, "CombingTest.Length", (byte*)&x.Length - at, 16);
+        Compare(ref first, "CombingTest.Stroke", (byte*)&x.Stroke - at, 24);
+        Compare(ref first, "CombingTest.Speed", (byte*)&x.Speed - at, 32);
+        Compare(ref first, "CombingTest.Rate", (byte*)&x.Rate - at, 40);
+      }
+      {
+        CombingResult x = default(CombingResult);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof CombingResult", sizeof(CombingResult), 40);
+        Compare(ref first, "CombingResult.StepCount", (byte*)&x.StepCount - at, 0);
+        Compare(ref first, "CombingResult.MeanForce", (byte*)&x.MeanForce - at, 8);
+        Compare(ref first, "CombingResult.MeanPressure", (byte*)&x.MeanPressure - at, 16);
+        Compare(ref first, "CombingResult.Friction", (byte*)&x.Friction - at, 24);
+        Compare(ref first, "CombingResult.Work", (byte*)&x.Work - at, 32);
       }
       {
         Follicle x = default(Follicle);

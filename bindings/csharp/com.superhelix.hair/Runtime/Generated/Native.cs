@@ -343,6 +343,63 @@ namespace Superhelix
     internal static extern int shx_haptic_update(HapticHandle haptic, Frame* pose, double* velocity, double dt, double* out_wrench, HapticState* state);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_tool_def_init(ToolDef* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_tool_frames(ToolDef* @def, Frame* frame, double opening, Frame* out_frames, UIntPtr capacity, UIntPtr* out_count);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_tool_hot_box(ToolDef* @def, double opening, double* out_half_edges);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_add_tool(SolverHandle solver, ToolDef* @def, Frame* frame, double opening, BodyId* out_ids, UIntPtr capacity, UIntPtr* out_count);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_clip_def_init(ClipDef* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_clip_strands(SolverHandle solver, ClipDef* @def, StrandId* ids, UIntPtr count, ConstraintId* out_ids, UIntPtr capacity, UIntPtr* out_count);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_move_constraints(SolverHandle solver, ConstraintId* ids, UIntPtr count, Frame* from, Frame* to, double over_seconds);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_scissor_strands(SolverHandle solver, StrandId* ids, UIntPtr count, double* corners, double min_length, Cut* out_cuts, UIntPtr* out_count);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_heat_def_init(HeatDef* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_heat_strands(SolverHandle solver, HeatDef* @def, StrandId* ids, UIntPtr count, double seconds, double* out_heated);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_freeze_strands(SolverHandle solver, StrandId* ids, UIntPtr count);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_wake_strands(SolverHandle solver, StrandId* ids, UIntPtr count);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_frozen_strands(SolverHandle solver, StrandId* ids, UIntPtr count, byte* out_frozen);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_ring_comb_def_init(RingCombDef* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_ring_comb_create(ToolDef* tool, Frame* frame, RingCombDef* @def, IntPtr* out_comb);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern void shx_ring_comb_destroy(IntPtr comb);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_ring_comb_before_step(RingCombHandle comb, SolverHandle solver, StrandId* ids, UIntPtr count, Frame* frame, double dt);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_ring_comb_after_step(RingCombHandle comb, SolverHandle solver, RingCombReport* out_report);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_ring_comb_release(RingCombHandle comb, SolverHandle solver);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_snapshot(SolverHandle solver, void* out_image, UIntPtr capacity, UIntPtr* out_size);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -473,6 +530,24 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_hair_strands(HairStrandsDefRaw* @def, HairStrand* out_strands, UIntPtr stride, double* out_curvatures, UIntPtr capacity);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_hair_handle_init(HairHandle* handle, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_hair_handle_from_name(byte* name, HairHandle* out_handle);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_hair_handle_adjust(HairHandle* handle, double curliness, double combing_ease, HairHandle* out_handle);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_hair_handle_to_type(HairHandle* handle, HairType* out_hair);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_combing_test_init(CombingTest* test, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_combing_test_run(CombingTest* test, HairHandle* handle, double* out_stroke, double* out_force, double* out_pressure, UIntPtr capacity, CombingResult* out_result);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_scalp_def_init(ScalpDefRaw* @def, UIntPtr size);

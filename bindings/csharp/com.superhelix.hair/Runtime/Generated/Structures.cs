@@ -780,6 +780,161 @@ namespace Superhelix
   }
 
   /// <summary>
+  /// Definition of a tool: bodies from a few numbers. Fill it with shx_tool_def_init, then set kind and what you need. Where a number is 0,
+  /// that of the kind is used.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct ToolDef
+  {
+    internal uint StructSize;
+    /// <summary>SHX_TOOL_COMB (default), _BRUSH, _FINGER, _PLATES or _BARREL.</summary>
+    public Tool Kind;
+    /// <summary>Comb: number of teeth (12). Brush: bristles in a row (10). At most 1000.</summary>
+    public uint ToothCount;
+    /// <summary>Brush: number of rows (4), at most 1000.</summary>
+    public uint RowCount;
+    /// <summary>Comb (0.0025) and brush (0.004): distance from axis to axis in a row, m.</summary>
+    public double Spacing;
+    /// <summary>Brush: distance from row to row, m (0.005).</summary>
+    public double RowSpacing;
+    /// <summary>
+    /// Length of a tooth (0.03), bristle (0.015), finger (0.07) or barrel (0.12), or depth of the plates along the z axis, the way that
+    /// hair passes (0.025), m.
+    /// </summary>
+    public double Length;
+    /// <summary>Radius of a tooth or bristle (0.0005), finger (0.008) or barrel (0.0125), m.</summary>
+    public double Radius;
+    /// <summary>Plates: width along the x axis, m (0.09).</summary>
+    public double Width;
+    /// <summary>Plates: thickness of each, m (0.004).</summary>
+    public double Thickness;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe ToolDef Default
+    {
+      get
+      {
+        ToolDef value;
+        Error.Check(Native.shx_tool_def_init(&value, (UIntPtr)sizeof(ToolDef)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>Definition of a clip. Fill it with shx_clip_def_init, then set pose and half_edges.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct ClipDef
+  {
+    internal uint StructSize;
+    /// <summary>SHX_CONSTRAINT_FRAME (default), _DIRECTION or _POINT: how it holds hair.</summary>
+    public ConstraintKind Kind;
+    /// <summary>Where it is, world. Default: at the origin, aligned with the world axes.</summary>
+    public Frame Pose;
+    /// <summary>Half the edges of the box in which it holds hair, along its axes, m; above 0. Default 0.01 each.</summary>
+    public Vec3 HalfEdges;
+    /// <summary>As in shx_constraint_def. Default 0: rigid.</summary>
+    public double Compliance;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe ClipDef Default
+    {
+      get
+      {
+        ClipDef value;
+        Error.Check(Native.shx_clip_def_init(&value, (UIntPtr)sizeof(ClipDef)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>A strand that was cut.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct Cut
+  {
+    /// <summary>The strand.</summary>
+    public StrandId Strand;
+    /// <summary>Its length now, m.</summary>
+    public double Length;
+    /// <summary>Length of what was cut off, m.</summary>
+    public double Removed;
+    /// <summary>Where it was cut, m, world.</summary>
+    public Vec3 Position;
+    /// <summary>Number of constraints that held what was cut off: they are removed.</summary>
+    public ulong RemovedConstraints;
+  }
+
+  /// <summary>Where hair is heated, and what it becomes. Fill it with shx_heat_def_init, then set pose and half_edges.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HeatDef
+  {
+    internal uint StructSize;
+    /// <summary>SHX_HEAT_STRAIGHT (default) or _PRESENT.</summary>
+    public Heat Shape;
+    /// <summary>Where the hot box is, world. Default: at the origin, aligned with the world axes.</summary>
+    public Frame Pose;
+    /// <summary>Half its edges along its axes, m; above 0: see shx_tool_hot_box. Default 0.01 each.</summary>
+    public Vec3 HalfEdges;
+    /// <summary>
+    /// Rate, 1/s; 0 or above: in a second the distance from the new natural shape falls to exp(-rate). Default 5.
+    /// </summary>
+    public double Rate;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe HeatDef Default
+    {
+      get
+      {
+        HeatDef value;
+        Error.Check(Native.shx_heat_def_init(&value, (UIntPtr)sizeof(HeatDef)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>Definition of such a comb. Fill it with shx_ring_comb_def_init, then change what you need.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct RingCombDef
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    /// <summary>Factor on the Coulomb coefficients of the strands against bodies; 0 or above. Default 1.</summary>
+    public double Friction;
+    /// <summary>A strand is let go when its tooth pulls harder than this, N; above 0. Default 0.05.</summary>
+    public double MaxForce;
+    /// <summary>No strand is caught closer to its root than this, m; 0 or above. Default 0.002.</summary>
+    public double ExemptLength;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe RingCombDef Default
+    {
+      get
+      {
+        RingCombDef value;
+        Error.Check(Native.shx_ring_comb_def_init(&value, (UIntPtr)sizeof(RingCombDef)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>What a step did to such a comb.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct RingCombReport
+  {
+    /// <summary>Number of strands on teeth.</summary>
+    public uint Held;
+    /// <summary>Caught in this step.</summary>
+    public uint Caught;
+    /// <summary>Combed to the tip in this step.</summary>
+    public uint Combed;
+    /// <summary>Let go in this step, because of max_force.</summary>
+    public uint LetGo;
+    /// <summary>Force of the strands on the comb, N, world.</summary>
+    public Vec3 Force;
+    /// <summary>Torque about the origin of its frame, N m, world.</summary>
+    public Vec3 Torque;
+  }
+
+  /// <summary>
   /// A strand fitted to a polyline, apart from its element lengths and curvatures. Fill it with shx_polyline_fit_init.
   /// </summary>
   [StructLayout(LayoutKind.Sequential)]
@@ -1252,6 +1407,89 @@ namespace Superhelix
     internal UIntPtr StrandCount;
     internal IntPtr ElementCounts;
     internal IntPtr ElementLengths;
+  }
+
+  /// <summary>
+  /// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry, bending and friction. Fill
+  /// it with shx_hair_handle_init or shx_hair_handle_from_name.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct HairHandle
+  {
+    internal uint StructSize;
+    internal uint reserved0;
+    /// <summary>Geometry: the longer diameter of the cross-section, m; above 0.</summary>
+    public double MajorDiameter;
+    /// <summary>Geometry: ratio of the longer to the shorter diameter; 1 or above.</summary>
+    public double Ellipticity;
+    /// <summary>Geometry: natural twist, rad/m; 0 where natural_curvature is 0.</summary>
+    public double NaturalTwist;
+    /// <summary>Geometry: natural curvature, rad/m; 0 (straight) or above.</summary>
+    public double NaturalCurvature;
+    /// <summary>Bending stiffness about the longer axis, N m^2; above 0.</summary>
+    public double BendingStiffness;
+    /// <summary>Frictional force between hairs, N; 0 or above. 0.00693 stands for the default Coulomb coefficients.</summary>
+    public double FrictionalForce;
+    /// <summary>Internal friction gamma, kg m^3/s; 0 or above.</summary>
+    public double InternalFriction;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe HairHandle Default
+    {
+      get
+      {
+        HairHandle value;
+        Error.Check(Native.shx_hair_handle_init(&value, (UIntPtr)sizeof(HairHandle)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>A standard combing experiment. Fill it with shx_combing_test_init, then change what you need.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct CombingTest
+  {
+    internal uint StructSize;
+    /// <summary>Number of hairs side by side, 1 to 1000: forces are those of all together. Default 1.</summary>
+    public uint StrandCount;
+    /// <summary>Number of elements of each, 4 to 1000; no element longer than 5 mm. Default 40.</summary>
+    public uint ElementCount;
+    internal uint reserved0;
+    /// <summary>Length of the hairs, m. Default 0.06.</summary>
+    public double Length;
+    /// <summary>Stroke, m; at most length - 0.025. Default 0.03.</summary>
+    public double Stroke;
+    /// <summary>Speed of the rods, m/s; above 0. Default 0.01: internal friction counts little then.</summary>
+    public double Speed;
+    /// <summary>Steps per second; above 0. Default 240.</summary>
+    public double Rate;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe CombingTest Default
+    {
+      get
+      {
+        CombingTest value;
+        Error.Check(Native.shx_combing_test_init(&value, (UIntPtr)sizeof(CombingTest)));
+        return value;
+      }
+    }
+  }
+
+  /// <summary>Result of a combing experiment; the means are over the second half of the stroke.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct CombingResult
+  {
+    /// <summary>Number of steps of the stroke, and of entries in each list.</summary>
+    public ulong StepCount;
+    /// <summary>Force against the stroke, N: how hard the hair is to comb.</summary>
+    public double MeanForce;
+    /// <summary>Sum of the forces on the rods across the stroke, N: how stiff it is.</summary>
+    public double MeanPressure;
+    /// <summary>mean_force / mean_pressure: how rough it is.</summary>
+    public double Friction;
+    /// <summary>Work of the stroke, J.</summary>
+    public double Work;
   }
 
   /// <summary>A point on a triangle of a scalp.</summary>

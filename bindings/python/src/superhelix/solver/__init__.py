@@ -17,6 +17,7 @@ from superhelix.solver.sampling import Sampling
 from superhelix.solver.shapes import Settled, Shapes, Stability
 from superhelix.solver.stepping import Cancel, Stepping
 from superhelix.solver.strands import Energies, Strands
+from superhelix.solver.styling import Cuts, Styling
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,7 +32,7 @@ _FROM_SETTINGS = (
 )
 
 
-class Solver(Strands, Shapes, Posing, Sampling, Bodies, Contact, Constraints, Stepping):
+class Solver(Strands, Shapes, Posing, Sampling, Bodies, Contact, Constraints, Styling, Stepping):
     """Strands, gravity, wind and everything that a step needs.
 
     with superhelix.Solver(gravity=(0, -9.81, 0), worker_count=4) as solver:
@@ -93,6 +94,7 @@ class Solver(Strands, Shapes, Posing, Sampling, Bodies, Contact, Constraints, St
 __all__ = [
     "Brushed",
     "Cancel",
+    "Cuts",
     "Energies",
     "Overlaps",
     "PermittedOverlap",

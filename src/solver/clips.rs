@@ -1,0 +1,78 @@
+//! Clips: strands held where they are in a box, and the box moved.
+
+use nalgebra::Vector3;
+
+use super::Solver;
+use super::constraints::{ConstraintDef, Hold};
+use super::crossing::Curve;
+use super::id::{ConstraintId, StrandId};
+use crate::error::{Error, Result, check_positive};
+use crate::math::frame::Frame;
+
+/// A clip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClipDef {
+    /// Where it is, world.
+    pub frame: Frame,
+    /// Half the edges of the box in which it holds hair, m, above zero, along the frame's axes.
+    pub half_edges: Vector3<f64>,
+    /// How it holds the material points: [`Hold::Point`], [`Hold::Direction`] or [`Hold::Frame`].
+    pub hold: Hold,
+    /// How far a point gives way for a unit of force, m/N; zero or above.
+    pub compliance: f64,
+}
+
+impl Solver {
+    /// Closes a clip: each stretch of a strand that lies in its box is held, where it is, at its middle. A clip is the constraints that it made:
+    /// [`Solver::move_constraints`] moves it, [`Solver::remove_constraints`] opens it. Nothing moves at once.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `clip`, or an identifier given twice.
+    pub fn clip_strands(&mut self, ids: &[StrandId], clip: &ClipDef) -> Result<Vec<ConstraintId>> {
+        let defs = self.clip_constraints(ids, clip)?;
+        self.add_constraints(&defs)
+    }
+
+    /// What [`Solver::clip_strands`] would add.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn clip_constraints(&self, ids: &[StrandId], clip: &ClipDef) -> Result<Vec<ConstraintDef>> {
+        for axis in 0..3 {
+            check_positive(|| format!("clip.half_edges[{axis}]"), clip.half_edges[axis])?;
+            crate::error::check_finite(|| format!("clip.frame.origin[{axis}]"), clip.frame.origin[axis])?;
+        }
+        crate::error::check_not_negative(|| "clip.compliance".into(), clip.compliance)?;
+        if !matches!(clip.hold, Hold::Point | Hold::Direction | Hold::Frame) {
+            return Err(Error::invalid("clip.hold", format!("{:?}", clip.hold), "a point, a direction or a frame"));
+        }
+        let indices = self.indices(ids)?;
+        self.check_once(ids, &indices)?;
+        let mut defs = Vec::new();
+        for (index, id) in indices.into_iter().zip(ids) {
+            let curve = Curve::of(&self.strands[index]);
+            for [from, to] in curve.stretches_in(&clip.frame, &clip.half_edges) {
+                let arclength = (0.5 * (from.along + to.along)).min(self.strands[index].model.length());
+                let target = curve.frame(curve.place(arclength));
+                defs.push(ConstraintDef { strand: *id, arclength, hold: clip.hold, target, compliance: clip.compliance });
+            }
+        }
+        Ok(defs)
+    }
+
+    /// Sends the targets of constraints along as something rigid that goes from `from` to `to` in `over_seconds` (0: within the next substep):
+    /// a clip that held them, or a comb.
+    ///
+    /// # Errors
+    /// As [`Solver::set_constraint_targets`].
+    pub fn move_constraints(&mut self, ids: &[ConstraintId], from: &Frame, to: &Frame, over_seconds: f64) -> Result<()> {
+        let turn = to.rotation * from.rotation.inverse();
+        let mut frames = Vec::with_capacity(ids.len());
+        for (k, id) in ids.iter().enumerate() {
+            let stale = |_| Error::InvalidId { argument: format!("ids[{k}]"), bits: id.bits() };
+            let target = self.constraint(*id).map_err(stale)?.target;
+            frames.push(Frame { origin: to.origin + turn * (target.origin - from.origin), rotation: turn * target.rotation });
+        }
+        self.set_constraint_targets(ids, &frames, over_seconds)
+    }
+}

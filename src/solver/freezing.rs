@@ -1,0 +1,246 @@
+//! Strands that stand still: a style that is fixed. They keep their shape and go along with their roots, cost next to nothing, and wake
+//! where a body comes to them.
+
+use nalgebra::Vector3;
+
+use super::Solver;
+use super::constraints::ConstraintStatus;
+use super::crossing::Curve;
+use super::id::{BodyId, StrandId};
+use super::strand::{self, Strand};
+use crate::contact::body::BodyAt;
+use crate::contact::shape::Bounds;
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::Result;
+use crate::math::frame::Frame;
+use crate::math::quadrature::Rules;
+use crate::math::rotation::rotation_vector;
+use crate::rod::kinematics::Kinematics;
+use crate::step::StrandOutcome;
+use crate::step::state::Past;
+
+/// A strand wakes when a body comes nearer than this to its surface, m; it is looked at in points no farther apart.
+const REACH: f64 = 1e-3;
+/// A body that was nearer already when it was frozen wakes it when it has come nearer by this, m.
+const NEARER: f64 = 2e-5;
+/// What has not moved against the strand's root by more than this, m and rad, has not moved.
+const STILL: f64 = 1e-9;
+/// The way of a body through a substep is looked at in steps of no less than this part of it.
+const LEAST_PART: f64 = 1.0 / 64.0;
+
+/// What a frozen strand knows.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Frozen {
+    /// Points of its centreline in the axes of its root, m, and a box around them.
+    points: Vec<Vector3<f64>>,
+    bounds: Bounds,
+    /// Bodies that have been looked at.
+    pub bodies: Vec<Known>,
+}
+
+/// A body that has been looked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Known {
+    pub body: BodyId,
+    /// Where it was then, as the strand's root sees it.
+    pub place: Frame,
+    /// How near its surface was when the strand was frozen, m; more than REACH where it was not near.
+    pub gap: f64,
+}
+
+impl Frozen {
+    pub fn new(strand: &Strand, bodies: Vec<Known>) -> Self {
+        let inverse = strand.state.root.inverse();
+        let points = Curve::of(strand).points().map(|point| inverse.origin + inverse.rotation * point).collect::<Vec<_>>();
+        Self { bounds: Bounds::of_points(points.iter().copied()), points, bodies }
+    }
+
+    /// The distance between surfaces, where it is below `within`; the body's end is in the root's axes.
+    fn gap(&self, body: &BodyAt, radius: f64, within: f64) -> f64 {
+        let reach = within + radius + body.thickness;
+        if !self.bounds.grown(reach).meets(&body.bounds) {
+            return f64::INFINITY;
+        }
+        let surfaces = self.points.iter().filter_map(|point| body.closest_at_end(*point, reach.max(0.0)));
+        surfaces.fold(f64::INFINITY, |least, surface| least.min(surface.distance - body.thickness - radius))
+    }
+}
+
+/// Whether two poses are the same but for rounding.
+fn is_still(one: &Frame, other: &Frame) -> bool {
+    (one.origin - other.origin).norm() <= STILL && rotation_vector(&(one.rotation * other.rotation.inverse())).norm() <= STILL
+}
+
+impl Strand {
+    /// Takes a frozen strand through a substep of `h` seconds as its root goes.
+    pub fn stay(&mut self, gravity: Vector3<f64>, h: f64, rules: &Rules) -> StrandOutcome {
+        let outcome = StrandOutcome { converged: true, energies: self.energies, ..StrandOutcome::default() };
+        let zero = Vector3::zeros();
+        if self.root_move.is_none() && self.state.root_velocity == zero && self.state.root_angular_velocity == zero {
+            return outcome;
+        }
+        self.begin_root_way(h);
+        let from = self.state.root;
+        self.state.teleport(strand::root_after(&self.root_move, &from, h));
+        self.moves_as_its_root(&from, h, rules);
+        self.advance_root(h);
+        self.update_energies(gravity, rules, &mut Kinematics::default());
+        StrandOutcome { energies: self.energies, ..outcome }
+    }
+
+    /// Whether a body comes to a frozen strand in a substep of `h` seconds. What has been looked at is kept.
+    fn is_touched(&mut self, h: f64, bodies: &[BodyAt], ids: &[BodyId]) -> bool {
+        let Self { frozen: Some(frozen), contact: Some(contact), state, root_move, model, .. } = self else { return false };
+        let start = state.root;
+        let end = match root_move.as_deref() {
+            // A way to be gone at once takes the substep.
+            Some((way, _)) if way.duration == 0.0 => way.to,
+            _ => strand::root_after(root_move, &start, h),
+        };
+        let reach = Vector3::repeat(model.length() + contact.radius + REACH);
+        let around = Bounds::around(start.origin, reach).union(&Bounds::around(end.origin, reach));
+        let near = |body: &&BodyAt| body.meets(contact.groups, contact.mask) && body.bounds.grown(body.thickness).meets(&around);
+        for body in bodies.iter().filter(near) {
+            let id = ids[body.index as usize];
+            let places = [start.inverse().compose(&body.start), end.inverse().compose(&body.end)];
+            let known = frozen.bodies.iter().position(|known| known.body == id);
+            let deforms = body.shape.mesh().is_some_and(crate::contact::shape::Mesh::is_moving);
+            if let Some(known) = known.map(|known| &frozen.bodies[known]).filter(|_| !deforms)
+                && places.iter().all(|place| is_still(place, &known.place))
+            {
+                continue;
+            }
+            let gap = known.map_or(f64::INFINITY, |known| frozen.bodies[known].gap);
+            let threshold = REACH.min(gap - NEARER);
+            let way = body.on_way(places);
+            if frozen.bounds.grown(threshold.max(0.0) + contact.radius + body.thickness).meets(&way.bounds)
+                && comes_nearer(frozen, &way, contact.radius, threshold)
+            {
+                return true;
+            }
+            let place = places[1];
+            match known {
+                Some(known) => frozen.bodies[known].place = place,
+                None => frozen.bodies.push(Known { body: id, place, gap: f64::INFINITY }),
+            }
+        }
+        false
+    }
+}
+
+/// Whether a body comes nearer than `threshold` (m) to a frozen strand on its way, both in the root's axes: looked at again where it could have
+/// gone the distance that there was.
+fn comes_nearer(frozen: &Frozen, way: &BodyAt, radius: f64, threshold: f64) -> bool {
+    let farthest = frozen.points.iter().map(|point| (point - way.end.origin).norm()).fold(0.0, f64::max);
+    let turn = rotation_vector(&(way.end.rotation * way.start.rotation.inverse()));
+    let travel = (way.end.origin - way.start.origin).norm() + turn.norm() * farthest;
+    let within = threshold + travel;
+    let mut part = 0.0;
+    loop {
+        let at = Frame {
+            origin: way.start.origin.lerp(&way.end.origin, part),
+            rotation: crate::math::rotation::from_rotation_vector(turn * part) * way.start.rotation,
+        };
+        let gap = frozen.gap(&way.on_way([at, at]), radius, within.max(0.0));
+        if gap < threshold {
+            return true;
+        }
+        if part == 1.0 {
+            return false;
+        }
+        let step = if gap.is_finite() { ((gap - threshold) / travel).max(LEAST_PART) } else { 1.0 };
+        part = if travel > 0.0 { (part + step).min(1.0) } else { 1.0 };
+    }
+}
+
+impl Solver {
+    /// Fixes the style of strands: their present shapes become rest shapes ([`Solver::take_rest_shapes`]), their velocities zero, and from now on
+    /// they keep their shape and go along with their roots. Each wakes in the substep in which a body comes to it ([`Solver::set_contact`]), nearer
+    /// than 1 mm or, where it was nearer already, nearer than it was; a constraint wakes it too, and a shape that the host gives it. Other strands do not feel it
+    /// and do not wake it. Those that are frozen already stay as they are.
+    ///
+    /// Once awake and untouched it stands, since its shape is at rest under gravity without any contact; whether that rest is stable
+    /// [`Solver::shape_stability`] tells.
+    ///
+    /// # Errors
+    /// As [`Solver::take_rest_shapes`]; [`Error::InvalidArgument`] for an identifier given twice. Then nothing has changed.
+    pub fn freeze_strands(&mut self, ids: &[StrandId]) -> Result<()> {
+        let indices = self.indices(ids)?;
+        self.check_once(ids, &indices)?;
+        let awake: Vec<(usize, StrandId)> =
+            indices.into_iter().zip(ids.iter().copied()).filter(|(index, _)| self.strands[*index].frozen.is_none()).collect();
+        self.take_rest_shapes(&awake.iter().map(|(_, id)| *id).collect::<Vec<_>>())?;
+        self.rest_bodies();
+        let bodies = self.bodies_at_rest();
+        let mut made = Vec::with_capacity(awake.len());
+        for (index, _) in &awake {
+            let strand = &self.strands[*index];
+            let mut frozen = Frozen::new(strand, Vec::new());
+            if let Some(contact) = strand.contact.as_deref() {
+                let inverse = strand.state.root.inverse();
+                for body in bodies.iter().filter(|body| body.meets(contact.groups, contact.mask)) {
+                    let place = inverse.compose(&body.start);
+                    let gap = frozen.gap(&body.on_way([place, place]), contact.radius, 2.0 * REACH);
+                    if gap.is_finite() {
+                        frozen.bodies.push(Known { body: self.bodies[body.index as usize].id, place, gap });
+                    }
+                }
+            }
+            made.push(frozen);
+        }
+        let mut kinematics = Kinematics::default();
+        for ((index, _), frozen) in awake.into_iter().zip(made) {
+            let curvatures = std::mem::take(&mut self.strands[index].state.curvatures);
+            self.put_with(index, curvatures, None, &mut kinematics);
+            let strand = &mut self.strands[index];
+            (strand.state.past, strand.state.subdivision) = (Past::default(), 0);
+            (strand.astray, strand.touched) = (None, false);
+            strand.frozen = Some(Box::new(frozen));
+        }
+        // What it remembers of their touches is over.
+        self.holding.forget();
+        Ok(())
+    }
+
+    /// Wakes strands: they move again from the next step on, from the shape that they have, at rest relative to their roots. Those that are awake stay
+    /// as they are.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`.
+    pub fn wake_strands(&mut self, ids: &[StrandId]) -> Result<()> {
+        for index in self.indices(ids)? {
+            self.strands[index].frozen = None;
+        }
+        Ok(())
+    }
+
+    /// Which of these strands are frozen, in the order of `ids`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`.
+    pub fn are_frozen(&self, ids: &[StrandId]) -> Result<Vec<bool>> {
+        Ok(self.indices(ids)?.into_iter().map(|index| self.strands[index].frozen.is_some()).collect())
+    }
+
+    /// Wakes what bodies come to in a substep of `h` seconds, for which they are ready, and what constraints hold.
+    pub(super) fn wake_touched(&mut self, h: f64) {
+        if self.strands.iter().all(|strand| strand.frozen.is_none()) {
+            return;
+        }
+        for constraint in self.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
+            for index in
+                [Some(constraint.def.strand), constraint.other()].into_iter().flatten().filter_map(|id| self.slots.index(id))
+            {
+                self.strands[index].frozen = None;
+            }
+        }
+        let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
+        let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
+        self.crew.for_each(&mut self.strands, |strand, _| {
+            if strand.frozen.is_some() && strand.is_touched(h, &bodies, &ids) {
+                strand.frozen = None;
+            }
+        });
+    }
+}

@@ -1,0 +1,102 @@
+//! Heat: hair takes on the shape that it has between hot plates or on a hot barrel.
+
+use nalgebra::Vector3;
+
+use super::Solver;
+use super::crossing::Curve;
+use super::id::StrandId;
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::{Result, check_finite, check_not_negative, check_positive};
+use crate::math::frame::Frame;
+
+/// What heated hair takes on as its natural shape.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HeatedShape {
+    /// A straight, untwisted one: plates.
+    #[default]
+    Straight,
+    /// The one that it is held in: a barrel.
+    Present,
+}
+
+/// Where hair is heated, and to what.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeatDef {
+    /// Where the box is in which it is hot, world.
+    pub frame: Frame,
+    /// Half its edges, m, above zero, along the frame's axes.
+    pub half_edges: Vector3<f64>,
+    /// What the hair there takes on.
+    pub shape: HeatedShape,
+    /// How fast, 1/s, zero or above: in a second what is left to go falls to e^-rate.
+    pub rate: f64,
+}
+
+/// e^-x of x ≥ 0, by halvings of x: the same bits on every machine.
+fn decay(x: f64) -> f64 {
+    // A thousandth of x at second order; its error is x³/(12·1024²) of an exponent.
+    let part = x / 1024.0;
+    (0..10).fold((1.0 - 0.5 * part).max(0.0) / (1.0 + 0.5 * part), |power, _| power * power)
+}
+
+impl Solver {
+    /// Heats strands for `seconds`: where an element lies in the box its natural twist and curvatures go towards straight, or towards those that it
+    /// has now; one that lies in it in part as much slower. Frozen curvatures stay. Nothing moves at once; what
+    /// [`Solver::set_element_count`] remembers of the natural shape of a strand that was heated is forgotten. Gives how much of each strand
+    /// was hot, m, in the order of `ids`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming a field of `heat`, or `seconds`, that is out of range, or an
+    /// identifier given twice. Then nothing has changed.
+    pub fn heat_strands(&mut self, ids: &[StrandId], heat: &HeatDef, seconds: f64) -> Result<Vec<f64>> {
+        for axis in 0..3 {
+            check_positive(|| format!("heat.half_edges[{axis}]"), heat.half_edges[axis])?;
+            check_finite(|| format!("heat.frame.origin[{axis}]"), heat.frame.origin[axis])?;
+        }
+        check_not_negative(|| "heat.rate".into(), heat.rate)?;
+        check_not_negative(|| "seconds".into(), seconds)?;
+        let indices = self.indices(ids)?;
+        self.check_once(ids, &indices)?;
+        let mut hot = Vec::with_capacity(indices.len());
+        for index in indices {
+            let strand = &mut self.strands[index];
+            let stretches = Curve::of(strand).stretches_in(&heat.frame, &heat.half_edges);
+            hot.push(stretches.iter().map(|[from, to]| to.along - from.along).sum());
+            if stretches.is_empty() {
+                continue;
+            }
+            let model = &mut strand.model;
+            let freedoms = model.freedoms;
+            let mut start = 0.0;
+            for (element, length) in model.lengths.iter().enumerate() {
+                let end = start + length;
+                let inside = |[from, to]: &[super::crossing::CurvePlace; 2]| (to.along.min(end) - from.along.max(start)).max(0.0);
+                let share = stretches.iter().map(inside).sum::<f64>() / length;
+                start = end;
+                if share == 0.0 {
+                    continue;
+                }
+                let left = decay(heat.rate * seconds * share.min(1.0));
+                for axis in (0..3).filter(|axis| freedoms.contains(*axis)) {
+                    let aim = if heat.shape == HeatedShape::Present { strand.state.curvatures[element][axis] } else { 0.0 };
+                    model.natural[element][axis] = aim + (model.natural[element][axis] - aim) * left;
+                }
+            }
+            strand.authored = None;
+            strand.energies.elastic = strand.model.elastic_energy(&strand.state.curvatures);
+        }
+        Ok(hot)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn decays_as_the_exponential() {
+        for x in [0.0, 1e-6, 0.1, 1.0, 5.0, 20.0] {
+            assert!((super::decay(x) - f64::exp(-x)).abs() < 1e-6 * (1.0 + x), "{x}");
+        }
+        assert_eq!(super::decay(1e9), 0.0);
+    }
+}
