@@ -115,8 +115,7 @@ def scene_of(shapes, middle, options):
 
 def one_pass(result, samples, seed, shapes, middle, options):
     """Renders a few samples a pixel into the file `result`."""
-    # Loaded in parallel the shapes come in any order, and their numbers with them.
-    scene = mi.load_dict(scene_of(shapes, middle, options), parallel=False)
+    scene = mi.load_dict(scene_of(shapes, middle, options))
     np.save(result, np.array(mi.render(scene, spp=samples, seed=seed)))
 
 
