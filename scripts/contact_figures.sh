@@ -18,9 +18,9 @@ sed 's/"exempt_length": 0.004/"exempt_length": 1.0/' examples/scenes/shoulder.js
 for name in shoulder combed_sphere; do
   "$superhelix" run "examples/scenes/$name.json" --out "$out/$name.json" --quiet
 done
-"$superhelix" picture "$out/shoulder_without.json" --scene "$out/shoulder_without_scene.json" --up z --moments 4 --cell 300 \
+"$superhelix" picture "$out/shoulder_without.json" --scene "$out/shoulder_without_scene.json" --up z --moments 4 --cell 300 --as lines \
   --title "The same hair without contact" --out docs/figures/contact_shoulder_without.png --quiet
-"$superhelix" picture "$out/shoulder.json" --scene examples/scenes/shoulder.json --up z --moments 4 --cell 300 \
+"$superhelix" picture "$out/shoulder.json" --scene examples/scenes/shoulder.json --up z --moments 4 --cell 300 --as lines \
   --title "Hair falls on shoulders" --out docs/figures/contact_shoulder.png --quiet
-"$superhelix" picture "$out/combed_sphere.json" --scene examples/scenes/combed_sphere.json --up z --moments 5 --cell 300 \
+"$superhelix" picture "$out/combed_sphere.json" --scene examples/scenes/combed_sphere.json --up z --moments 5 --cell 300 --as lines \
   --title "A sphere of hair is combed" --out docs/figures/contact_combed_sphere.png --quiet

@@ -1,8 +1,9 @@
-//! Which way a head faces: to where it has no hair.
+//! Which way a head faces: by its relief, or, where that does not say, to where it has no hair.
 
 use nalgebra::Vector3;
 use superhelix::groom::guide_roots::GuideRoots;
 
+use super::relief;
 use super::view::{Face, Up};
 use crate::surface::Surface;
 
@@ -16,8 +17,13 @@ const ASIDE: f64 = 0.75;
 /// The mean direction of bare skin less that of covered skin must be as long as this for a head to say which way it faces.
 const CLEAR: f64 = 0.4;
 
-/// The axis that is nearest to where the head between its lowest and its highest root is bare; none where that is not clear.
+/// The axis along which a head with these roots faces; none where that is not clear.
 pub fn face_of(roots: &[Vector3<f64>], body: &Surface, up: Up) -> Option<Face> {
+    relief::face_of(body, up).or_else(|| bare_side(roots, body, up))
+}
+
+/// The axis that is nearest to where the head between its lowest and its highest root is bare; none where that is not clear.
+fn bare_side(roots: &[Vector3<f64>], body: &Surface, up: Up) -> Option<Face> {
     let guides = GuideRoots::new(roots.to_vec()).ok()?;
     let low = roots.iter().copied().reduce(|low, root| low.inf(&root))?;
     let high = roots.iter().copied().reduce(|high, root| high.sup(&root))?;

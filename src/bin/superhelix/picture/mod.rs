@@ -12,6 +12,7 @@ mod lettering;
 mod lines;
 mod lit;
 pub mod moment;
+mod relief;
 mod replay;
 pub mod sheet;
 pub mod view;
