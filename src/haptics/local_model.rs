@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
+use super::coupling::AddedMass;
 use super::exchange::{Reader, Writer};
 use super::options::{HapticOptions, Mode};
 use crate::contact::law::coefficient::Coefficient;
@@ -39,6 +40,8 @@ pub(super) struct LocalModel {
     pub wrench: Wrench,
     /// The part of it that comes from no touch of the model.
     pub rest: Wrench,
+    /// In direct mode, of the strands that touch the tool; none where their compliance is told.
+    pub added: AddedMass,
     /// Pressing touches that there was no room for.
     pub left_out: u32,
     pub touches: Vec<BodyTouch>,
@@ -58,6 +61,7 @@ impl LocalModel {
             handle: Frame::default(),
             wrench: Wrench::default(),
             rest: Wrench::default(),
+            added: AddedMass::default(),
             left_out: 0,
             touches: Vec::with_capacity(touches),
             counts: Vec::with_capacity(touches),
@@ -76,6 +80,7 @@ impl LocalModel {
         self.handle = read_frame(message);
         self.wrench = read_wrench(message);
         self.rest = read_wrench(message);
+        self.added = AddedMass { mass: message.number(), moment: message.number() };
         self.left_out = message.count() as u32;
         let (strands, touches) = (message.count(), message.count().min(self.touches.capacity()));
         self.counts.clear();

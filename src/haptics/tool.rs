@@ -1,5 +1,6 @@
 //! The simulation's side: bodies that go where the device has them, and what touches them, handed over after every step.
 
+use super::coupling::AddedMass;
 use super::exchange::{Publisher, Taker};
 use super::geometry::Tooth;
 use super::local_model::{Choice, read_frame, write_frame, write_wrench};
@@ -8,6 +9,7 @@ use crate::error::{Error, Result, check_positive};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::solver::Solver;
+use crate::solver::bodies::ContactPartner;
 use crate::solver::id::BodyId;
 use crate::solver::report::Wrench;
 use crate::solver::touch_compliance::TouchCompliance;
@@ -15,6 +17,8 @@ use crate::solver::touch_compliance::TouchCompliance;
 /// How near a strand is told to the device at least, m, and by which multiple of the tool's way in the last step.
 const NEAR: f64 = 1e-3;
 const WAYS: f64 = 2.0;
+/// What is left after a step of the mass of strands that touch the tool no more.
+const FORGETS: f64 = 0.95;
 
 /// The simulation's side of a haptic object.
 #[derive(Debug)]
@@ -34,6 +38,8 @@ pub struct Tool {
     seconds: f64,
     compliance: TouchCompliance,
     choice: Choice,
+    /// Direct mode's.
+    added: AddedMass,
 }
 
 impl Tool {
@@ -80,6 +86,7 @@ impl Tool {
             seconds: 0.0,
             compliance: TouchCompliance::default(),
             choice: Choice::default(),
+            added: AddedMass::default(),
         })
     }
 
@@ -152,13 +159,16 @@ impl Tool {
                 rest.force += touch.force;
                 rest.torque += (touch.point - handle.origin).cross(&touch.force);
             }
+        } else {
+            self.added = self.mass_of_touching(solver);
         }
-        let Self { models, compliance, choice, options, seconds, .. } = self;
+        let Self { models, compliance, choice, options, seconds, added, .. } = self;
         models.publish(|message| {
             message.numbers(&[time, *seconds]);
             write_frame(message, &handle);
             write_wrench(message, &wrench);
             write_wrench(message, &rest);
+            message.numbers(&[added.mass, added.moment]);
             message.count(left_out as usize);
             if options.mode == Mode::HandOver {
                 choice.write(compliance, message);
@@ -168,6 +178,24 @@ impl Tool {
             }
         });
         Ok(())
+    }
+
+    /// Of the strands that touch the tool, which a while after they did is not forgotten: what lets go may touch again in the next step.
+    fn mass_of_touching(&self, solver: &Solver) -> AddedMass {
+        let mut added = AddedMass { mass: self.added.mass * FORGETS, moment: self.added.moment * FORGETS };
+        let (mut now, mut last) = (AddedMass::default(), None);
+        for contact in solver.contacts() {
+            let ContactPartner::Body { body, .. } = contact.partner else { continue };
+            if last == Some(contact.strand) || !self.bodies.contains(&body) {
+                continue;
+            }
+            last = Some(contact.strand);
+            let mass = solver.mass(contact.strand).unwrap_or(0.0);
+            now.mass += mass;
+            now.moment += mass * (contact.position - self.handle[0].origin).norm_squared();
+        }
+        (added.mass, added.moment) = (added.mass.max(now.mass), added.moment.max(now.moment));
+        added
     }
 
     /// The farthest that something of the tool went in the last step, m.

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod direct_and_handed_over;
+mod heavy_hair;
 mod limits;
 mod no_allocation;
 mod passivity;
