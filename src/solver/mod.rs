@@ -4,6 +4,7 @@ mod astray;
 pub mod bodies;
 mod bringing_out;
 mod bulk_sampling;
+mod clearance;
 pub mod constraints;
 mod deep_places;
 pub mod definition;

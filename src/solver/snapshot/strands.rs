@@ -11,7 +11,7 @@ use crate::solver::astray::{Astray, Whereabouts};
 use crate::solver::id::StrandId;
 use crate::solver::report::Energies;
 use crate::solver::sections::Sections;
-use crate::solver::strand::{Authored, Fared, Strand};
+use crate::solver::strand::{Authored, Fared, Holds, Strand};
 use crate::step::state::{Earlier, Past, StrandState};
 
 impl Writer {
@@ -211,7 +211,7 @@ impl Reader<'_> {
             root_move,
             energies,
             fared,
-            held: false,
+            holds: Holds::No,
             touched: false,
             contact: None,
             allowance: None,
