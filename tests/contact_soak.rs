@@ -17,7 +17,7 @@ use superhelix::solver::Solver;
 use superhelix::solver::bodies::{Contact, ContactPartner};
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::solver::id::{BodyId, StrandId};
-use superhelix::solver::report::StepReport;
+use superhelix::solver::report::{StepReport, StrandStatus};
 use superhelix::step::options::Integrator;
 
 /// Steps with bodies, and then without them, of a scene.
@@ -33,6 +33,8 @@ const FEW: usize = 20;
 /// stay inside.
 const DEEP: f64 = 1e-4;
 const LASTING: u32 = 3;
+/// How long a strand may be lost, s.
+const LOST_FOR: f64 = 0.5;
 
 /// Random numbers (SplitMix64).
 struct Dice(u64);
@@ -91,6 +93,8 @@ struct Scene {
     bodies: Vec<(BodyId, Frame, Vector3<f64>, Vector3<f64>)>,
     model: ContactModel,
     step: f64,
+    /// For how long each strand is lost by now, s.
+    lost_for: Vec<f64>,
 }
 
 fn strands(dice: &mut Dice) -> Vec<StrandDef> {
@@ -191,7 +195,8 @@ fn scene(dice: &mut Dice, many: bool) -> Scene {
         let id = solver.add_bodies(vec![def]).unwrap()[0];
         bodies.push((id, pose, velocity, dice.ball() * dice.log_between(0.1, 20.0)));
     }
-    Scene { many, solver, strands, bodies, model, step }
+    let lost_for = vec![0.0; strands.len()];
+    Scene { many, solver, strands, bodies, model, step, lost_for }
 }
 
 #[derive(Debug, Default)]
@@ -200,6 +205,8 @@ struct Tally {
     touched: u64,
     unconverged: u64,
     rolled_back: u64,
+    /// The longest that a strand was rolled back, left out or on its way back on end, once it had been rolled back, s.
+    lost_for: f64,
     deepest: f64,
     deep_steps: u64,
     /// Steps deep in bodies or hair whose report tells of less than half of that depth.
@@ -237,6 +244,19 @@ impl Scene {
         deepest
     }
 
+    /// Counts a step of strands that are lost.
+    fn count_lost(&mut self, report: &StepReport, tally: &mut Tally) {
+        tally.rolled_back += u64::from(report.quarantined > 0);
+        for (id, seconds) in self.strands.iter().zip(&mut self.lost_for) {
+            match self.solver.status(*id).unwrap() {
+                StrandStatus::Ok => *seconds = 0.0,
+                StrandStatus::Unconverged if *seconds == 0.0 => {}
+                StrandStatus::Unconverged | StrandStatus::Quarantined => *seconds += self.step,
+            }
+            tally.lost_for = tally.lost_for.max(*seconds);
+        }
+    }
+
     fn run(&mut self, name: &str, tally: &mut Tally) {
         let hard = matches!(self.model, ContactModel::Coulomb);
         let mut lasting = 0;
@@ -257,7 +277,7 @@ impl Scene {
             tally.steps += 1;
             tally.unconverged += u64::from(report.contact.unconverged > 0);
             tally.touched += u64::from(report.contact.touches > 0);
-            tally.rolled_back += u64::from(report.quarantined > 0);
+            self.count_lost(&report, tally);
             tally.large += u64::from(self.many && largest_island(&self.solver, &self.strands) > FEW);
             assert!(report.energies.kinetic.is_finite() && report.energies.elastic.is_finite(), "{name} step {step}");
             // The laws hold to a residual relative to the largest force of an island.
@@ -305,9 +325,9 @@ impl Scene {
         // between them.
         let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.0).collect();
         self.solver.remove_bodies(&ids).unwrap();
-        let (model, many) = (self.model, self.many);
+        let (model, many, h) = (self.model, self.many, self.step);
         let total = |solver: &mut Solver| {
-            let report = solver.step(self.step, 1).unwrap();
+            let report = solver.step(h, 1).unwrap();
             if std::env::var_os("CONTACT_SOAK_PRINT").is_some() {
                 println!("{name} without bodies: {report:?}");
             }
@@ -332,7 +352,7 @@ impl Scene {
         for _ in 0..calm {
             let (now, springs, report) = total(&mut self.solver);
             tally.steps += 1;
-            tally.rolled_back += u64::from(report.quarantined > 0);
+            self.count_lost(&report, tally);
             (scale, most, last) = (scale.max(moving(&report)), most.max(now), now);
             stored = stored.max(springs);
         }
@@ -348,6 +368,24 @@ impl Scene {
     }
 }
 
+fn case_of(case: u64, many: bool) -> (Scene, String) {
+    let scene = scene(&mut Dice(case), many);
+    let name = format!("case {case} ({} strands, {:?}, h = 1/{:.0})", scene.strands.len(), scene.model, 1.0 / scene.step);
+    (scene, name)
+}
+
+/// Bodies that come after strands fail to reach them again and again: in some steps a strand is left out, in others it is rolled back.
+#[test]
+fn strands_that_bodies_come_after_are_not_lost_for_long() {
+    for case in [126, 152] {
+        let mut tally = Tally::default();
+        let (mut scene, name) = case_of(case, false);
+        scene.run(&name, &mut tally);
+        assert!(tally.rolled_back > 0, "{name}: nothing was lost");
+        assert!(tally.lost_for < LOST_FOR, "{name}: {tally:?}");
+    }
+}
+
 #[test]
 fn bodies_thrown_through_hair() {
     let number = |name: &str, default: u64| std::env::var(name).map_or(default, |value| value.parse().unwrap());
@@ -358,12 +396,15 @@ fn bodies_thrown_through_hair() {
     let mut seconds = [0.0; 2];
     let mut case = seed;
     while tallies[0].steps + tallies[1].steps < steps {
-        let mut dice = Dice(case);
         let many = large_only || case % EVERY == 0;
-        let mut scene = scene(&mut dice, many);
-        let name = format!("case {case} ({} strands, {:?}, h = 1/{:.0})", scene.strands.len(), scene.model, 1.0 / scene.step);
+        let (mut scene, name) = case_of(case, many);
         let started = std::time::Instant::now();
-        scene.run(&name, &mut tallies[usize::from(many)]);
+        let tally = &mut tallies[usize::from(many)];
+        let before = tally.rolled_back;
+        scene.run(&name, tally);
+        if tally.rolled_back > before {
+            println!("{name}: rolled back in {} steps", tally.rolled_back - before);
+        }
         seconds[usize::from(many)] += started.elapsed().as_secs_f64();
         if many {
             println!("{name}: so far {:?}", tallies[1]);
@@ -387,6 +428,8 @@ fn bodies_thrown_through_hair() {
     // Whatever is deep is told.
     assert!(few.untold == 0 && many.untold == 0, "{few:?} {many:?}");
     assert!(few.rolled_back * 500 <= few.steps && few.unconverged * 50 <= few.steps, "{few:?}");
+    // (In a tangle a strand that has come back may be lost again at once.)
+    assert!(few.lost_for < LOST_FOR && many.lost_for < 2.0 * LOST_FOR, "{few:?} {many:?}");
     // Large islands are less often solved to their end, see docs/contact.md. (In a short run the worst scenes may be most of it.)
     let enough = many.steps + 100;
     assert!(many.stayed * 2000 <= enough && many.deep_steps * 200 <= enough && many.drawing * 100 <= enough, "{many:?}");

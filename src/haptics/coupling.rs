@@ -8,6 +8,27 @@ use super::options::HapticOptions;
 use crate::math::frame::Frame;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
 
+/// Mass and moment of inertia about the handle, kg and kg·m², of the hair that the tool presses on.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct AddedMass {
+    pub mass: f64,
+    pub moment: f64,
+}
+
+/// In direct mode the proxy answers to the force of the step before. Hair that is pressed on resists with its mass over the square of the step: a tool
+/// that gives way more easily than that leaps to and fro, further each time. (The added-mass instability of explicit coupling, Causin, Gerbeau and Nobile
+/// 2005.) It is damped by so many times the hair's momentum.
+const OF_ADDED_MASS: f64 = 2.0;
+
+/// Springs and dampers between the device and the proxy over an update.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Coupling {
+    damping: f64,
+    angular_damping: f64,
+    dt: f64,
+    pub compliance: Compliance,
+}
+
 /// How far the proxy goes for a force at it within one update: 1/(k + c/dt).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Compliance {
@@ -17,29 +38,26 @@ pub(super) struct Compliance {
     pub angular: f64,
 }
 
-impl Compliance {
-    pub fn new(options: &HapticOptions, dt: f64) -> Self {
-        Self {
-            linear: 1.0 / (options.stiffness + options.damping / dt),
-            angular: 1.0 / (options.angular_stiffness + options.angular_damping / dt),
-        }
+impl Coupling {
+    pub fn new(options: &HapticOptions, added: &AddedMass, dt: f64) -> Self {
+        let damping = options.damping + OF_ADDED_MASS * added.mass / dt;
+        let angular_damping = options.angular_damping + OF_ADDED_MASS * added.moment / dt;
+        let compliance = Compliance {
+            linear: 1.0 / (options.stiffness + damping / dt),
+            angular: 1.0 / (options.angular_stiffness + angular_damping / dt),
+        };
+        Self { damping, angular_damping, dt, compliance }
     }
-}
 
-/// Where the proxy would be after `dt` seconds if nothing but the coupling acted on it: implicit Euler on k (x − xd) + c (v − vd) = 0.
-pub(super) fn free_proxy(
-    options: &HapticOptions,
-    proxy: &Frame,
-    device: &Frame,
-    [velocity, spin]: [Vector3<f64>; 2],
-    dt: f64,
-) -> Frame {
-    let Compliance { linear, angular } = Compliance::new(options, dt);
-    let off = proxy.origin - device.origin;
-    let turned = rotation_vector(&(proxy.rotation * device.rotation.inverse()));
-    let left = (off / dt + velocity) * (options.damping * linear);
-    let left_turned = (turned / dt + spin) * (options.angular_damping * angular);
-    Frame { origin: device.origin + left, rotation: from_rotation_vector(left_turned) * device.rotation }
+    /// Where the proxy would be at the end of the update if nothing but the coupling acted on it: implicit Euler on k (x − xd) + c (v − vd) = 0.
+    pub fn free_proxy(&self, proxy: &Frame, device: &Frame, [velocity, spin]: [Vector3<f64>; 2]) -> Frame {
+        let Self { damping, angular_damping, dt, compliance } = self;
+        let off = proxy.origin - device.origin;
+        let turned = rotation_vector(&(proxy.rotation * device.rotation.inverse()));
+        let left = (off / *dt + velocity) * (damping * compliance.linear);
+        let left_turned = (turned / *dt + spin) * (angular_damping * compliance.angular);
+        Frame { origin: device.origin + left, rotation: from_rotation_vector(left_turned) * device.rotation }
+    }
 }
 
 /// A frame that is moved and turned a little, in world axes.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::coupling::{Compliance, free_proxy, moved};
+use super::coupling::{Compliance, Coupling, moved};
 use super::exchange::{Publisher, Taker};
 use super::geometry::Tooth;
 use super::local_model::{LocalModel, write_frame};
@@ -131,8 +131,9 @@ impl Device {
         self.time += dt;
         let mut state = HapticState::default();
         let is_new = self.take_model();
-        let free = free_proxy(&self.options, &proxy, pose, velocities, dt);
-        let solved = self.answer(&free, velocities, dt);
+        let coupling = Coupling::new(&self.options, &self.model.added, dt);
+        let free = coupling.free_proxy(&proxy, pose, velocities);
+        let solved = self.answer(&free, velocities, coupling.compliance);
         state.proxy = moved(&free, solved.moved, solved.turned);
         let mut wrench = self.blended(solved.wrench, is_new, dt);
         self.raw = wrench;
@@ -168,11 +169,10 @@ impl Device {
     }
 
     /// What the hair does to the tool now, if it would be at `free` without that.
-    fn answer(&mut self, free: &Frame, [velocity, spin]: [Vector3<f64>; 2], dt: f64) -> Solved {
+    fn answer(&mut self, free: &Frame, [velocity, spin]: [Vector3<f64>; 2], compliance: Compliance) -> Solved {
         if self.count == 0 {
             return Solved::default();
         }
-        let compliance = Compliance::new(&self.options, dt);
         let yielding = |wrench: Wrench, pressing: u32| {
             let (moved, turned) = (wrench.force * compliance.linear, wrench.torque * compliance.angular);
             Solved { wrench, moved, turned, pressing, ..Solved::default() }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::coupling::AddedMass;
 use super::exchange::{Reader, Writer};
 use super::explicit_law::Resistance;
 use super::options::{ForceLaw, HapticOptions, Mode};
@@ -46,6 +47,8 @@ pub(super) struct LocalModel {
     pub pressing: u32,
     /// By the explicit law, what those do to the tool.
     pub resistance: Resistance,
+    /// In direct mode, of the strands that touch the tool; none where their compliance is told.
+    pub added: AddedMass,
     /// Pressing touches that there was no room for.
     pub left_out: u32,
     pub touches: Vec<BodyTouch>,
@@ -67,6 +70,7 @@ impl LocalModel {
             rest: Wrench::default(),
             pressing: 0,
             resistance: Resistance::default(),
+            added: AddedMass::default(),
             left_out: 0,
             touches: Vec::with_capacity(touches),
             counts: Vec::with_capacity(touches),
@@ -88,6 +92,7 @@ impl LocalModel {
         self.pressing = message.count() as u32;
         self.resistance =
             Resistance { linear: read_matrix(message), coupling: read_matrix(message), angular: read_matrix(message) };
+        self.added = AddedMass { mass: message.number(), moment: message.number() };
         self.left_out = message.count() as u32;
         let (strands, touches) = (message.count(), message.count().min(self.touches.capacity()));
         self.counts.clear();

@@ -2,6 +2,7 @@
 
 use nalgebra::Vector3;
 
+use super::coupling::AddedMass;
 use super::exchange::{Publisher, Taker};
 use super::explicit_law::Resistance;
 use super::geometry::Tooth;
@@ -11,6 +12,7 @@ use crate::error::{Error, Result, check_positive};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::solver::Solver;
+use crate::solver::bodies::ContactPartner;
 use crate::solver::id::BodyId;
 use crate::solver::report::Wrench;
 use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
@@ -20,6 +22,8 @@ use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 const NEAR: f64 = 1e-3;
 const WAYS: f64 = 2.0;
 const SIDEWAYS: f64 = 0.25;
+/// What is left after a step of the mass of strands that touch the tool no more.
+const FORGETS: f64 = 0.95;
 
 /// The simulation's side of a haptic object.
 #[derive(Debug)]
@@ -39,6 +43,8 @@ pub struct Tool {
     seconds: f64,
     compliance: TouchCompliance,
     choice: Choice,
+    /// Direct mode's.
+    added: AddedMass,
 }
 
 impl Tool {
@@ -85,6 +91,7 @@ impl Tool {
             seconds: 0.0,
             compliance: TouchCompliance::default(),
             choice: Choice::default(),
+            added: AddedMass::default(),
         })
     }
 
@@ -177,8 +184,10 @@ impl Tool {
             }
             self.compliance.retain(|touch| self.choice.is_chosen(touch));
             solver.condense_touches(self.seconds, &mut self.compliance)?;
+        } else {
+            self.added = self.mass_of_touching(solver);
         }
-        let Self { models, compliance, options, seconds, .. } = self;
+        let Self { models, compliance, options, seconds, added, .. } = self;
         models.publish(|message| {
             message.numbers(&[time, *seconds]);
             write_frame(message, &handle);
@@ -186,6 +195,7 @@ impl Tool {
             write_wrench(message, &rest);
             message.count(pressing);
             write_resistance(message, &resistance);
+            message.numbers(&[added.mass, added.moment]);
             message.count(left_out as usize);
             if local_model::has_touches(options) {
                 local_model::write(compliance, message);
@@ -195,6 +205,24 @@ impl Tool {
             }
         });
         Ok(())
+    }
+
+    /// Of the strands that touch the tool, which a while after they did is not forgotten: what lets go may touch again in the next step.
+    fn mass_of_touching(&self, solver: &Solver) -> AddedMass {
+        let mut added = AddedMass { mass: self.added.mass * FORGETS, moment: self.added.moment * FORGETS };
+        let (mut now, mut last) = (AddedMass::default(), None);
+        for contact in solver.contacts() {
+            let ContactPartner::Body { body, .. } = contact.partner else { continue };
+            if last == Some(contact.strand) || !self.bodies.contains(&body) {
+                continue;
+            }
+            last = Some(contact.strand);
+            let mass = solver.mass(contact.strand).unwrap_or(0.0);
+            now.mass += mass;
+            now.moment += mass * (contact.position - self.handle[0].origin).norm_squared();
+        }
+        (added.mass, added.moment) = (added.mass.max(now.mass), added.moment.max(now.moment));
+        added
     }
 
     /// The farthest that something of the tool went in the last step, m.

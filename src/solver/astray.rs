@@ -103,7 +103,7 @@ impl Strand {
     /// Its velocities turn with it.
     pub fn go_with_root(&mut self, h: f64, bodies: &[BodyAt]) -> StrandOutcome {
         self.begin_root_way(h);
-        let seconds = self.carried_for() + h;
+        let seconds = self.astray_for() + h;
         self.go_along(h, bodies, Whereabouts::Carried { seconds });
         self.forget_what_is_out_of_reach(seconds);
         self.advance_root(h);
@@ -125,7 +125,7 @@ impl Strand {
     /// when the substep began; `astray`: what was kept of it then.
     pub fn stay_before(&mut self, before: &Frame, h: f64, bodies: &[BodyAt], astray: Option<Box<Astray>>) {
         self.astray = astray;
-        let (to, seconds) = (self.state.root, self.carried_for() + h);
+        let (to, seconds) = (self.state.root, self.astray_for() + h);
         let astray = self.begin_to_stray(bodies, Whereabouts::Behind { seconds });
         take_along(&mut astray.bodies, before, &to);
         self.forget_what_is_out_of_reach(seconds);
@@ -142,9 +142,15 @@ impl Strand {
     }
 
     fn carried_for(&self) -> f64 {
-        match self.astray.as_deref() {
-            Some(Astray { state: Whereabouts::Carried { seconds } | Whereabouts::Behind { seconds }, .. }) => *seconds,
-            _ => 0.0,
+        if self.is_carried() { self.astray_for() } else { 0.0 }
+    }
+
+    /// For how many seconds on end no substep brought it through.
+    fn astray_for(&self) -> f64 {
+        use Whereabouts::{Behind, Carried, Lost, Returning};
+        match self.astray.as_deref().map(|astray| &astray.state) {
+            Some(Carried { seconds } | Behind { seconds } | Lost { seconds }) => *seconds,
+            Some(Returning { .. }) | None => 0.0,
         }
     }
 
@@ -157,11 +163,7 @@ impl Strand {
 
     /// It was rolled back in a substep of `h` seconds: it goes along with its root, and after a while is brought back.
     pub fn lose(&mut self, h: f64, bodies: &[BodyAt]) {
-        let before = match self.astray.as_deref() {
-            Some(Astray { state: Whereabouts::Lost { seconds }, .. }) => *seconds,
-            _ => 0.0,
-        };
-        let seconds = before + h;
+        let seconds = self.astray_for() + h;
         let returns = seconds >= LOST_FOR * (1.0 - 1e-12);
         let from = || self.state.curvatures.clone().into_boxed_slice();
         let state = if returns { Whereabouts::Returning { seconds: 0.0, from: from() } } else { Whereabouts::Lost { seconds } };

@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 use super::bodies::Contact;
 use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
-use super::strand::{self, Strand};
+use super::strand::{self, Holds, Strand};
 use super::touching::{self, TouchMemory, Touching};
 use super::workers::{Crew, Scratch};
 use crate::contact::body::{Body, BodyAt};
@@ -101,6 +101,23 @@ pub(super) struct Scene<'a> {
     pub is_part: bool,
 }
 
+impl Strand {
+    /// Whether hair or one of the bodies may hold it in a substep of `h` seconds.
+    fn may_be_held(&self, bodies: &[BodyAt], hair: bool, h: f64) -> Holds {
+        let Some(contact) = self.contact.as_deref() else { return Holds::No };
+        // What went past it while it was not there it is to meet.
+        if !self.bodies_from().is_empty() || hair && contact.wisp_radius > 0.0 {
+            return Holds::Yes;
+        }
+        let reach = Vector3::repeat(self.model.length() + contact.radius);
+        let end = strand::root_after(&self.root_move, &self.state.root, h).origin;
+        let around = Bounds::around(self.state.root.origin, reach).union(&Bounds::around(end, reach));
+        let near = |body: &BodyAt| body.bounds.grown(body.thickness).meets(&around);
+        let is_near = bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && near(body));
+        if is_near { Holds::Perhaps } else { Holds::No }
+    }
+}
+
 impl Holding {
     /// The touches that carried a force at the end of the last substep.
     pub fn contacts(&self) -> &[Contact] {
@@ -143,27 +160,13 @@ impl Holding {
     pub fn mark(scene: &mut Scene, h: f64) {
         let hair = scene.options.hair;
         for strand in scene.strands.iter_mut() {
-            strand.held = !strand.is_aside()
-                && strand.contact.as_deref().is_some_and(|contact| {
-                    if !strand.bodies_from().is_empty() {
-                        // What went past it while it was not there it is to meet.
-                        return true;
-                    }
-                    if hair && contact.wisp_radius > 0.0 {
-                        return true;
-                    }
-                    let reach = Vector3::repeat(strand.model.length() + contact.radius);
-                    let end = strand::root_after(&strand.root_move, &strand.state.root, h).origin;
-                    let around = Bounds::around(strand.state.root.origin, reach).union(&Bounds::around(end, reach));
-                    let near = |body: &BodyAt| body.bounds.grown(body.thickness).meets(&around);
-                    scene.bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && near(body))
-                });
+            strand.holds = if strand.is_aside() { Holds::No } else { strand.may_be_held(scene.bodies, hair, h) };
         }
         for constraint in scene.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
             let ends = [Some(constraint.def.strand), constraint.other()];
             for index in ends.into_iter().flatten().filter_map(|id| scene.slots.index(id)) {
                 let strand = &mut scene.strands[index];
-                strand.held = !strand.is_aside();
+                strand.holds = if strand.is_aside() { Holds::No } else { Holds::Yes };
             }
         }
     }
@@ -171,7 +174,7 @@ impl Holding {
     /// Takes the marked strands through a substep of `h` seconds, which those that it leaves deep may take in parts, halved `levels` times at most.
     pub fn take(&mut self, scene: &mut Scene, h: f64, levels: u32, mut account: Account) {
         let begins = scene.meter.has_deadline().then(Instant::now);
-        self.count = scene.strands.iter().filter(|strand| strand.held).count();
+        self.count = scene.strands.iter().filter(|strand| strand.is_held()).count();
         self.strands.resize_with(self.strands.len().max(self.count), HeldStrand::default);
         for constraint in scene.constraints.iter_mut() {
             constraint.way.begin(h);
@@ -308,7 +311,7 @@ impl Holding {
 
     /// The marked strands, each with its place in `strands`.
     fn pairs<'a>(strands: &'a mut [Strand], held: &'a mut [HeldStrand]) -> Vec<(&'a mut Strand, &'a mut HeldStrand)> {
-        strands.iter_mut().filter(|strand| strand.held).zip(held).collect()
+        strands.iter_mut().filter(|strand| strand.is_held()).zip(held).collect()
     }
 
     /// Begins the step of those strands anew that are marked for it, by implicit Euler.
@@ -378,7 +381,7 @@ impl Holding {
     }
 
     fn begin(&mut self, scene: &mut Scene, h: f64) {
-        let strands = scene.strands.iter().enumerate().filter(|(_, strand)| strand.held);
+        let strands = scene.strands.iter().enumerate().filter(|(_, strand)| strand.is_held());
         for ((k, strand), held) in strands.zip(&mut self.strands) {
             held.index = k as u32;
             (held.mass, held.bending) = (strand.model.mass(), strand.model.bending_force());

@@ -2,7 +2,7 @@
 
 use super::Solver;
 use super::id::{self, StrandId};
-use super::strand::{Authored, Strand};
+use super::strand::{Authored, Holds, Strand};
 use crate::error::{Error, Result};
 use crate::groom::pose::{Plane, mirrored};
 use crate::math::vector::Vec3;
@@ -84,7 +84,7 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         root_move: None,
         energies: *energies,
         fared: *fared,
-        held: false,
+        holds: Holds::No,
         touched: false,
         contact: contact.clone(),
         allowance: allowance.clone(),

@@ -4,6 +4,7 @@ mod astray;
 pub mod bodies;
 mod bringing_out;
 mod bulk_sampling;
+mod clearance;
 pub mod clips;
 pub mod constraints;
 mod crossing;

@@ -43,6 +43,14 @@ impl Solver {
         Ok(self.strand("id", id)?.model.material.mean_radius())
     }
 
+    /// Mass of a strand, kg.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn mass(&self, id: StrandId) -> Result<f64> {
+        Ok(self.strand("id", id)?.model.mass())
+    }
+
     /// Where a strand's root is now.
     ///
     /// # Errors

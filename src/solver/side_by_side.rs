@@ -3,7 +3,7 @@
 //! Within a kind strands are packed by how many iterations they took last time, so that a pack does not wait for one of its own. Who
 //! shares a pack changes nobody's result.
 
-use super::strand::{self, Strand, Tally};
+use super::strand::{self, Holds, Strand, Tally};
 use crate::math::frame::Frame;
 use crate::math::lane::MAX_LANES;
 use crate::math::lanes::InstructionSet;
@@ -40,11 +40,11 @@ pub(super) fn take(
         } else {
             strand.go_back(h, setting.rules)
         });
-        strand.held = true;
+        strand.holds = Holds::Yes;
     }
     take_present(strands, setting, h, set, tally, scratch, meter);
     for index in &aside {
-        strands[*index].held = false;
+        strands[*index].holds = Holds::No;
     }
 }
 
@@ -59,17 +59,17 @@ fn take_present(
     meter: &Meter,
 ) {
     if meter.is_halted() {
-        for strand in strands.iter_mut().filter(|strand| !strand.held) {
+        for strand in strands.iter_mut().filter(|strand| !strand.is_held()) {
             tally.add(&strand.go_with_root(h, &[]));
         }
         return;
     }
     let width = packs::width(setting.options.precision, set);
-    for strand in strands.iter_mut().filter(|strand| !strand.held) {
+    for strand in strands.iter_mut().filter(|strand| !strand.is_held()) {
         strand.begin_root_way(h);
     }
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
-        for strand in strands.iter_mut().filter(|strand| !strand.held) {
+        for strand in strands.iter_mut().filter(|strand| !strand.is_held()) {
             take_one(strand, setting, h, tally, scratch);
         }
         return;
@@ -77,7 +77,7 @@ fn take_present(
     let levels = subdivision::levels(setting.options);
     let mut order = [(Kind::default(), 0_u32, 0_u32); MAX_TASK];
     let mut count = 0;
-    for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.held) {
+    for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.is_held()) {
         if strand.state.subdivision.min(levels) > 0 {
             take_one(strand, setting, h, tally, scratch);
         } else {

@@ -5,12 +5,13 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use super::Solver;
+use super::clearance::View;
 use super::constraints::ConstraintStatus;
 use super::holding::{Account, Beside, ContactTally, Holding, Scene};
 use super::id::BodyId;
 use super::report::{StepReport, Wrench};
 use super::side_by_side;
-use super::strand::Tally;
+use super::strand::{Holds, Tally};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
@@ -254,7 +255,7 @@ impl Solver {
         }
         // Where nothing holds strands any more the next step looks for none.
         for strand in &mut self.strands {
-            strand.held = false;
+            strand.holds = Holds::No;
         }
         (contact, spent)
     }
@@ -290,9 +291,12 @@ impl Solver {
             is_part: false,
         };
         Holding::mark(&mut scene, h);
+        let view = View::of(&scene);
         self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
+            scratch.watch.look(strands, &view, h);
             side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step, meter);
+            scratch.watch.look_back(strands, &mut tally);
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
         let mut tally = Tally::default();

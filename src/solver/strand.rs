@@ -41,8 +41,8 @@ pub(super) struct Strand {
     pub energies: Energies,
     /// The last substep.
     pub fared: Fared,
-    /// Touches or constraints hold it in this substep.
-    pub held: bool,
+    /// Whether touches or constraints hold it in this substep.
+    pub holds: Holds,
     /// It was near something in the last substep.
     pub touched: bool,
     /// What it is to contact; none: it touches nothing.
@@ -53,6 +53,17 @@ pub(super) struct Strand {
     pub astray: Option<Box<Astray>>,
     /// It stands still.
     pub frozen: Option<Box<Frozen>>,
+}
+
+/// Whether something holds a strand in a substep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Holds {
+    /// Nothing does: it steps side by side with others.
+    No,
+    /// Only a body may that is near.
+    Perhaps,
+    /// Something does, or may for more reasons than that.
+    Yes,
 }
 
 /// What is kept of how a substep went; the rest goes into the call's [`Tally`].
@@ -112,6 +123,13 @@ impl Tally {
         self.left += u32::from(outcome.left);
     }
 
+    /// Counts one no more, but for the largest values.
+    pub fn take_back(&mut self, fared: &Fared) {
+        self.iterations -= u64::from(fared.iterations);
+        self.quarantined -= u32::from(fared.quarantined);
+        self.unconverged -= u32::from(!fared.converged && !fared.quarantined);
+    }
+
     /// Counts other strands' substeps.
     pub fn merge(&mut self, other: &Self) {
         self.iterations += other.iterations;
@@ -155,13 +173,18 @@ impl Strand {
             root_move: None,
             energies: Energies::default(),
             fared: Fared::well(),
-            held: false,
+            holds: Holds::No,
             touched: false,
             contact: None,
             allowance: None,
             astray: None,
             frozen: None,
         }
+    }
+
+    /// Whether it is taken through this substep with what may hold it.
+    pub fn is_held(&self) -> bool {
+        self.holds != Holds::No
     }
 
     pub fn status(&self) -> StrandStatus {

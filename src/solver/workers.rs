@@ -1,5 +1,6 @@
 //! Who runs the strands of a step.
 
+use super::clearance::Watch;
 use crate::contact::island_problem::ProblemScratch;
 use crate::step;
 
@@ -10,6 +11,8 @@ pub(super) struct Scratch {
     pub step: step::scratch::Scratch,
     /// For islands of held strands, one at a time.
     pub problem: ProblemScratch,
+    /// For strands that are near bodies, one task at a time.
+    pub watch: Watch,
 }
 
 /// Workers with the scratch memory of a step.

@@ -19,6 +19,7 @@ mod near_without_touching;
 mod nearest_points_of_shapes;
 #[path = "../numbers/mod.rs"]
 mod numbers;
+mod out_of_reach;
 mod penetration_tolerance;
 mod random_bodies;
 mod rest_slide_capstan;

@@ -6,6 +6,7 @@ mod direct_and_handed_over;
 mod explicit_law;
 mod grab;
 mod hair_types;
+mod heavy_hair;
 mod limits;
 mod no_allocation;
 mod passivity;

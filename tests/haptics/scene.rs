@@ -23,6 +23,11 @@ const TEETH: usize = 7;
 
 /// `strands` hairs of 15 cm and five elements, 2 mm from each other in rows of 20, of some natural curvature, at rest; and the teeth.
 pub fn combed_hair(strands: usize, curvature: f64) -> (Solver, Vec<BodyId>) {
+    combed_strands(strands, curvature, Material::default().radius)
+}
+
+/// The same, of strands of some radius, m.
+pub fn combed_strands(strands: usize, curvature: f64, radius: [f64; 2]) -> (Solver, Vec<BodyId>) {
     let mut options = SolverOptions::default();
     options.step.tolerance = 1e-5;
     let mut solver = Solver::new(options).unwrap();
@@ -30,7 +35,7 @@ pub fn combed_hair(strands: usize, curvature: f64) -> (Solver, Vec<BodyId>) {
         .map(|k| {
             let mut def = StrandDef::straight(0.15, 5);
             def.natural = vec![[0.0, curvature, 0.3 * curvature]; 5];
-            def.material = Material { viscosity: 2e-3, air_drag: 1e-5, internal_friction: 1e-10, ..Material::default() };
+            def.material = Material { radius, viscosity: 2e-3, air_drag: 1e-5, internal_friction: 1e-10, ..Material::default() };
             let origin = Vector3::new(4e-3 * (k / 20) as f64, 2e-3 * (k % 20) as f64, 0.0);
             // The tangent, the first axis, hangs down; and each hair is turned about it otherwise.
             let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.5 * PI);

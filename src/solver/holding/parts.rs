@@ -12,7 +12,7 @@ use crate::contact::touch::Partner;
 use crate::meter::Stopped;
 use crate::solver::deep_places::AsItIs;
 use crate::solver::report::Wrench;
-use crate::solver::strand::{Strand, Tally};
+use crate::solver::strand::{Holds, Strand, Tally};
 use crate::step::StrandOutcome;
 
 /// Surfaces that are so many tolerances in each other are deep.
@@ -106,9 +106,9 @@ impl Holding {
         let (half, mut told) = (0.5 * h, ContactTally::default());
         let mut wrenches = vec![Wrench::default(); bodies.len()];
         for _ in 0..2 {
-            scene.strands.iter_mut().for_each(|strand| strand.held = false);
+            scene.strands.iter_mut().for_each(|strand| strand.holds = Holds::No);
             for held in &taking {
-                scene.strands[self.strands[*held].index as usize].held = true;
+                scene.strands[self.strands[*held].index as usize].holds = Holds::Yes;
             }
             wrenches.fill(Wrench::default());
             bodies.iter_mut().for_each(|body| body.begin(half));

@@ -12,7 +12,7 @@ use crate::solver::freezing::{Frozen, Known};
 use crate::solver::id::{BodyId, StrandId};
 use crate::solver::report::Energies;
 use crate::solver::sections::Sections;
-use crate::solver::strand::{Authored, Fared, Strand};
+use crate::solver::strand::{Authored, Fared, Holds, Strand};
 use crate::step::state::{Earlier, Past, StrandState};
 
 /// Says that a strand stands still.
@@ -242,7 +242,7 @@ impl Reader<'_> {
             root_move,
             energies,
             fared,
-            held: false,
+            holds: Holds::No,
             touched: false,
             contact: None,
             allowance: None,
