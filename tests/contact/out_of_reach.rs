@@ -93,7 +93,9 @@ fn what_nothing_reaches_moves_as_if_there_were_nothing_and_costs_no_contact() {
     // At rest under their weight first.
     for _ in 0..120 {
         alone.step(STEP, 1).unwrap();
-        beside.iter_mut().for_each(|(solver, ..)| drop(solver.step(STEP, 1).unwrap()));
+        for (solver, ..) in &mut beside {
+            solver.step(STEP, 1).unwrap();
+        }
     }
     for step in 1..=90 {
         carry(&mut alone, &ids, None, &calm(step));
