@@ -128,7 +128,8 @@ pub fn table(random: usize) -> Outcome<String> {
 /// So many steps in which the head goes anywhere within some centimetres, or metres, and turns by anything, or rests.
 fn at_random(model: ContactModel, iterations: u32, name: &str, limits: &StepLimits, steps: usize) -> Outcome<String> {
     let mut head = Head::new(model, iterations)?;
-    let mut state = 7_u64;
+    // Other moves: another CONTACT_SEED.
+    let mut state: u64 = std::env::var("CONTACT_SEED").map_or(Ok(7), |seed| seed.parse())?;
     // Steele, Lea and Flood's splitmix64.
     let mut unit = || {
         state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);

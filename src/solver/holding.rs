@@ -103,6 +103,7 @@ pub(super) struct Scene<'a> {
 
 impl Strand {
     /// Whether hair or one of the bodies may hold it in a substep of `h` seconds.
+    #[inline]
     fn may_be_held(&self, bodies: &[BodyAt], hair: bool, h: f64) -> Holds {
         let Some(contact) = self.contact.as_deref() else { return Holds::No };
         // What went past it while it was not there it is to meet.
@@ -156,11 +157,12 @@ impl Holding {
         new.touching.take_up(memory, elements, bodies).then_some(new)
     }
 
-    /// Marks the strands that this substep of `h` seconds holds.
-    pub fn mark(scene: &mut Scene, h: f64) {
-        let hair = scene.options.hair;
+    /// Marks the strands that this substep of `h` seconds holds. True where a body that is near is all that may hold some.
+    pub fn mark(scene: &mut Scene, h: f64) -> bool {
+        let (hair, mut are_near) = (scene.options.hair, false);
         for strand in scene.strands.iter_mut() {
             strand.holds = if strand.is_aside() { Holds::No } else { strand.may_be_held(scene.bodies, hair, h) };
+            are_near |= strand.holds == Holds::Perhaps;
         }
         for constraint in scene.constraints.iter().filter(|constraint| constraint.state.status != ConstraintStatus::Released) {
             let ends = [Some(constraint.def.strand), constraint.other()];
@@ -169,6 +171,7 @@ impl Holding {
                 strand.holds = if strand.is_aside() { Holds::No } else { Holds::Yes };
             }
         }
+        are_near
     }
 
     /// Takes the marked strands through a substep of `h` seconds, which those that it leaves deep may take in parts, halved `levels` times at most.

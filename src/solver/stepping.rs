@@ -290,13 +290,17 @@ impl Solver {
             is_fast,
             is_part: false,
         };
-        Holding::mark(&mut scene, h);
+        let are_near = Holding::mark(&mut scene, h);
         let view = View::of(&scene);
         self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
-            scratch.watch.look(strands, &view, h);
+            if are_near {
+                scratch.watch.look(strands, &view, h);
+            }
             side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step, meter);
-            scratch.watch.look_back(strands, &mut tally);
+            if are_near {
+                scratch.watch.look_back(strands, &mut tally);
+            }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
         let mut tally = Tally::default();

@@ -41,8 +41,7 @@ fn head(grid: bool) -> Shape {
 
 /// Strands that stand from a ball in all directions, wavy, of some stiffness (Pa).
 fn scene(shape: Option<Shape>, stiffness: f64) -> (Solver, Vec<StrandId>, Option<BodyId>) {
-    let mut options = SolverOptions::default();
-    options.gravity = Vector3::new(0.0, 0.0, -9.81);
+    let options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -9.81), ..SolverOptions::default() };
     let mut solver = Solver::new(options).unwrap();
     let defs: Vec<StrandDef> = (0..STRANDS)
         .map(|k| {
