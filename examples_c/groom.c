@@ -18,15 +18,6 @@
 #include "mesh.h"
 #include "motion.h"
 
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count > 0 ? count : 1, size);
-  if (memory == NULL) {
-    fprintf(stderr, "out of memory\n");
-    exit(EXIT_FAILURE);
-  }
-  return memory;
-}
-
 /* ---- options -------------------------------------------------------------------------------------------------------- */
 
 typedef struct options {
@@ -242,30 +233,6 @@ static void set_contact(const options *o, const groom *g, shx_solver *solver, co
   CHECK(shx_solver_set_strand_contact(solver, ids, g->strand_count, &strand, 0));
 }
 
-/* The head as a grid of distances, which costs the same however fine its mesh is. */
-static shx_body_id add_head(shx_solver *solver, const mesh *head) {
-  shx_distance_grid_def baked;
-  CHECK(shx_distance_grid_def_init(&baked, sizeof baked));
-  baked.vertices = (shx_input){head->vertices, 0, head->vertex_count, SHX_FORMAT_F64X3, 0};
-  baked.triangles = head->triangles;
-  baked.triangle_count = head->triangle_count;
-  baked.cell = GRID_CELL;
-  baked.band = GRID_BAND;
-  size_t size;
-  CHECK(shx_distance_grid_bake(&baked, NULL, 0, &size));
-  void *grid = allocate(size, 1);
-  CHECK(shx_distance_grid_bake(&baked, grid, size, &size));
-  shx_body_def def;
-  CHECK(shx_body_def_init(&def, sizeof def));
-  def.shape = SHX_SHAPE_GRID;
-  def.grid = grid;
-  def.grid_size = size;
-  shx_body_id id;
-  CHECK(shx_solver_add_bodies(solver, &def, sizeof def, 1, &id));
-  free(grid);
-  return id;
-}
-
 /* The head goes where its roots go. */
 static void move_head(const groom *g, const pose *first, const pose *now, shx_solver *solver, shx_body_id id, double seconds) {
   shx_frame frame = {{0.0}, {0.0}};
@@ -391,7 +358,7 @@ int main(int argc, char **argv) {
     body = read_mesh(o.body, o.scale);
     make_wisps(&g, solver, ids);
     set_contact(&o, &g, solver, ids);
-    body_id = add_head(solver, &body);
+    body_id = add_head(solver, &body, GRID_CELL, GRID_BAND);
     CHECK(shx_solver_permit_overlaps(solver, ids, g.strand_count));
     printf("%s: %zu triangles, a grid of distances %g mm apart\n", o.body, body.triangle_count, 1000.0 * GRID_CELL);
   }

@@ -18,15 +18,6 @@ static const double PI = 3.14159265358979323846;
 static const double STROKE = 3.0;                                   /* s, down and back up */
 static const double MOMENT[MOMENTS] = {0.02, 0.8, 1.4, 2.0};        /* s: when the hair is written to a file */
 
-static void *allocate(size_t count, size_t size) {
-  void *memory = calloc(count > 0 ? count : 1, size);
-  if (memory == NULL) {
-    fprintf(stderr, "out of memory\n");
-    exit(EXIT_FAILURE);
-  }
-  return memory;
-}
-
 /* ---- time ----------------------------------------------------------------------------------------------------------- */
 
 static double seconds_of(const struct timespec *time) { return (double)time->tv_sec + 1e-9 * (double)time->tv_nsec; }
@@ -121,28 +112,10 @@ static void *device(void *data) {
 
 static const double gravity[3] = {0.0, -9.81, 0.0}; /* y is up */
 
-/* The head as a grid of distances. */
-static shx_body_id add_head(shx_solver *solver, const char *path, double scale) {
+/* The head of an OBJ file. */
+static shx_body_id read_head(shx_solver *solver, const char *path, double scale) {
   mesh head = read_mesh(path, scale);
-  shx_distance_grid_def baked;
-  CHECK(shx_distance_grid_def_init(&baked, sizeof baked));
-  baked.vertices = (shx_input){head.vertices, 0, head.vertex_count, SHX_FORMAT_F64X3, 0};
-  baked.triangles = head.triangles;
-  baked.triangle_count = head.triangle_count;
-  baked.cell = 0.004;
-  baked.band = 0.035;
-  size_t size;
-  CHECK(shx_distance_grid_bake(&baked, NULL, 0, &size));
-  void *grid = allocate(size, 1);
-  CHECK(shx_distance_grid_bake(&baked, grid, size, &size));
-  shx_body_def def;
-  CHECK(shx_body_def_init(&def, sizeof def));
-  def.shape = SHX_SHAPE_GRID;
-  def.grid = grid;
-  def.grid_size = size;
-  shx_body_id id;
-  CHECK(shx_solver_add_bodies(solver, &def, sizeof def, 1, &id));
-  free(grid);
+  const shx_body_id id = add_head(solver, &head, 0.004, 0.035);
   free_mesh(&head);
   return id;
 }
@@ -275,7 +248,7 @@ int main(int argc, char **argv) {
   shx_solver *solver;
   CHECK(shx_solver_create(&hair, &solver));
   shx_strand_id *ids;
-  const size_t count = add_hair(solver, argv[1], scale, add_head(solver, argv[2], scale), &ids);
+  const size_t count = add_hair(solver, argv[1], scale, read_head(solver, argv[2], scale), &ids);
   shx_body_id comb[TEETH];
   add_comb(solver, comb);
 

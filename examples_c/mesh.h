@@ -1,10 +1,11 @@
-/* A triangle mesh of a Wavefront OBJ file, for the examples: its v and f lines; faces of more corners become fans. */
+/* For the examples: a triangle mesh of a Wavefront OBJ file (its v and f lines; faces of more corners become fans), and a head made of one. */
 #ifndef MESH_H
 #define MESH_H
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "check.h"
 
 typedef struct mesh {
   double *vertices; /* three a vertex, m */
@@ -76,6 +77,39 @@ static mesh read_mesh(const char *path, double scale) {
 static void free_mesh(mesh *m) {
   free(m->vertices);
   free(m->triangles);
+}
+
+static void *allocate(size_t count, size_t size) {
+  void *memory = calloc(count > 0 ? count : 1, size);
+  if (memory == NULL) {
+    fprintf(stderr, "out of memory\n");
+    exit(EXIT_FAILURE);
+  }
+  return memory;
+}
+
+/* The head as a grid of distances, which costs the same however fine its mesh is: cell and band in m. */
+static shx_body_id add_head(shx_solver *solver, const mesh *head, double cell, double band) {
+  shx_distance_grid_def baked;
+  CHECK(shx_distance_grid_def_init(&baked, sizeof baked));
+  baked.vertices = (shx_input){head->vertices, 0, head->vertex_count, SHX_FORMAT_F64X3, 0};
+  baked.triangles = head->triangles;
+  baked.triangle_count = head->triangle_count;
+  baked.cell = cell;
+  baked.band = band;
+  size_t size;
+  CHECK(shx_distance_grid_bake(&baked, NULL, 0, &size));
+  void *grid = allocate(size, 1);
+  CHECK(shx_distance_grid_bake(&baked, grid, size, &size));
+  shx_body_def def;
+  CHECK(shx_body_def_init(&def, sizeof def));
+  def.shape = SHX_SHAPE_GRID;
+  def.grid = grid;
+  def.grid_size = size;
+  shx_body_id id;
+  CHECK(shx_solver_add_bodies(solver, &def, sizeof def, 1, &id));
+  free(grid);
+  return id;
 }
 
 #endif

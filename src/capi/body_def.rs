@@ -191,7 +191,7 @@ impl shx_body_def {
         };
         Ok(BodyDef {
             shape,
-            pose: Frame::from_arrays(&format!("{argument}.pose"), self.pose.origin, self.pose.rotation)?,
+            pose: self.pose.checked(&format!("{argument}.pose"))?,
             thickness: self.thickness,
             friction: self.friction_scale,
             viscous_friction: self.viscous_friction_scale,

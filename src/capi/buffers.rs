@@ -42,6 +42,15 @@ pub(crate) unsafe fn array<'a, T>(argument: &str, count_argument: &str, data: *c
     Ok(unsafe { std::slice::from_raw_parts(data, count) })
 }
 
+/// The caller's frame.
+///
+/// # Safety
+/// `frame` is null or points to a frame.
+pub(crate) unsafe fn frame_from(argument: &str, frame: *const shx_frame) -> Result<Frame> {
+    // SAFETY: the same.
+    unsafe { &array(argument, argument, frame, 1)?[0] }.checked(argument)
+}
+
 /// The caller's ids.
 ///
 /// # Safety

@@ -131,7 +131,7 @@ impl shx_constraint_def {
         let target = if self.kind == SHX_CONSTRAINT_TIE {
             Frame::default()
         } else {
-            Frame::from_arrays(&format!("{argument}.target"), self.target.origin, self.target.rotation)?
+            self.target.checked(&format!("{argument}.target"))?
         };
         let strand = StrandId::from_bits(self.strand.bits);
         Ok(ConstraintDef { strand, arclength: self.arclength, hold, target, compliance: self.compliance })

@@ -13,7 +13,6 @@ use super::thread::on_own_thread;
 use super::types::shx_frame;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result};
-use crate::math::frame::Frame;
 use crate::math::pose_spline::PoseSpline;
 use crate::study::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
 use crate::study::recording::{Observable, Recording, RootMotion};
@@ -337,9 +336,7 @@ impl shx_friction_fit_def {
             let expected = "0: the root either oscillates or follows frames";
             return Err(Error::invalid("friction.root_count", self.root_count, expected));
         }
-        let frame = |(index, frame): (usize, &shx_frame)| {
-            Frame::from_arrays(&format!("friction.root_frames[{index}]"), frame.origin, frame.rotation)
-        };
+        let frame = |(index, frame): (usize, &shx_frame)| frame.checked(&format!("friction.root_frames[{index}]"));
         let frames = frames.iter().enumerate().map(frame).collect::<Result<Vec<_>>>()?;
         let spline = PoseSpline::new(times.to_vec(), frames).map_err(|error| match error {
             Error::InvalidArgument { argument, value, expected } => {

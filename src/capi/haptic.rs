@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use super::buffers::{Place, array};
+use super::buffers::{Place, array, frame_from};
 use super::errors::shx_result;
 use super::guard::{call, in_use, read, shx_solver, write};
 use super::haptic_def::{shx_haptic_def, shx_haptic_state};
@@ -10,7 +10,6 @@ use super::types::{shx_body_id, shx_frame};
 use super::versioned::{Versioned, VersionedOutput, read_versioned};
 use crate::error::{Error, Result};
 use crate::haptics::{Device, Tool, haptic};
-use crate::math::frame::Frame;
 use crate::solver::id::BodyId;
 
 /// Bodies of a solver that move as one rigid tool in a hand, and the forces that the hand feels.
@@ -124,13 +123,12 @@ pub unsafe extern "C" fn shx_haptic_update(
         // SAFETY: the caller's handle, frame, numbers, place for six numbers, and structure of the size that it states.
         let (haptic, pose, velocity, place, output) = unsafe {
             let haptic = haptic_from(haptic)?;
-            let pose: &shx_frame = &array("pose", "pose", pose, 1)?[0];
+            let pose = frame_from("pose", pose)?;
             let velocity: &[f64] = array("velocity", "velocity", velocity, 6)?;
             let place = Place::new("out_wrench", out_wrench.cast::<[f64; 6]>())?;
             let output = if state.is_null() { None } else { Some(VersionedOutput::new("state", state)?) };
             (haptic, pose, velocity, place, output)
         };
-        let pose = Frame::from_arrays("pose", pose.origin, pose.rotation)?;
         let half = |from: usize| nalgebra::Vector3::new(velocity[from], velocity[from + 1], velocity[from + 2]);
         let (wrench, told) = with(&haptic.device, |device| device.update(&pose, half(0), half(3), dt))?;
         let ([fx, fy, fz], [tx, ty, tz]) = (wrench.force.into(), wrench.torque.into());

@@ -7,7 +7,6 @@ use super::types::shx_frame;
 use super::versioned::{Versioned, initialise};
 use crate::error::{Error, Result};
 use crate::haptics::{ForceLaw, HapticOptions, HapticState, Mode};
-use crate::math::frame::Frame;
 
 /// The solver steps at its own rate, 60 to 240 Hz. After each step it hands over a local model of what
 /// touches the tool, and shx_haptic_update solves contact anew with the device's newest pose, at the
@@ -143,7 +142,7 @@ impl shx_haptic_def {
             force_law,
             explicit_time: self.explicit_time,
             explicit_friction: self.explicit_friction,
-            handle: Frame::from_arrays("def.handle", self.handle.origin, self.handle.rotation)?,
+            handle: self.handle.checked("def.handle")?,
             stiffness: self.stiffness,
             damping: self.damping,
             angular_stiffness: self.angular_stiffness,

@@ -62,6 +62,7 @@ pub mod step_limits;
 pub mod strand_def;
 pub mod strands;
 pub mod styling;
+pub mod styling_tool;
 pub mod suggest;
 mod thread;
 pub mod types;

@@ -3,10 +3,10 @@
 use std::mem::{offset_of, size_of};
 use std::sync::Mutex;
 
-use super::buffers::{Place, strand_ids};
+use super::buffers::{Place, frame_from, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, in_use, shx_solver, write};
-use super::styling::{frame_from, shx_tool_def};
+use super::styling_tool::shx_tool_def;
 use super::types::{shx_frame, shx_strand_id};
 use super::versioned::{Versioned, initialise, read_versioned};
 use crate::error::{Error, Result};

@@ -174,7 +174,7 @@ impl shx_strand_def {
                 air_drag: self.air_drag,
             },
             freedoms: named(argument, "dofs", |name| Freedoms::from_bits(name, self.dofs))?,
-            root: named(argument, "root", |name| Frame::from_arrays(name, self.root.origin, self.root.rotation))?,
+            root: named(argument, "root", |name| self.root.checked(name))?,
             natural,
             initial: rows("initial_curvatures", self.initial_curvatures)?,
             initial_rates: rows("initial_rates", self.initial_rates)?,

@@ -12,7 +12,6 @@ use super::thread::on_own_thread;
 use super::types::shx_frame;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::Result;
-use crate::math::frame::Frame;
 use crate::study::elements::{Demand, RootMotion, Suggestion, suggest_elements};
 
 /// Options of shx_suggest_elements. Fill it with shx_suggest_def_init, then change what you need.
@@ -107,9 +106,7 @@ impl shx_suggest_def {
         let motion = if frames.is_empty() {
             None
         } else {
-            let read = |(k, frame): (usize, &shx_frame)| {
-                Frame::from_arrays(&format!("demand.motion[{k}]"), frame.origin, frame.rotation)
-            };
+            let read = |(k, frame): (usize, &shx_frame)| frame.checked(&format!("demand.motion[{k}]"));
             let frames = frames.iter().enumerate().map(read).collect::<Result<Vec<_>>>()?;
             Some(RootMotion { frames, interval: self.motion_interval })
         };

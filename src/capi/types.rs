@@ -4,6 +4,7 @@
 use std::ffi::c_void;
 use std::mem::{offset_of, size_of};
 
+use crate::error::Result;
 use crate::math::frame::Frame;
 
 /// Names a strand of one solver. Zero bits is the null id. The
@@ -42,6 +43,13 @@ pub struct shx_frame {
     /// Unit quaternion x, y, z, w; its length may differ from 1 by up to 1e-5. It rotates the coordinate axes
     /// into n0, n1, n2: n0 is the tangent of the strand, n1 and n2 are the axes of its cross-section.
     pub rotation: [f64; 4],
+}
+
+impl shx_frame {
+    /// The frame, checked; `argument` names it in errors.
+    pub(crate) fn checked(&self, argument: &str) -> Result<Frame> {
+        Frame::from_arrays(argument, self.origin, self.rotation)
+    }
 }
 
 impl From<&Frame> for shx_frame {

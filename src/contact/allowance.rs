@@ -54,6 +54,12 @@ impl Allowance {
         self.between(&self.sunk, along)
     }
 
+    /// The least of [`Allowance::sunk`] between two arclengths (m), m.
+    pub fn least_sunk(&self, from: f64, to: f64) -> f64 {
+        let between = self.along.iter().zip(&self.sunk).filter(|(along, _)| (from..=to).contains(*along));
+        between.map(|(_, sunk)| *sunk).fold(self.sunk(from).min(self.sunk(to)), f64::min)
+    }
+
     fn between(&self, values: &[f64], along: f64) -> f64 {
         let next = self.along.partition_point(|station| *station <= along).clamp(1, self.along.len().max(2) - 1);
         let (Some(a), Some(b)) = (self.along.get(next - 1), self.along.get(next)) else { return values[0] };

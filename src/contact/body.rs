@@ -356,6 +356,11 @@ impl<'a> BodyAt<'a> {
         self.end.origin + self.axes_end * surface.point
     }
 
+    /// Whether its surface may be in a box of the world in the substep.
+    pub fn is_near(&self, around: &Bounds) -> bool {
+        self.bounds.grown(self.thickness).meets(around)
+    }
+
     /// Whether it and something of these groups touch.
     pub fn meets(&self, group: u32, mask: u32) -> bool {
         self.group & mask != 0 && group & self.mask != 0

@@ -189,8 +189,7 @@ impl Search<'_, '_> {
         // All of the element on all of its way.
         let clear = match &shape.0 {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds().distance(&centre) > far,
-            Kind::Grid(grid) => grid.closest(centre).map_or_else(|| grid.clearance(&centre), |surface| surface.distance) > far,
-            _ => shape.closest_smooth(centre).distance > far,
+            _ => shape.distance(centre, far) > far,
         };
         if clear {
             self.inside = Some(false);

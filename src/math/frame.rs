@@ -59,6 +59,12 @@ impl Frame {
         Frame { origin: -(rotation * self.origin), rotation }
     }
 
+    /// Where something that is here is when it goes along with a rigid body that goes from pose to pose.
+    pub fn carried(&self, from: &Frame, to: &Frame) -> Frame {
+        let turn = to.rotation * from.rotation.inverse();
+        Frame { origin: to.origin + turn * (self.origin - from.origin), rotation: turn * self.rotation }
+    }
+
     /// The pose of a child whose pose in this frame is `local`.
     pub fn compose(&self, local: &Frame) -> Frame {
         Frame { origin: self.origin + self.rotation * local.origin, rotation: self.rotation * local.rotation }

@@ -27,6 +27,19 @@ impl Deref for StrandModel {
     }
 }
 
+/// The element of a chain of such lengths (m) on which the point at an arclength is, and its arclength there, m: an end of the chain for what lies
+/// beyond. At a joint: the element before it.
+pub fn place_on(lengths: impl ExactSizeIterator<Item = f64>, arclength: f64) -> (usize, f64) {
+    let (mut rest, count) = (arclength, lengths.len());
+    for (element, length) in lengths.enumerate() {
+        if rest <= length || element + 1 == count {
+            return (element, rest.clamp(0.0, length));
+        }
+        rest -= length;
+    }
+    (0, 0.0)
+}
+
 impl StrandModel {
     /// From its definition's parts.
     pub fn new(lengths: Vec<f64>, natural: Vec<[f64; 3]>, material: Material, freedoms: Freedoms) -> Self {
@@ -59,6 +72,11 @@ impl StrandModel {
     /// L, m.
     pub fn length(&self) -> f64 {
         self.lengths.iter().sum()
+    }
+
+    /// The element on which the point at an arclength is, and its arclength there, m: an end of the strand for what lies beyond.
+    pub fn place(&self, arclength: f64) -> (usize, f64) {
+        place_on(self.lengths.iter().copied(), arclength)
     }
 
     /// Mass, kg.

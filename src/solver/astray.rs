@@ -7,7 +7,7 @@
 use nalgebra::Vector3;
 
 use super::fast_bodies::Passing;
-use super::strand::{self, Strand};
+use super::strand::Strand;
 use crate::contact::body::BodyAt;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
@@ -63,7 +63,7 @@ impl Strand {
         // Where a substep could not follow the next asks for less.
         let failed = (self.carried_for() / h).min(f64::from(MOST_HALVINGS)).round() as u32;
         let share_asked = 1.0 / f64::from(1_u32 << failed);
-        let (root, length) = ([self.state.root, strand::root_after(&self.root_move, &self.state.root, h)], self.model.length());
+        let (root, length) = (self.root_during(h), self.model.length());
         ways.extend(bodies.iter().zip(from).map(|(body, from)| {
             let passing = Passing::new(from, body, &root, length);
             let near = !self.is_carried() || passing.travel <= NEAR_ENOUGH * passing.limit;
@@ -176,7 +176,7 @@ impl Strand {
     }
 
     fn go_along(&mut self, h: f64, bodies: &[BodyAt], state: Whereabouts) {
-        let (from, to) = (self.state.root, strand::root_after(&self.root_move, &self.state.root, h));
+        let [from, to] = self.root_during(h);
         let astray = self.begin_to_stray(bodies, state);
         take_along(&mut astray.bodies, &from, &to);
         self.state.teleport(to);
@@ -194,7 +194,7 @@ impl Strand {
     /// A substep of `h` seconds on its way back: from shape to shape, with its root.
     pub fn go_back(&mut self, h: f64, rules: &Rules) -> StrandOutcome {
         self.begin_root_way(h);
-        let (from_root, to) = (self.state.root, strand::root_after(&self.root_move, &self.state.root, h));
+        let [from_root, to] = self.root_during(h);
         let outcome = StrandOutcome { converged: false, quarantined: true, energies: self.energies, ..StrandOutcome::default() };
         let Some(Astray { state: Whereabouts::Returning { seconds, from }, .. }) = self.astray.as_deref_mut() else {
             return outcome;
@@ -226,8 +226,7 @@ fn between(from: &Frame, to: &Frame, share: f64) -> Frame {
 
 /// Takes frames along as a root goes from place to place.
 fn take_along(frames: &mut [Frame], from: &Frame, to: &Frame) {
-    let turn = to.rotation * from.rotation.inverse();
     for frame in frames {
-        *frame = Frame { origin: to.origin + turn * (frame.origin - from.origin), rotation: turn * frame.rotation };
+        *frame = frame.carried(from, to);
     }
 }

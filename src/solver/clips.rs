@@ -66,12 +66,10 @@ impl Solver {
     /// # Errors
     /// As [`Solver::set_constraint_targets`].
     pub fn move_constraints(&mut self, ids: &[ConstraintId], from: &Frame, to: &Frame, over_seconds: f64) -> Result<()> {
-        let turn = to.rotation * from.rotation.inverse();
         let mut frames = Vec::with_capacity(ids.len());
         for (k, id) in ids.iter().enumerate() {
             let stale = |_| Error::InvalidId { argument: format!("ids[{k}]"), bits: id.bits() };
-            let target = self.constraint(*id).map_err(stale)?.target;
-            frames.push(Frame { origin: to.origin + turn * (target.origin - from.origin), rotation: turn * target.rotation });
+            frames.push(self.constraint(*id).map_err(stale)?.target.carried(from, to));
         }
         self.set_constraint_targets(ids, &frames, over_seconds)
     }

@@ -222,14 +222,8 @@ impl Constraint {
 
 /// The station at an arclength.
 pub(super) fn station_at(model: &StrandModel, arclength: f64) -> Station {
-    let mut rest = arclength;
-    for (element, length) in model.lengths.iter().enumerate() {
-        if rest <= *length || element + 1 == model.element_count() {
-            return Station::on(element, rest.clamp(0.0, *length));
-        }
-        rest -= length;
-    }
-    Station::on(0, 0.0)
+    let (element, s) = model.place(arclength);
+    Station::on(element, s)
 }
 
 impl Solver {

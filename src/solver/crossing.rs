@@ -1,14 +1,16 @@
 //! Where strands cross a blade or the surface that a tooth sweeps, and where they are in a box.
 
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 
 use super::Solver;
 use super::id::StrandId;
+use super::sampling::material_rotation;
 use super::strand::Strand;
+use crate::contact::touch::StrandCurve;
 use crate::error::Result;
 use crate::math::frame::Frame;
 use crate::rod::kinematics::{ElementState, element_states};
-use crate::rod::segment;
+use crate::rod::strand::place_on;
 use crate::step::state::rotation_matrix;
 
 /// A strand is followed in chords that turn by no more than this, rad, and are no longer than that, m.
@@ -40,16 +42,13 @@ impl Curve {
     }
 
     pub fn position(&self, place: CurvePlace) -> Vector3<f64> {
-        self.origin + Vector3::from(self.elements[place.element].point(place.s).position)
+        StrandCurve { origin: self.origin, elements: &self.elements }.position(place.element, place.s)
     }
 
     /// The material frame there, world.
     pub fn frame(&self, place: CurvePlace) -> Frame {
         let element = &self.elements[place.element];
-        let (theta, z) = (element.kappa.scale(place.s), element.kappa_squared * (place.s * place.s));
-        let axes = element.frame_left.mul(&segment::frame(theta, z, &element.point(place.s).c));
-        let axes = Rotation3::from_matrix_unchecked(Matrix3::from_fn(|i, j| axes.0[i][j]));
-        Frame { origin: self.position(place), rotation: UnitQuaternion::from_rotation_matrix(&axes) }
+        Frame { origin: self.position(place), rotation: material_rotation(element, &element.point(place.s)) }
     }
 
     /// Its chords from root to tip, by their ends.
@@ -144,14 +143,8 @@ impl Curve {
 
     /// The place at an arclength.
     pub fn place(&self, along: f64) -> CurvePlace {
-        let mut rest = along;
-        for (element, state) in self.elements.iter().enumerate() {
-            if rest <= state.length || element + 1 == self.elements.len() {
-                return CurvePlace { element, s: rest.clamp(0.0, state.length), along };
-            }
-            rest -= state.length;
-        }
-        CurvePlace { element: 0, s: 0.0, along: 0.0 }
+        let (element, s) = place_on(self.elements.iter().map(|element| element.length), along);
+        CurvePlace { element, s, along }
     }
 
     /// Its nearest distance to the segment from `a` to `b`, by points no farther than a chord apart.

@@ -139,7 +139,7 @@ impl Solver {
         strand.state.curvatures = curvatures;
         strand.frozen = None;
         strand.state.velocities_from_rates(&strand.model, &self.rules);
-        strand.fared = Fared::well();
+        strand.fared = Fared::default();
         strand.update_energies(self.options.gravity, &self.rules, kinematics);
     }
 }

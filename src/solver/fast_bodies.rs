@@ -7,9 +7,8 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 
 use super::Solver;
-use super::strand::{self, Strand};
+use super::strand::Strand;
 use crate::contact::body::BodyAt;
-use crate::contact::shape::Bounds;
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 
@@ -39,8 +38,7 @@ pub(super) struct Passing {
 impl Passing {
     /// Of a body that comes `from` there, past a strand of some `length` whose root goes from pose to pose.
     pub fn new(from: &Frame, body: &BodyAt, [root_from, root_to]: &[Frame; 2], length: f64) -> Self {
-        let turn = root_to.rotation * root_from.rotation.inverse();
-        let along = Frame { origin: root_to.origin + turn * (from.origin - root_from.origin), rotation: turn * from.rotation };
+        let along = from.carried(root_from, root_to);
         let turned = rotation_vector(&(body.end.rotation * along.rotation.inverse())).norm();
         let arm = body.radius().min((root_from.origin - from.origin).norm() + length);
         let travel = (body.end.origin - along.origin).norm() + arm * turned;
@@ -99,13 +97,11 @@ impl Strand {
         if still && !is_thin || !at.meets(contact.groups, contact.mask) {
             return 1.0;
         }
-        let reach = Vector3::repeat(length + contact.radius);
-        let near = |around: &Bounds| at.bounds.grown(at.thickness).meets(around);
         let swings = || if is_thin { self.swings_by(at, h) / (SWING * length) } else { 0.0 };
         if still {
-            return if near(&Bounds::around(self.state.root.origin, reach)) { swings() } else { 1.0 };
+            return if at.is_near(&self.reach(contact, &[self.state.root; 2])) { swings() } else { 1.0 };
         }
-        let root = [self.state.root, strand::root_after(&self.root_move, &self.state.root, h)];
+        let root = self.root_during(h);
         if let Some(from) = self.bodies_from().get(at.index as usize) {
             let passing = Passing::new(from, at, &root, length);
             return (passing.travel / passing.limit).min(MOST_TO_COME_AFTER);
@@ -114,8 +110,7 @@ impl Strand {
         // (An angle is at most π times its half's sine.)
         let own = (root[1].origin - root[0].origin).norm() + length * PI * turn.quaternion().imag().norm();
         let goes_far = travel + own > limit(at, length);
-        let around = || Bounds::around(root[0].origin, reach).union(&Bounds::around(root[1].origin, reach));
-        if !(goes_far || is_thin) || !near(&around()) {
+        if !(goes_far || is_thin) || !at.is_near(&self.reach(contact, &root)) {
             return 1.0;
         }
         let passing = Passing::new(&at.start, at, &root, length);

@@ -81,8 +81,8 @@ impl Strand {
             return outcome;
         }
         self.begin_root_way(h);
-        let from = self.state.root;
-        self.state.teleport(strand::root_after(&self.root_move, &from, h));
+        let [from, to] = self.root_during(h);
+        self.state.teleport(to);
         self.moves_as_its_root(&from, h, rules);
         self.advance_root(h);
         self.update_energies(gravity, rules, &mut Kinematics::default());
@@ -93,20 +93,15 @@ impl Strand {
     fn is_touched(&mut self, h: f64, bodies: &[BodyAt], ids: &[BodyId]) -> bool {
         let Self { frozen: Some(frozen), contact: Some(contact), state, root_move, model, .. } = self else { return false };
         let start = state.root;
-        let end = match root_move.as_deref() {
-            // A way to be gone at once takes the substep.
-            Some((way, _)) if way.duration == 0.0 => way.to,
-            _ => strand::root_after(root_move, &start, h),
-        };
+        let end = strand::root_after(root_move, &start, h);
         let reach = Vector3::repeat(model.length() + contact.radius + REACH);
         let around = Bounds::around(start.origin, reach).union(&Bounds::around(end.origin, reach));
-        let near = |body: &&BodyAt| body.meets(contact.groups, contact.mask) && body.bounds.grown(body.thickness).meets(&around);
+        let near = |body: &&BodyAt| body.meets(contact.groups, contact.mask) && body.is_near(&around);
         for body in bodies.iter().filter(near) {
             let id = ids[body.index as usize];
             let places = [start.inverse().compose(&body.start), end.inverse().compose(&body.end)];
             let known = frozen.bodies.iter().position(|known| known.body == id);
-            let deforms = body.shape.mesh().is_some_and(crate::contact::shape::Mesh::is_moving);
-            if let Some(known) = known.map(|known| &frozen.bodies[known]).filter(|_| !deforms)
+            if let Some(known) = known.map(|known| &frozen.bodies[known]).filter(|_| !body.deforms())
                 && places.iter().all(|place| is_still(place, &known.place))
             {
                 continue;

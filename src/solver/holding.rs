@@ -12,12 +12,10 @@ mod tests;
 pub(super) use account::Account;
 pub use account::ContactTally;
 
-use nalgebra::Vector3;
-
 use super::bodies::Contact;
 use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
-use super::strand::{self, Holds, Strand};
+use super::strand::{Holds, Strand};
 use super::touching::{self, TouchMemory, Touching};
 use super::workers::{Crew, Scratch};
 use crate::contact::body::{Body, BodyAt};
@@ -26,7 +24,6 @@ use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
 use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
-use crate::contact::shape::Bounds;
 use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
 use crate::step::options::Integrator;
@@ -110,11 +107,8 @@ impl Strand {
         if !self.bodies_from().is_empty() || hair && contact.wisp_radius > 0.0 {
             return Holds::Yes;
         }
-        let reach = Vector3::repeat(self.model.length() + contact.radius);
-        let end = strand::root_after(&self.root_move, &self.state.root, h).origin;
-        let around = Bounds::around(self.state.root.origin, reach).union(&Bounds::around(end, reach));
-        let near = |body: &BodyAt| body.bounds.grown(body.thickness).meets(&around);
-        let is_near = bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && near(body));
+        let around = self.reach(contact, &self.root_during(h));
+        let is_near = bodies.iter().any(|body| body.meets(contact.groups, contact.mask) && body.is_near(&around));
         if is_near { Holds::Perhaps } else { Holds::No }
     }
 }

@@ -79,6 +79,12 @@ impl<'a> Sampler<'a> {
     }
 }
 
+/// The material frame at a point of an element, world axes.
+pub(super) fn material_rotation(element: &ElementState<f64>, point: &PointState<f64>) -> UnitQuaternion<f64> {
+    let frame = segment::frame(element.kappa.scale(point.s), element.kappa_squared * point.s * point.s, &point.c);
+    UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(element.frame_left.mul(&frame).into()))
+}
+
 impl Place<'_> {
     /// In the world, m.
     pub fn position(&self) -> Vector3<f64> {
@@ -87,9 +93,7 @@ impl Place<'_> {
 
     /// The material frame.
     pub fn rotation(&self) -> UnitQuaternion<f64> {
-        let (element, s) = (self.element, self.point.s);
-        let frame = segment::frame(element.kappa.scale(s), element.kappa_squared * s * s, &self.point.c);
-        UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(element.frame_left.mul(&frame).into()))
+        material_rotation(self.element, &self.point)
     }
 
     /// The material point's velocity, m/s: the field is a polynomial on each element through the values at its nodes.

@@ -5,7 +5,6 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use super::Solver;
-use super::clearance::View;
 use super::constraints::ConstraintStatus;
 use super::holding::{Account, Beside, ContactTally, Holding, Scene};
 use super::id::BodyId;
@@ -290,16 +289,15 @@ impl Solver {
             is_fast,
             is_part: false,
         };
-        let are_near = Holding::mark(&mut scene, h);
-        let view = View::of(&scene);
+        let (are_near, tolerance) = (Holding::mark(&mut scene, h), scene.options.tolerance);
         self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             if are_near {
-                scratch.watch.look(strands, &view, h);
+                scratch.out_of_reach.release(strands, &bodies, tolerance, h, meter);
             }
             side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step, meter);
             if are_near {
-                scratch.watch.look_back(strands, &mut tally);
+                scratch.out_of_reach.roll_back(strands, &mut tally);
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });

@@ -13,6 +13,7 @@ use super::sections;
 use crate::contact::allowance::Allowance;
 use crate::contact::body::BodyAt;
 use crate::contact::options::StrandContact;
+use crate::contact::shape::Bounds;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::rotation::PoseMove;
@@ -80,9 +81,9 @@ impl From<&StrandOutcome> for Fared {
     }
 }
 
-impl Fared {
+impl Default for Fared {
     /// Nothing was done, and well.
-    pub fn well() -> Self {
+    fn default() -> Self {
         Self { iterations: 0, converged: true, quarantined: false }
     }
 }
@@ -172,7 +173,7 @@ impl Strand {
             state,
             root_move: None,
             energies: Energies::default(),
-            fared: Fared::well(),
+            fared: Fared::default(),
             holds: Holds::No,
             touched: false,
             contact: None,
@@ -180,6 +181,17 @@ impl Strand {
             astray: None,
             frozen: None,
         }
+    }
+
+    /// Where the root is at the start and the end of the coming `h` seconds.
+    pub fn root_during(&self, h: f64) -> [Frame; 2] {
+        [self.state.root, root_after(&self.root_move, &self.state.root, h)]
+    }
+
+    /// A box around all that its surface may reach while the root goes from place to place.
+    pub fn reach(&self, contact: &StrandContact, root: &[Frame; 2]) -> Bounds {
+        let reach = Vector3::repeat(self.model.length() + contact.radius);
+        Bounds::around(root[0].origin, reach).union(&Bounds::around(root[1].origin, reach))
     }
 
     /// Whether it is taken through this substep with what may hold it.

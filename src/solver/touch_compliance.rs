@@ -210,8 +210,7 @@ impl Solver {
             if !all.meets(&around) {
                 continue;
             }
-            let meets =
-                |body: &BodyAt| body.meets(contact.groups, contact.mask) && body.bounds.grown(body.thickness).meets(&around);
+            let meets = |body: &BodyAt| body.meets(contact.groups, contact.mask) && body.is_near(&around);
             if !bodies.iter().any(meets) {
                 continue;
             }

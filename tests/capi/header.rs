@@ -26,7 +26,7 @@ const SUBJECTS: [(&str, &[&str]); 32] = [
     ("Overlaps", &["overlaps", "push_out"]),
     ("Constraints", &["constraints"]),
     ("Haptics", &["haptic_def", "haptic"]),
-    ("Styling tools", &["styling", "ring_comb"]),
+    ("Styling tools", &["styling_tool", "styling", "ring_comb"]),
     ("Snapshots", &["state"]),
     ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),
     ("Choosing settings", &["settings"]),

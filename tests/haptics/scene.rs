@@ -21,6 +21,24 @@ pub const TICK: f64 = 1e-3;
 pub const OUTSIDE: f64 = -0.06;
 const TEETH: usize = 7;
 
+/// The follicle of a hair: 2 mm from the next, in rows of 20. The tangent, the first axis, hangs down; and each hair is turned about it otherwise.
+pub fn follicle(k: usize) -> Frame {
+    let origin = Vector3::new(4e-3 * (k / 20) as f64, 2e-3 * (k % 20) as f64, 0.0);
+    let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.5 * PI);
+    let about = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.7 * k as f64);
+    Frame { origin, rotation: down * about }
+}
+
+/// The teeth of the comb, 6 mm apart.
+pub fn comb(pose: Frame) -> Vec<BodyDef> {
+    let tooth = |k: usize| {
+        let end = |x: f64| Vector3::new(x, 6e-3 * (k as f64 - 0.5 * (TEETH - 1) as f64), 0.0);
+        let shape = Shape::new_capsule(end(-0.03), end(0.05), 1e-3).unwrap();
+        BodyDef { pose, ..BodyDef::new(Arc::new(shape)) }
+    };
+    (0..TEETH).map(tooth).collect()
+}
+
 /// `strands` hairs of 15 cm and five elements, 2 mm from each other in rows of 20, of some natural curvature, at rest; and the teeth.
 pub fn combed_hair(strands: usize, curvature: f64) -> (Solver, Vec<BodyId>) {
     combed_strands(strands, curvature, Material::default().radius)
@@ -36,22 +54,13 @@ pub fn combed_strands(strands: usize, curvature: f64, radius: [f64; 2]) -> (Solv
             let mut def = StrandDef::straight(0.15, 5);
             def.natural = vec![[0.0, curvature, 0.3 * curvature]; 5];
             def.material = Material { radius, viscosity: 2e-3, air_drag: 1e-5, internal_friction: 1e-10, ..Material::default() };
-            let origin = Vector3::new(4e-3 * (k / 20) as f64, 2e-3 * (k % 20) as f64, 0.0);
-            // The tangent, the first axis, hangs down; and each hair is turned about it otherwise.
-            let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.5 * PI);
-            let about = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.7 * k as f64);
-            def.root = Frame { origin, rotation: down * about };
+            def.root = follicle(k);
             def
         })
         .collect();
     let ids = solver.add_strands(&defs).unwrap();
     solver.set_contact(&ids, Some(&StrandContact { exempt_length: 0.01, ..StrandContact::default() })).unwrap();
-    let tooth = |k: usize| {
-        let end = |x: f64| Vector3::new(x, 6e-3 * (k as f64 - 0.5 * (TEETH - 1) as f64), 0.0);
-        let shape = Shape::new_capsule(end(-0.03), end(0.05), 1e-3).unwrap();
-        BodyDef { pose: stroke(0.0), ..BodyDef::new(Arc::new(shape)) }
-    };
-    let teeth = solver.add_bodies((0..TEETH).map(tooth).collect()).unwrap();
+    let teeth = solver.add_bodies(comb(stroke(0.0))).unwrap();
     for _ in 0..60 {
         solver.step(1.0 / 60.0, 1).unwrap();
     }

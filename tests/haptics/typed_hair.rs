@@ -1,12 +1,9 @@
 //! Hair of a measured type under a comb.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
-use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
+use nalgebra::Vector3;
 use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
 use superhelix::groom::hair_parameters::CurlFormula;
 use superhelix::groom::hair_type::HairType;
 use superhelix::math::frame::Frame;
@@ -15,7 +12,7 @@ use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::solver::id::BodyId;
 
-use super::scene::stroke;
+use super::scene::{comb, follicle, stroke};
 
 const STRANDS: usize = 40;
 const LENGTH: f64 = 0.15;
@@ -42,21 +39,13 @@ pub fn hair(hair_type: HairType) -> (Solver, Vec<BodyId>) {
             def.natural = vec![parameters.natural; elements];
             // What else damps hair, for all types alike.
             def.material = Material { viscosity: 2e-3, ..parameters.material };
-            let origin = Vector3::new(4e-3 * (k / 20) as f64, 2e-3 * (k % 20) as f64, 0.0);
-            let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.5 * PI);
-            let about = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.7 * k as f64);
-            def.root = Frame { origin, rotation: down * about };
+            def.root = follicle(k);
             def
         })
         .collect();
     let ids = solver.add_strands(&defs).expect("strands");
     solver.set_contact(&ids, Some(&StrandContact { exempt_length: 5e-3, ..parameters.contact() })).expect("contact");
-    let tooth = |k: usize| {
-        let end = |x: f64| Vector3::new(x, 6e-3 * (k as f64 - 3.0), 0.0);
-        let shape = Shape::new_capsule(end(-0.03), end(0.05), 1e-3).expect("a tooth");
-        BodyDef { pose: stroke_of(0.0), ..BodyDef::new(Arc::new(shape)) }
-    };
-    let teeth = solver.add_bodies((0..7).map(tooth).collect()).expect("teeth");
+    let teeth = solver.add_bodies(comb(stroke_of(0.0))).expect("teeth");
     for _ in 0..240 {
         solver.step(1.0 / 60.0, 1).expect("a step");
     }

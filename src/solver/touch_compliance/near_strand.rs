@@ -63,7 +63,7 @@ impl NearStrand {
         element_states(rotation_matrix(&state.root), model.lengths.iter().copied(), &state.curvatures, &mut self.elements);
         let curve = StrandCurve { origin: state.root.origin, elements: &self.elements };
         let around = around(&curve).grown(contact.radius + within);
-        let met = |body: &BodyAt| body.meets(contact.groups, contact.mask) && body.bounds.grown(body.thickness).meets(&around);
+        let met = |body: &BodyAt| body.meets(contact.groups, contact.mask) && body.is_near(&around);
         self.search.find(&curve, [contact.exempt_length, contact.radius, within], bodies, met);
         self.list_contacts(strand, contact, bodies, held);
         if self.search.found.is_empty() && self.places.iter().all(|place| place.touch.is_none()) {

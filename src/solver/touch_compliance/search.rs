@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 
 use crate::contact::body::BodyAt;
 use crate::contact::touch::StrandCurve;
+use crate::rod::strand::place_on;
 
 /// Points along a strand are no further apart than this, m, and turn by no more than this, rad, from one to the next.
 const SPACING: f64 = 8e-3;
@@ -120,19 +121,6 @@ impl Search {
     }
 }
 
-/// Which element an arclength is on, and where on it.
-fn place(curve: &StrandCurve, along: f64) -> (usize, f64) {
-    let mut left = along;
-    let last = curve.elements.len() - 1;
-    for (element, state) in curve.elements[..last].iter().enumerate() {
-        if left <= state.length {
-            return (element, left.max(0.0));
-        }
-        left -= state.length;
-    }
-    (last, left.clamp(0.0, curve.elements[last].length))
-}
-
 /// The lowest place between two arclengths, from a point between them on: its arclength, the distance and the normal (world) there.
 fn lowest(
     curve: &StrandCurve,
@@ -153,7 +141,7 @@ fn lowest(
         if slope.abs() <= LEVEL || to == along {
             break;
         }
-        let (element, s) = place(curve, to);
+        let (element, s) = place_on(curve.elements.iter().map(|element| element.length), to);
         let Some((distance, normal, there)) = look(element, s, curve.position(element, s)) else { break };
         if distance < best.1 {
             best = (to, distance, normal);

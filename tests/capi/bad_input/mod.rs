@@ -76,6 +76,7 @@ use superhelix::capi::step_limits::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
 use superhelix::capi::styling::*;
+use superhelix::capi::styling_tool::*;
 use superhelix::capi::suggest::*;
 use superhelix::capi::types::*;
 use superhelix::capi::wisp::*;
