@@ -21,9 +21,12 @@ use crate::step::state::{StrandState, rotation_matrix};
 /// What elements are assumed to turn by: their present rates times this, and over the whole length so much more, rad, for what weight and a head
 /// that starts or stops add within a usual substep.
 const TURNING: f64 = 1.5;
-const SPARE_TURN: f64 = 0.02;
+const SPARE_TURN: f64 = 0.005;
+/// A strand that a body cannot drive in by more than this part of what contact tolerates is out of its reach: where it grows out of a head, or lies
+/// on it as it was drawn, its distance is zero, and its displacement nearly so.
+const SLACK: f64 = 0.2;
 /// Most places of a strand at which the distance from a body is measured.
-const MOST_PLACES: u32 = 64;
+const MOST_PLACES: u32 = 128;
 /// Most pieces of an element that wait to be measured: halves of halves.
 const MOST_PIECES: usize = 12;
 
@@ -169,7 +172,7 @@ impl Clearance<'_> {
     fn is_enough_along(&self, element: usize, start: f64, displacement: f64, places: &mut u32) -> bool {
         let (length, slope) = (self.strand.model.lengths[element], self.body.shape.distance_slope());
         let exempt = (self.contact.exempt_length - start).max(0.0);
-        let needed = self.contact.radius + self.tolerance + slope * displacement;
+        let needed = self.contact.radius + slope * displacement - SLACK * self.tolerance;
         let (mut pieces, mut count) = ([[0.0; 2]; MOST_PIECES], usize::from(exempt < length));
         pieces[0] = [exempt, length];
         while count > 0 {
