@@ -93,15 +93,14 @@ def test_wedges_in_parts_give_what_a_serial_run_in_one_part_gives(client: Any, t
 
 @needs_binary
 def test_a_scene_whose_worker_is_killed_is_run_to_the_same_end(client: Any, tmp_path: Path) -> None:
-    # Long enough to be killed on the way.
-    long = scene(duration=3.0, strands=60)
+    # A part takes hundreds of times as long as its killer looks away.
+    long = scene(duration=12.0, strands=60)
     killed: list[int] = []
 
     def kill() -> None:
         part = tmp_path / "farm" / "long" / "part001.attempts"
         while not part.exists() or not part.read_text(encoding="utf-8").endswith("\n"):
-            time.sleep(0.01)
-        time.sleep(0.1)
+            time.sleep(0.001)
         pid = int(part.read_text(encoding="utf-8").split()[-1])
         os.kill(pid, signal.SIGKILL)
         killed.append(pid)
