@@ -31,6 +31,7 @@ mod overlooked;
 mod partition;
 mod parts;
 mod patch;
+pub mod path_clearance;
 pub mod pieces;
 mod pushing;
 mod rank;

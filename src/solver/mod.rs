@@ -4,7 +4,6 @@ mod astray;
 pub mod bodies;
 mod bringing_out;
 mod bulk_sampling;
-mod clearance;
 pub mod clips;
 pub mod constraints;
 mod crossing;
@@ -36,6 +35,7 @@ mod stepping;
 mod strand;
 pub mod touch_compliance;
 mod touching;
+mod trial_steps;
 mod trimming;
 mod workers;
 

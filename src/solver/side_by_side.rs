@@ -14,10 +14,26 @@ use crate::step::members::{Kind, Members};
 use crate::step::options::Integrator;
 use crate::step::scratch::Scratch;
 use crate::step::state::StrandState;
-use crate::step::{self, Setting, packs, subdivision};
+use crate::step::{self, Setting, StrandOutcome, packs, subdivision};
 
 /// The most strands of a task: so many fill packs where kinds are mixed, and their states stay in a core's cache between substeps.
 pub(super) const MAX_TASK: usize = 256;
+
+/// Counts strands' steps. Those on trial are put down by their places, to be counted if they stand.
+pub(super) struct TrialTally<'a> {
+    pub all: &'a mut Tally,
+    pub on_trial: &'a mut [StrandOutcome],
+}
+
+impl TrialTally<'_> {
+    fn add(&mut self, index: usize, strand: &Strand, outcome: &StrandOutcome) {
+        if strand.holds == Holds::OnTrial {
+            self.on_trial[index] = *outcome;
+        } else {
+            self.all.add(outcome);
+        }
+    }
+}
 
 /// Takes strands, at most [`MAX_TASK`], through a step of `h` seconds; those that are held go another way (`holding`). Where `meter` has halted it
 /// before, they go along with their roots.
@@ -26,7 +42,7 @@ pub(super) fn take(
     setting: &Setting,
     h: f64,
     set: InstructionSet,
-    tally: &mut Tally,
+    tally: &mut TrialTally,
     scratch: &mut Scratch,
     meter: &Meter,
 ) {
@@ -35,7 +51,7 @@ pub(super) fn take(
     for index in &aside {
         let strand = &mut strands[*index];
         let stays = strand.frozen.is_some();
-        tally.add(&if stays {
+        tally.all.add(&if stays {
             strand.stay(setting.surroundings.gravity.into(), h, setting.rules)
         } else {
             strand.go_back(h, setting.rules)
@@ -54,13 +70,14 @@ fn take_present(
     setting: &Setting,
     h: f64,
     set: InstructionSet,
-    tally: &mut Tally,
+    tally: &mut TrialTally,
     scratch: &mut Scratch,
     meter: &Meter,
 ) {
     if meter.is_halted() {
-        for strand in strands.iter_mut().filter(|strand| !strand.is_held()) {
-            tally.add(&strand.go_with_root(h, &[]));
+        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.is_held()) {
+            let outcome = strand.go_with_root(h, &[]);
+            tally.add(index, strand, &outcome);
         }
         return;
     }
@@ -69,17 +86,23 @@ fn take_present(
         strand.begin_root_way(h);
     }
     if width == 1 || setting.options.integrator == Integrator::Reference || !setting.options.is_linear_time() {
-        for strand in strands.iter_mut().filter(|strand| !strand.is_held()) {
-            take_one(strand, setting, h, tally, scratch);
+        for index in 0..strands.len() {
+            if !strands[index].is_held() {
+                take_one(strands, index, setting, h, tally, scratch);
+            }
         }
         return;
     }
     let levels = subdivision::levels(setting.options);
     let mut order = [(Kind::default(), 0_u32, 0_u32); MAX_TASK];
     let mut count = 0;
-    for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| !strand.is_held()) {
+    for index in 0..strands.len() {
+        let strand = &strands[index];
+        if strand.is_held() {
+            continue;
+        }
         if strand.state.subdivision.min(levels) > 0 {
-            take_one(strand, setting, h, tally, scratch);
+            take_one(strands, index, setting, h, tally, scratch);
         } else {
             let kind = Kind::of(&strand.model, &strand.state, setting.options.integrator, h);
             order[count] = (kind, strand.fared.iterations, index as u32);
@@ -120,11 +143,11 @@ fn take_pack(
     setting: &Setting,
     h: f64,
     set: InstructionSet,
-    tally: &mut Tally,
+    tally: &mut TrialTally,
     scratch: &mut Scratch,
 ) {
     if let [(_, _, index)] = pack {
-        return take_one(&mut strands[*index as usize], setting, h, tally, scratch);
+        return take_one(strands, *index as usize, setting, h, tally, scratch);
     }
     let mut indices = [0; MAX_LANES];
     for (lane, (_, _, index)) in pack.iter().enumerate() {
@@ -135,14 +158,15 @@ fn take_pack(
     for (index, outcome) in indices[..pack.len()].iter().zip(&outcomes) {
         let strand = &mut strands[*index];
         let outcome = strand.with_one(|one| step::finish(setting, one, h, outcome, scratch));
-        tally.add(&outcome);
+        tally.add(*index, strand, &outcome);
         strand.ended(outcome, setting, h, &[], scratch);
     }
 }
 
-fn take_one(strand: &mut Strand, setting: &Setting, h: f64, tally: &mut Tally, scratch: &mut Scratch) {
+fn take_one(strands: &mut [Strand], index: usize, setting: &Setting, h: f64, tally: &mut TrialTally, scratch: &mut Scratch) {
+    let strand = &mut strands[index];
     let outcome = strand.with_one(|one| step::take(setting, one, h, scratch));
-    tally.add(&outcome);
+    tally.add(index, strand, &outcome);
     strand.ended(outcome, setting, h, &[], scratch);
 }
 

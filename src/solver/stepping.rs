@@ -9,7 +9,7 @@ use super::constraints::ConstraintStatus;
 use super::holding::{Account, Beside, ContactTally, Holding, Scene};
 use super::id::BodyId;
 use super::report::{StepReport, Wrench};
-use super::side_by_side;
+use super::side_by_side::{self, TrialTally};
 use super::strand::{Holds, Tally};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
@@ -176,7 +176,8 @@ impl Solver {
             for substep in 0..clock.substeps {
                 let halted = meter.is_halted();
                 let h = if halted { h * f64::from(clock.substeps - substep) } else { h };
-                side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step, &meter);
+                let mut counts = TrialTally { all: &mut tally, on_trial: &mut [] };
+                side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, &meter);
                 if halted {
                     break;
                 }
@@ -293,11 +294,12 @@ impl Solver {
         self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             if are_near {
-                scratch.out_of_reach.release(strands, &bodies, tolerance, h, meter);
+                scratch.trial_steps.begin(strands, h, meter);
             }
-            side_by_side::take(strands, &setting, h, set, &mut tally, &mut scratch.step, meter);
+            let mut counts = TrialTally { all: &mut tally, on_trial: scratch.trial_steps.outcomes() };
+            side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, meter);
             if are_near {
-                scratch.out_of_reach.roll_back(strands, &mut tally);
+                scratch.trial_steps.end(strands, &bodies, tolerance, &mut tally);
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });

@@ -63,6 +63,8 @@ pub(super) enum Holds {
     No,
     /// Only a body may that is near.
     Perhaps,
+    /// The same, and it tries a step side by side with others.
+    OnTrial,
     /// Something does, or may for more reasons than that.
     Yes,
 }
@@ -122,13 +124,6 @@ impl Tally {
         self.subdivided += u32::from(outcome.substeps > 1);
         self.error = self.error.max(outcome.error);
         self.left += u32::from(outcome.left);
-    }
-
-    /// Counts one no more, but for the largest values.
-    pub fn take_back(&mut self, fared: &Fared) {
-        self.iterations -= u64::from(fared.iterations);
-        self.quarantined -= u32::from(fared.quarantined);
-        self.unconverged -= u32::from(!fared.converged && !fared.quarantined);
     }
 
     /// Counts other strands' substeps.
@@ -196,7 +191,7 @@ impl Strand {
 
     /// Whether it is taken through this substep with what may hold it.
     pub fn is_held(&self) -> bool {
-        self.holds != Holds::No
+        matches!(self.holds, Holds::Perhaps | Holds::Yes)
     }
 
     pub fn status(&self) -> StrandStatus {

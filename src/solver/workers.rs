@@ -1,6 +1,6 @@
 //! Who runs the strands of a step.
 
-use super::clearance::OutOfReach;
+use super::trial_steps::TrialSteps;
 use crate::contact::island_problem::ProblemScratch;
 use crate::step;
 
@@ -12,7 +12,7 @@ pub(super) struct Scratch {
     /// For islands of held strands, one at a time.
     pub problem: ProblemScratch,
     /// For strands that are near bodies, one task at a time.
-    pub out_of_reach: OutOfReach,
+    pub trial_steps: TrialSteps,
 }
 
 /// Workers with the scratch memory of a step.

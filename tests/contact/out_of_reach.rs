@@ -1,5 +1,4 @@
-//! Strands that a body is near and cannot reach within a step go as if it were not there, at the price of that; when something unforeseen brings
-//! them to it after all, it stops them.
+//! Strands that a body is near step as if it were not there, at the price of that; where this brings them to it, it stops them.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -148,7 +147,8 @@ fn a_sudden_start_takes_no_strand_into_the_body() {
                 let depth = depth(&solver, &ids, &pose);
                 assert!(depth < DEEP, "{grid} {shift} step {step}: {depth:e} m deep, {report:?}");
             }
-            assert!(free_steps < 20, "nothing came near: the scene asks nothing");
+            let is_reached = free_steps < 20;
+            assert_eq!(is_reached, stiffness < 1e10, "{grid} {shift} {stiffness:e}: {free_steps} steps without contact");
         }
     }
 }

@@ -1,0 +1,108 @@
+//! Strands that a body is near step as if it were not, side by side with those that nothing is near; where that brings a strand to the body, it is
+//! rolled back and steps as one that may touch.
+//!
+//! A free step that touches nothing is the step with contact: no force acts. The state alone decides who tries it: a snapshot goes on to the same bits.
+
+use super::report::Energies;
+use super::strand::{Fared, Holds, Strand, Tally};
+use crate::contact::body::BodyAt;
+use crate::contact::path_clearance::{self, FreePath};
+use crate::math::frame::Frame;
+use crate::math::rotation::PoseMove;
+use crate::meter::Meter;
+use crate::step::StrandOutcome;
+use crate::step::state::StrandState;
+
+/// A strand that is in a body by no more than this part of what contact tolerates touches nothing: where it grows out of a head, or lies on it as it
+/// was drawn, its distance is zero.
+const SLACK: f64 = 0.2;
+
+/// The strands of one task that try a free step.
+#[derive(Debug, Default)]
+pub(super) struct TrialSteps {
+    saved: Vec<Saved>,
+    count: usize,
+    /// How the trials went, by the strands' places in the task.
+    outcomes: Vec<StrandOutcome>,
+    path: path_clearance::Scratch,
+}
+
+/// A strand as it was before the substep.
+#[derive(Debug, Default)]
+struct Saved {
+    /// Among the task's strands.
+    index: usize,
+    state: StrandState,
+    energies: Energies,
+    fared: Fared,
+    root_move: Option<(PoseMove, f64)>,
+    /// Where the root was, and where it went.
+    root: [Frame; 2],
+}
+
+impl TrialSteps {
+    /// Before a substep of `h` seconds: those of a task's strands that only a near body may hold try a free step, but for those that it pressed last.
+    /// When the meter has halted the substep none does.
+    pub fn begin(&mut self, strands: &mut [Strand], h: f64, meter: &Meter) {
+        self.count = 0;
+        self.outcomes.resize_with(strands.len(), StrandOutcome::default);
+        if meter.is_halted() {
+            return;
+        }
+        for (index, strand) in strands.iter_mut().enumerate().filter(|(_, strand)| strand.holds == Holds::Perhaps) {
+            // (The step after one that pressed is taken by another formula than the free one.)
+            if strand.touched || strand.astray.is_some() {
+                continue;
+            }
+            strand.holds = Holds::OnTrial;
+            if self.count == self.saved.len() {
+                self.saved.push(Saved::default());
+            }
+            let saved = &mut self.saved[self.count];
+            saved.state.clone_from(&strand.state);
+            (saved.index, saved.energies, saved.fared) = (index, strand.energies, strand.fared);
+            (saved.root, saved.root_move) = (strand.root_during(h), strand.root_move.as_deref().cloned());
+            self.count += 1;
+        }
+    }
+
+    /// How the trials go.
+    pub fn outcomes(&mut self) -> &mut [StrandOutcome] {
+        &mut self.outcomes
+    }
+
+    /// After it: counts the steps of those that stayed clear of all `bodies`, and rolls the others back, which a body may hold again.
+    /// `tolerance`: how deep contact may be, m.
+    pub fn end(&mut self, strands: &mut [Strand], bodies: &[BodyAt], tolerance: f64, tally: &mut Tally) {
+        let Self { saved, count, outcomes, path } = self;
+        for saved in &mut saved[..*count] {
+            let (strand, outcome) = (&mut strands[saved.index], &outcomes[saved.index]);
+            if !outcome.quarantined && saved.stayed_clear(strand, bodies, SLACK * tolerance, path) {
+                tally.add(outcome);
+                strand.holds = Holds::No;
+                continue;
+            }
+            std::mem::swap(&mut strand.state, &mut saved.state);
+            (strand.energies, strand.fared, strand.astray) = (saved.energies, saved.fared, None);
+            strand.root_move = saved.root_move.take().map(Box::new);
+            strand.holds = Holds::Perhaps;
+        }
+    }
+}
+
+impl Saved {
+    fn stayed_clear(&self, strand: &Strand, bodies: &[BodyAt], spare: f64, scratch: &mut path_clearance::Scratch) -> bool {
+        let Some(contact) = strand.contact.as_deref() else { return true };
+        let path = FreePath {
+            lengths: &strand.model.lengths,
+            root: self.root,
+            curvatures: [&self.state.curvatures, &strand.state.curvatures],
+            exempt: contact.exempt_length,
+            radius: contact.radius,
+            allowance: strand.allowance.as_deref(),
+        };
+        let around = strand.reach(contact, &self.root);
+        let mut near = bodies.iter().filter(|body| body.meets(contact.groups, contact.mask) && body.is_near(&around));
+        near.all(|body| path.is_clear_of(body, spare, scratch))
+    }
+}
