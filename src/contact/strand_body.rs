@@ -189,7 +189,7 @@ impl Search<'_, '_> {
         // All of the element on all of its way.
         let clear = match &shape.0 {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.bounds().distance(&centre) > far,
-            _ => shape.distance(centre, far) > far,
+            _ => shape.distance(centre, far) >= far,
         };
         if clear {
             self.inside = Some(false);

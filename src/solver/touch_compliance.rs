@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use near_strand::NearStrand;
+use near_strand::{Answer, NearStrand};
 
 use super::Solver;
 use super::bodies::{Contact, ContactPartner};
@@ -87,6 +87,10 @@ pub struct TouchCompliance {
     /// The first `near_count` are in use; the rest is kept for its memory.
     near: Vec<NearStrand>,
     near_count: usize,
+    /// Memory for strands that have touches.
+    answers: Vec<Box<Answer>>,
+    /// The most places of a strand so far, rounded up: there is room for so many wherever a strand is listed.
+    most_places: usize,
     contacts: Vec<(u32, f64, Contact)>,
 }
 
@@ -184,8 +188,17 @@ impl Solver {
         out.seconds = seconds;
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
-        self.crew.for_each_task(&mut out.near[..out.near_count], TASK, usize::MAX, |strands, _| {
-            for near in strands.iter_mut().filter(|near| near.places.iter().any(|place| place.touch.is_some())) {
+        let near = &mut out.near[..out.near_count];
+        let most = near.iter().map(|near| near.places.len()).max().unwrap_or(0);
+        if most > out.most_places {
+            out.most_places = most.next_power_of_two();
+        }
+        for near in near.iter_mut() {
+            near.answer = if near.has_touches() { Some(out.answers.pop().unwrap_or_default()) } else { None };
+            near.make_room(out.most_places);
+        }
+        self.crew.for_each_task(near, TASK, usize::MAX, |strands, _| {
+            for near in strands.iter_mut().filter(|near| near.has_touches()) {
                 near.condense(&self.strands[near.index as usize], &setting, seconds);
                 if !near.is_finite() {
                     near.places.clear();
@@ -193,9 +206,12 @@ impl Solver {
             }
         });
         out.list();
-        let TouchCompliance { near, near_count, response, .. } = out;
+        let TouchCompliance { near, near_count, response, answers, .. } = out;
         response.clear();
-        near[..*near_count].iter().for_each(|near| near.write(response));
+        for near in &mut near[..*near_count] {
+            near.write(response);
+            answers.extend(near.answer.take());
+        }
         Ok(())
     }
 

@@ -151,6 +151,18 @@ impl Held {
         self.spring = 0.0;
     }
 
+    /// Makes room for so many stations.
+    pub fn make_room(&mut self, stations: usize) {
+        fn reserve<T>(list: &mut Vec<T>, count: usize) {
+            list.reserve(count.saturating_sub(list.len()));
+        }
+        reserve(&mut self.stations, stations);
+        reserve(&mut self.loads, stations);
+        reserve(&mut self.forces, stations);
+        reserve(&mut self.free, stations);
+        reserve(&mut self.delassus.columns, 9 * stations * stations);
+    }
+
     /// The strand as the step found it: where its root was, and its elements from there.
     pub fn start(&self) -> (Vector3<f64>, &[ElementState<f64>]) {
         (self.start_origin, &self.start)

@@ -185,7 +185,7 @@ impl Shape {
     pub(in crate::contact) fn distance(&self, point: Vector3<f64>, within: f64) -> f64 {
         match &self.0 {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.closest(point, within).map_or(within, |surface| surface.distance),
-            Kind::Grid(grid) => grid.closest(point).map_or_else(|| grid.clearance(&point), |surface| surface.distance),
+            Kind::Grid(grid) => grid.distance(point, within, self.distance_slope()),
             _ => self.closest_smooth(point).distance,
         }
     }

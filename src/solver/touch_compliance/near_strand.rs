@@ -43,14 +43,32 @@ pub(super) struct HeldPlace {
 pub(super) struct NearStrand {
     /// Its index in the solver.
     pub index: u32,
-    /// Its own copy, for the step that is begun with it.
-    state: StrandState,
     elements: Vec<ElementState<f64>>,
     search: Search,
     pub places: Vec<HeldPlace>,
+    /// How its places answer, while that is worked out.
+    pub answer: Option<Box<Answer>>,
+}
+
+/// How a strand's places answer, and the memory for it.
+#[derive(Debug, Default)]
+pub(super) struct Answer {
+    /// Its own copy of the strand's state, for the step that is begun with it.
+    state: StrandState,
     held: Held,
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
+}
+
+impl Answer {
+    /// Makes room for so many places.
+    fn make_room(&mut self, most: usize) {
+        self.stations.clear();
+        self.stations.reserve(most);
+        self.forces.clear();
+        self.forces.reserve(most);
+        self.held.make_room(most);
+    }
 }
 
 impl NearStrand {
@@ -75,6 +93,20 @@ impl NearStrand {
         self.places.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
     }
 
+    /// Makes room for so many places, lest whoever comes to them allocate.
+    pub fn make_room(&mut self, most: usize) {
+        self.search.found.reserve(most.saturating_sub(self.search.found.len()));
+        self.places.reserve(most.saturating_sub(self.places.len()));
+        if let Some(answer) = &mut self.answer {
+            answer.make_room(most);
+        }
+    }
+
+    /// Whether one of its places touches a body, or soon may.
+    pub fn has_touches(&self) -> bool {
+        self.places.iter().any(|place| place.touch.is_some())
+    }
+
     /// A place on it.
     fn place(&self, strand: &Strand, along: f64, force: Vector3<f64>) -> HeldPlace {
         HeldPlace { station: station_at(&strand.model, along), along, force: force.into(), touch: None }
@@ -97,8 +129,9 @@ impl NearStrand {
 
     /// Works out how its places answer.
     pub fn condense(&mut self, strand: &Strand, setting: &Setting, seconds: f64) {
-        self.state.clone_from(&strand.state);
-        let Self { held, stations, forces, places, elements, state, .. } = self;
+        let Self { answer, places, elements, .. } = self;
+        let Answer { state, held, stations, forces } = &mut **answer.get_or_insert_default();
+        state.clone_from(&strand.state);
         stations.clear();
         stations.extend(places.iter().map(|place| place.station));
         forces.clear();
@@ -130,16 +163,22 @@ impl NearStrand {
     pub fn is_finite(&self) -> bool {
         let told = self.places.iter().filter_map(|place| place.touch.as_ref());
         let mut moved = told.map(|touch| touch.moved);
-        moved.all(|moved| moved.iter().all(|x| x.is_finite())) && self.held.delassus.columns.iter().all(|x| x.is_finite())
+        moved.all(|moved| moved.iter().all(|x| x.is_finite())) && self.columns().iter().all(|x| x.is_finite())
+    }
+
+    /// The matrix of all places.
+    fn columns(&self) -> &[f64] {
+        self.answer.as_ref().map_or(&[], |answer| &answer.held.delassus.columns)
     }
 
     /// The matrix's rows and columns of the touches alone.
     pub fn write(&self, out: &mut Vec<f64>) {
+        let columns = self.columns();
         let size = 3 * self.places.len();
         let rows =
             || self.places.iter().enumerate().filter(|(_, place)| place.touch.is_some()).flat_map(|(k, _)| 3 * k..3 * k + 3);
         for column in rows() {
-            out.extend(rows().map(|row| self.held.delassus.columns[column * size + row]));
+            out.extend(rows().map(|row| columns[column * size + row]));
         }
     }
 
