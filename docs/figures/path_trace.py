@@ -115,7 +115,8 @@ def scene_of(shapes, middle, options):
 
 def one_pass(result, samples, seed, shapes, middle, options):
     """Renders a few samples a pixel into the file `result`."""
-    scene = mi.load_dict(scene_of(shapes, middle, options))
+    # Loaded in parallel the shapes come in any order, and their numbers with them: the mean over the passes would tell none.
+    scene = mi.load_dict(scene_of(shapes, middle, options), parallel=False)
     np.save(result, np.array(mi.render(scene, spp=samples, seed=seed)))
 
 

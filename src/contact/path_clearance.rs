@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 
 use super::allowance::Allowance;
 use super::body::BodyAt;
+use super::shape::Sides;
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::math::vector::{Mat3, Vec3};
@@ -77,12 +78,26 @@ impl Element<'_> {
     }
 }
 
+/// Whether distances tell that a strand is clear of a body: not of a mesh that deforms, and not of one that acts on one side, behind which
+/// distances jump.
+pub fn can_tell(body: &BodyAt) -> bool {
+    !body.deforms() && body.shape.mesh().is_none_or(|mesh| !matches!(mesh.sides(), Sides::Front { .. }))
+}
+
 impl FreePath<'_> {
-    /// Whether no point of it was ever deeper in a body than `spare` metres. False where that takes long to tell, and beside a mesh that deforms.
+    /// Whether no point of it was ever deeper in a body than `spare` metres, and what it may be sunk. False where that takes long to tell, and beside a
+    /// body of which it cannot be told ([`can_tell`]).
     pub fn is_clear_of(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
-        if body.deforms() {
+        if !can_tell(body) {
             return false;
         }
+        // A sheet has no inside to be in: what goes through it is on its other side.
+        let is_sheet = body.shape.mesh().is_some_and(|mesh| mesh.sides() == Sides::Both);
+        let (path, spare) = if is_sheet { (Self { allowance: None, ..*self }, 0.0) } else { (*self, spare) };
+        path.stays_out(body, spare, scratch)
+    }
+
+    fn stays_out(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
         let roots = [body.start.inverse().compose(&self.root[0]), body.end.inverse().compose(&self.root[1])];
         self.place(&roots, 1, scratch);
         self.find_near(&roots, body, spare, scratch);
@@ -178,5 +193,109 @@ impl FreePath<'_> {
             }
         }
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::UnitQuaternion;
+
+    use super::*;
+    use crate::contact::shape::{DistanceGrid, Shape};
+
+    const LENGTH: f64 = 0.1;
+    const RADIUS: f64 = 5e-5;
+
+    /// Whether a straight strand along x that goes from place to place stays clear of a body that goes from pose to pose.
+    fn is_clear(shape: &Shape, way: [Vector3<f64>; 2], radius: f64, allowance: Option<&Allowance>, poses: [Frame; 2]) -> bool {
+        let rows = [[0.0; 3]; 4];
+        let root = way.map(|origin| Frame { origin, ..Frame::default() });
+        let path = FreePath { lengths: &[LENGTH / 4.0; 4], root, curvatures: [&rows, &rows], exempt: 0.01, radius, allowance };
+        path.is_clear_of(&BodyAt::new(0, shape, poses[0], poses[1], 0.0), 1e-5, &mut Scratch::default())
+    }
+
+    fn still(shape: &Shape, way: [Vector3<f64>; 2]) -> bool {
+        is_clear(shape, way, RADIUS, None, [Frame::default(); 2])
+    }
+
+    fn at(x: f64, y: f64, z: f64) -> Vector3<f64> {
+        Vector3::new(x, y, z)
+    }
+
+    /// A square of 0.4 m in the plane z = 0.
+    fn square(sides: Sides) -> Shape {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[x, y]| at(0.2 * x, 0.2 * y, 0.0));
+        Shape::new_mesh(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], sides).unwrap()
+    }
+
+    /// A ball of 3 cm about (0.05, 0, 0), as it is and as a grid.
+    fn balls() -> [Shape; 2] {
+        let (count, cell) = (40_u32, 4e-3);
+        let low = Vector3::repeat(-0.5 * cell * f64::from(count - 1));
+        let node = |k: u32| low + at(f64::from(k % count), f64::from(k / count % count), f64::from(k / (count * count))) * cell;
+        let values: Vec<f32> = (0..count.pow(3)).map(|k| (node(k).norm() - 0.03) as f32).collect();
+        let grid = DistanceGrid::from_parts(low, cell, 0.03, [count; 3], values.into()).unwrap();
+        [Shape::new_sphere(0.03).unwrap(), Shape::new_grid(grid)]
+    }
+
+    #[test]
+    fn a_ball_is_passed_by_and_met() {
+        for ball in balls() {
+            let pose = [Frame { origin: at(0.05, 0.0, 0.0), ..Frame::default() }; 2];
+            let meets = |from: Vector3<f64>, to: Vector3<f64>| !is_clear(&ball, [from, to], RADIUS, None, pose);
+            assert!(!meets(at(0.0, 0.0, 0.033), at(0.0, 0.01, 0.033)));
+            assert!(!meets(at(0.0, -0.05, 0.038), at(0.0, 0.05, 0.038)));
+            assert!(meets(at(0.0, 0.0, 0.031), at(0.0, 0.0, 0.0299)));
+            assert!(meets(at(0.0, 0.0, 0.0299), at(0.0, 0.0, 0.031)));
+            // All the way through, and clear of it before and after.
+            assert!(meets(at(0.0, -0.05, 0.01), at(0.0, 0.05, 0.01)));
+            // What is exempt meets nothing.
+            assert!(!meets(at(0.0705, 0.0, 0.0), at(0.0705, 0.0, 0.0)) && meets(at(0.0685, 0.0, 0.0), at(0.0685, 0.0, 0.0)));
+        }
+    }
+
+    #[test]
+    fn a_body_that_comes_meets_it_too() {
+        for ball in balls() {
+            let strand = [at(0.0, 0.0, 0.05); 2];
+            let goes = |to: Vector3<f64>, angle: f64| {
+                let rotation = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle);
+                let poses = [Frame { origin: at(0.05, 0.0, 0.0), ..Frame::default() }, Frame { origin: to, rotation }];
+                is_clear(&ball, strand, RADIUS, None, poses)
+            };
+            assert!(goes(at(0.05, 0.0, 0.0197), 0.2) && !goes(at(0.05, 0.0, 0.0203), 0.2));
+            assert!(!goes(at(0.05, 0.0, 0.12), 0.0));
+        }
+    }
+
+    #[test]
+    fn what_is_drawn_into_a_body_may_stay_there() {
+        let allowance = Allowance { along: vec![0.0], wisp_shares: vec![1.0], sunk: vec![0.002] };
+        for ball in balls() {
+            let pose = [Frame { origin: at(0.05, 0.0, 0.0), ..Frame::default() }; 2];
+            let is_clear = |z: f64| is_clear(&ball, [at(0.0, 0.0, z); 2], RADIUS, Some(&allowance), pose);
+            assert!(is_clear(0.0282) && !is_clear(0.0279));
+        }
+    }
+
+    /// On both sides of a sheet there is room, and no way from one to the other, whatever the strand may be sunk in bodies that have an inside.
+    #[test]
+    fn a_sheet_is_not_passed_through() {
+        let (sheet, front) = (square(Sides::Both), square(Sides::Front { depth: 0.01 }));
+        let allowance = Allowance { along: vec![0.0], wisp_shares: vec![1.0], sunk: vec![0.002] };
+        for (radius, allowance) in [(RADIUS, None), (0.0, None), (RADIUS, Some(&allowance))] {
+            let is_clear = |from: f64, to: f64| {
+                is_clear(&sheet, [at(-0.05, 0.0, from), at(-0.05, 0.01, to)], radius, allowance, [Frame::default(); 2])
+            };
+            assert!(is_clear(0.001, 0.02) && is_clear(-0.001, -0.02));
+            for depth in [1e-4, 1e-3, 0.05] {
+                assert!(!is_clear(0.001, -depth) && !is_clear(-depth, 0.001), "{radius} {depth}");
+            }
+        }
+        // Behind a mesh that acts on one side distances jump.
+        assert!(
+            !still(&front, [at(-0.05, 0.0, 0.01), at(-0.05, 0.0, -0.1)])
+                && !can_tell(&BodyAt::new(0, &front, Frame::default(), Frame::default(), 0.0))
+        );
     }
 }

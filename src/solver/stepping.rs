@@ -294,7 +294,7 @@ impl Solver {
         self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             if are_near {
-                scratch.trial_steps.begin(strands, h, meter);
+                scratch.trial_steps.begin(strands, &bodies, h, meter);
             }
             let mut counts = TrialTally { all: &mut tally, on_trial: scratch.trial_steps.outcomes() };
             side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, meter);

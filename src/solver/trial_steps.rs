@@ -41,9 +41,9 @@ struct Saved {
 }
 
 impl TrialSteps {
-    /// Before a substep of `h` seconds: those of a task's strands that only a near body may hold try a free step, but for those that it pressed last.
-    /// When the meter has halted the substep none does.
-    pub fn begin(&mut self, strands: &mut [Strand], h: f64, meter: &Meter) {
+    /// Before a substep of `h` seconds: those of a task's strands that only a near body may hold try a free step, but for those that it pressed last,
+    /// and those near one of the `bodies` of which it cannot be told whether they stay clear of it. When the meter has halted the substep none does.
+    pub fn begin(&mut self, strands: &mut [Strand], bodies: &[BodyAt], h: f64, meter: &Meter) {
         self.count = 0;
         self.outcomes.resize_with(strands.len(), StrandOutcome::default);
         if meter.is_halted() {
@@ -54,6 +54,10 @@ impl TrialSteps {
             if strand.touched || strand.astray.is_some() {
                 continue;
             }
+            let root = strand.root_during(h);
+            if near(strand, &root, bodies).any(|body| !path_clearance::can_tell(body)) {
+                continue;
+            }
             strand.holds = Holds::OnTrial;
             if self.count == self.saved.len() {
                 self.saved.push(Saved::default());
@@ -61,7 +65,7 @@ impl TrialSteps {
             let saved = &mut self.saved[self.count];
             saved.state.clone_from(&strand.state);
             (saved.index, saved.energies, saved.fared) = (index, strand.energies, strand.fared);
-            (saved.root, saved.root_move) = (strand.root_during(h), strand.root_move.as_deref().cloned());
+            (saved.root, saved.root_move) = (root, strand.root_move.as_deref().cloned());
             self.count += 1;
         }
     }
@@ -101,8 +105,14 @@ impl Saved {
             radius: contact.radius,
             allowance: strand.allowance.as_deref(),
         };
-        let around = strand.reach(contact, &self.root);
-        let mut near = bodies.iter().filter(|body| body.meets(contact.groups, contact.mask) && body.is_near(&around));
-        near.all(|body| path.is_clear_of(body, spare, scratch))
+        near(strand, &self.root, bodies).all(|body| path.is_clear_of(body, spare, scratch))
     }
+}
+
+/// The bodies that a strand meets and is near, while its root goes from place to place.
+fn near<'a>(strand: &Strand, root: &[Frame; 2], bodies: &'a [BodyAt<'a>]) -> impl Iterator<Item = &'a BodyAt<'a>> {
+    let met = strand.contact.as_deref().map(|contact| (strand.reach(contact, root), contact.groups, contact.mask));
+    let is_near =
+        move |body: &&BodyAt| met.is_some_and(|(around, groups, mask)| body.meets(groups, mask) && body.is_near(&around));
+    bodies.iter().filter(is_near)
 }
