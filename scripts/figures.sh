@@ -24,6 +24,8 @@ if [ "${FIGURES_MEASURE:-yes}" = yes ]; then
   "${CARGO_TARGET_DIR:-target}/demo/superhelix" picture out/demo/render --out docs/figures/contact_sheet.png --fps 24 --scale 1 \
     --body tests/data/grooms/sintel_bust.obj --body-scale 0.01 --title "Sintel's hair on a recorded walk" --cell 220 --moments 5 --quiet
   scripts/contact_figures.sh
+  mkdir -p build
+  cargo test --quiet --locked --profile demo --test styling -- --nocapture --test-threads=1 > build/styling.txt
 fi
 
 scripts/python_env.sh
@@ -32,5 +34,9 @@ build/venv/bin/python docs/figures/plot_performance.py
 build/venv/bin/python docs/figures/plot_validation.py
 build/venv/bin/python docs/figures/plot_single_precision.py
 build/venv/bin/python docs/figures/plot_hair_types.py
+# (What the styling tests print is not committed.)
+if [ -e build/styling.txt ]; then
+  build/venv/bin/python docs/figures/plot_styling.py build/styling.txt
+fi
 scripts/render_hair.sh
 scripts/haptics.sh
