@@ -335,12 +335,6 @@ impl<'a> BodyAt<'a> {
         surface.map_or(0.0, |surface| self.thickness - surface.distance)
     }
 
-    /// A distance (m) that its surface has from a point of the world at the substep's start at least, or `within`, where it is more; below zero inside.
-    pub fn distance_at_start(&self, at: Vector3<f64>, within: f64) -> f64 {
-        let local = self.axes_start.tr_mul(&(at - self.start.origin));
-        self.shape.distance(local, within + self.thickness) - self.thickness
-    }
-
     /// Whether it is a mesh whose vertices go their own ways in the substep.
     pub fn deforms(&self) -> bool {
         self.shape.mesh().is_some_and(Mesh::is_moving)

@@ -10,8 +10,9 @@ use super::body::BodyAt;
 use super::shape::Sides;
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
-use crate::math::vector::{Mat3, Vec3};
+use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
+use crate::step::state::rotation_matrix;
 
 /// Most balls of a strand and a body whose distance is measured.
 const MOST_BALLS: u32 = 256;
@@ -85,8 +86,8 @@ pub fn can_tell(body: &BodyAt) -> bool {
 }
 
 impl FreePath<'_> {
-    /// Whether no point of it was ever deeper in a body than `spare` metres, and what it may be sunk. False where that takes long to tell, and beside a
-    /// body of which it cannot be told ([`can_tell`]).
+    /// Whether no point of it was ever deeper in a body than `spare` metres plus its allowance. False also where [`MOST_BALLS`] do not decide it, and
+    /// beside a body for which distances cannot ([`can_tell`]).
     pub fn is_clear_of(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
         if !can_tell(body) {
             return false;
@@ -116,9 +117,12 @@ impl FreePath<'_> {
 
     /// Places the elements at the step's start (0) or end (1), in the body's axes.
     fn place(&self, roots: &[Frame; 2], end: usize, scratch: &mut Scratch) {
-        let rotation = roots[end].rotation.to_rotation_matrix();
-        let axes = Mat3(std::array::from_fn(|i| std::array::from_fn(|j| rotation[(i, j)])));
-        element_states(axes, self.lengths.iter().copied(), self.curvatures[end], &mut scratch.elements[end]);
+        element_states(
+            rotation_matrix(&roots[end]),
+            self.lengths.iter().copied(),
+            self.curvatures[end],
+            &mut scratch.elements[end],
+        );
     }
 
     /// Finds the elements that may be near the body, from where they end and from how far they can have come: at arclength s the displacement is no more
@@ -150,7 +154,7 @@ impl FreePath<'_> {
             return true;
         }
         let mut pieces = [Piece::default(); MOST_PIECES];
-        // (The middle of its chord does for the whole element, and is at hand; what is overlapped there tells nothing.)
+        // (The middle of its chord does for the whole element, and is at hand; it is no point of the strand, so that an overlap there proves nothing.)
         let way = if exempt > 0.0 { element.way(0.5 * (exempt + length)) } else { element.chord_middles() };
         pieces[0] = Piece { along: [exempt, length], way, time: [0.0, 1.0] };
         let mut count = 1;

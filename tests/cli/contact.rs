@@ -6,8 +6,10 @@ use crate::support::{difference, directory, errors, numbers, run, run_text, smal
 use serde_json::{Value, json};
 
 const GRAVITY: f64 = 9.81;
-/// How deep surfaces may be in each other, m: the default of `contact.tolerance`.
-const TOLERANCE: f64 = 5e-5;
+/// How deep surfaces may be in each other in these scenes, m: a fifth of what contact tolerates by default.
+const TOLERANCE: f64 = 1e-5;
+/// The default of `contact.tolerance`, m: so deep a strand may lie between its touches.
+const BETWEEN_TOUCHES: f64 = 5e-5;
 
 /// A limp strand of 20 cm along x whose surface lies on the plane z = 0.
 fn lying() -> Value {
@@ -314,9 +316,10 @@ fn strands_meet_what_their_groups_let_them() {
         let points = last(&result["strands"][0]["points"]).as_array().unwrap();
         points.iter().map(|point| vector(point)[2]).fold(f64::INFINITY, f64::min)
     };
-    for contact in [json!(null), json!(true), json!({"group": 2}), json!({"mask": 1}), json!({"radius": 0})] {
+    for contact in [json!(null), json!(true), json!({"group": 2}), json!({"mask": 1})] {
         assert!(lowest(contact.clone(), floor.clone()) > -0.02 - TOLERANCE, "{contact}");
     }
+    assert!(lowest(json!({"radius": 0}), floor.clone()) > -0.02 - BETWEEN_TOUCHES);
     assert!((lowest(json!({"radius": 0.005}), floor.clone()) - -0.015).abs() < 1e-4);
     for contact in [json!(false), json!({"group": 0}), json!({"mask": 2}), json!({"exempt_length": 1})] {
         assert!(lowest(contact.clone(), floor.clone()) < -0.03, "{contact}");

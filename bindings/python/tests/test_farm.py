@@ -93,7 +93,7 @@ def test_wedges_in_parts_give_what_a_serial_run_in_one_part_gives(client: Any, t
 
 @needs_binary
 def test_a_scene_whose_worker_is_killed_is_run_to_the_same_end(client: Any, tmp_path: Path) -> None:
-    # A part takes hundreds of times as long as its killer looks away.
+    # Each part takes hundreds of times longer than the killer's polling interval.
     long = scene(duration=12.0, strands=60)
     killed: list[int] = []
 

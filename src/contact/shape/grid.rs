@@ -153,17 +153,10 @@ impl DistanceGrid {
             for j in 0..y.count {
                 let from = (z.first + k) * sheet + (y.first + j) * row + x.first;
                 let (mut sum, mut slope) = (0.0, 0.0);
-                let mut add = |nodes: &[f32]| {
-                    for (i, node) in nodes.iter().enumerate() {
-                        let node = f64::from(*node);
-                        sum += x.weights[i] * node;
-                        slope += x.slopes[i] * node;
-                    }
-                };
-                // Nearly always there are four, which the compiler is to know.
-                match self.values[from..from + x.count].first_chunk::<4>() {
-                    Some(four) => add(four),
-                    None => add(&self.values[from..from + x.count]),
+                for (i, node) in self.values[from..from + x.count].iter().enumerate() {
+                    let node = f64::from(*node);
+                    sum += x.weights[i] * node;
+                    slope += x.slopes[i] * node;
                 }
                 value += y.weights[j] * sum;
                 along_x += y.weights[j] * slope;
@@ -176,19 +169,17 @@ impl DistanceGrid {
         Some(Surface::smooth(point - normal * distance, normal, distance))
     }
 
-    /// The interpolated distance, or `within` (m), where it is surely more by what the nearest node tells, or the box of all nodes. `slope` bounds the
+    /// The interpolated distance, m; `within` where the nearest node tells that it is no less; outside the grid what is surely there. `slope` bounds the
     /// field's.
     pub(super) fn distance(&self, point: Vector3<f64>, within: f64, slope: f64) -> f64 {
         let place = (point - self.low) / self.cell;
-        let last = Vector3::from(self.counts.map(|count| f64::from(count - 1)));
-        if !(0..3).all(|axis| place[axis] >= 0.0 && place[axis] <= last[axis]) {
-            return self.clearance(&point);
-        }
-        let nearest = place.map(f64::round);
-        let [i, j, k] = [0, 1, 2].map(|axis| nearest[axis] as usize);
-        let node = self.values[(k * self.counts[1] as usize + j) * self.counts[0] as usize + i];
-        if f64::from(node) - slope * self.cell * (place - nearest).norm() >= within {
-            return within;
+        if (0..3).all(|axis| place[axis] >= 0.0 && place[axis] <= f64::from(self.counts[axis] - 1)) {
+            let nearest = place.map(f64::round);
+            let [i, j, k] = [0, 1, 2].map(|axis| nearest[axis] as usize);
+            let node = self.values[(k * self.counts[1] as usize + j) * self.counts[0] as usize + i];
+            if f64::from(node) - slope * self.cell * (place - nearest).norm() >= within {
+                return within;
+            }
         }
         self.closest(point).map_or_else(|| self.clearance(&point), |surface| surface.distance)
     }

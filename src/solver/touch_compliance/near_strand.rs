@@ -93,7 +93,7 @@ impl NearStrand {
         self.places.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
     }
 
-    /// Makes room for so many places, lest whoever comes to them allocate.
+    /// Reserves room for `most` places, so that filling them allocates nothing.
     pub fn make_room(&mut self, most: usize) {
         self.search.found.reserve(most.saturating_sub(self.search.found.len()));
         self.places.reserve(most.saturating_sub(self.places.len()));
