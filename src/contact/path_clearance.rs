@@ -86,7 +86,7 @@ pub fn can_tell(body: &BodyAt) -> bool {
 }
 
 impl FreePath<'_> {
-    /// Whether no point of it was ever deeper in a body than `spare` metres plus its allowance. False also where [`MOST_BALLS`] do not decide it, and
+    /// Whether no point of it was ever deeper in a body than `spare` metres plus its allowance. False also where 256 balls do not decide it, and
     /// beside a body for which distances cannot ([`can_tell`]).
     pub fn is_clear_of(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
         if !can_tell(body) {
