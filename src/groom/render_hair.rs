@@ -22,6 +22,7 @@ mod pose;
 mod position;
 mod profile;
 mod quaternion;
+mod reach;
 mod sections;
 mod settings;
 mod shape;

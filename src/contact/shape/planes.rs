@@ -1,4 +1,4 @@
-//! The tangent plane at every node of a distance grid, and how near the surface is at least about it, for look-ups by the hundred thousand.
+//! The tangent plane at every node of a distance grid, for look-ups by the hundred thousand.
 
 use std::sync::OnceLock;
 
@@ -8,11 +8,8 @@ use super::grid::DistanceGrid;
 /// looked at where interpolation looks at 64.
 type Plane = u64;
 
-/// Nodes lie in bricks of 4 × 4 × 4, so that what is looked at together lies together: the least distances of a brick are a line of the cache.
+/// Nodes lie in bricks of 4 × 4 × 4, so that what is looked at together lies together.
 const BRICK_BITS: u32 = 2;
-
-/// Steps a cell in which the least distances are told.
-const STEPS: f32 = 8.0;
 
 /// The planes of a grid, made when they are first asked for. They come of the distances and are no part of what a grid is.
 #[derive(Debug, Clone, Default)]
@@ -22,8 +19,6 @@ pub(super) struct Planes(OnceLock<Nodes>);
 #[derive(Debug, Clone)]
 struct Nodes {
     planes: Box<[Plane]>,
-    /// The least that the plane is where its node is the nearest, in steps, rounded down; 0 also for less, 255 also for more.
-    least: Box<[u8]>,
 }
 
 impl PartialEq for Planes {
@@ -39,7 +34,7 @@ impl Planes {
 
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
-        self.0.get().map_or(0, |nodes| size_of_val::<[Plane]>(&nodes.planes) + size_of_val::<[u8]>(&nodes.least))
+        self.0.get().map_or(0, |nodes| size_of_val::<[Plane]>(&nodes.planes))
     }
 }
 
@@ -50,24 +45,21 @@ impl Nodes {
         let cell = grid.cell() as f32;
         let bricks = Bricks::of(grid.counts());
         let size = bricks.nodes();
-        let (mut planes, mut least) = (vec![0; size].into_boxed_slice(), vec![0; size].into_boxed_slice());
+        let mut planes = vec![0; size].into_boxed_slice();
         for (index, value) in values.iter().enumerate() {
             let at = [0, 1, 2].map(|axis| index / strides[axis] % counts[axis]);
-            let (mut plane, mut steepest) = (Plane::from(value.to_bits()), 0.0);
+            let mut plane = Plane::from(value.to_bits());
             for axis in 0..3 {
                 let (back, ahead) = (usize::from(at[axis] > 0), usize::from(at[axis] + 1 < counts[axis]));
                 let change = values[index + ahead * strides[axis]] - values[index - back * strides[axis]];
                 let slope = change / ((back + ahead) as f32 * cell);
                 let byte = (slope.clamp(-1.0, 1.0) * 127.0).round() as i8;
                 plane |= Plane::from(byte as u8) << (32 + 8 * axis);
-                steepest += f32::from(byte).abs() * (1.0 / 127.0);
             }
             let node = bricks.index(at.map(|at| at as u32)) as usize;
             planes[node] = plane;
-            // (A cast to a byte stops at its ends.)
-            least[node] = (STEPS * (value / cell - 0.5 * steepest)).floor() as u8;
         }
-        Self { planes, least }
+        Self { planes }
     }
 }
 
@@ -142,27 +134,10 @@ impl<'a> PlaneField<'a> {
         Some((f32::from_bits(plane as u32) + self.cell * more, slopes))
     }
 
-    /// A distance (m) for [`PlaneField::nearer`], rounded up; 1 for none at all, since what is inside is told as 0.
-    pub fn steps(&self, distance: f32) -> u32 {
-        (STEPS * distance / self.cell).ceil().max(1.0) as u32
-    }
-
-    /// Which of some places may be nearer to the surface than so many steps, a bit each: all that [`PlaneField::at`] says are, and some more.
-    #[inline(always)]
-    pub fn nearer<const N: usize>(&self, places: &[[f32; N]; 3], steps: u32) -> u32 {
-        let (mut index, mut inside) = ([0_u32; N], [false; N]);
-        for k in 0..N {
-            let node = [places[0][k] + 0.5, places[1][k] + 0.5, places[2][k] + 0.5];
-            inside[k] = self.is_inside(node);
-            let node = [0, 1, 2].map(|axis| node[axis].max(0.0).min(self.counts[axis] - 1.0) as i32 as u32);
-            index[k] = self.bricks.index(node);
-        }
-        let mut bits = 0;
-        for k in 0..N {
-            let near = inside[k] && self.nodes.least.get(index[k] as usize).is_some_and(|least| u32::from(*least) < steps);
-            bits |= u32::from(near) << k;
-        }
-        bits
+    /// How far a place outside the grid is from it at least, in cells; 0 inside.
+    pub fn outside(&self, place: [f32; 3]) -> f32 {
+        let beyond = |axis: usize| (-0.5 - place[axis]).max(place[axis] + 0.5 - self.counts[axis]);
+        [0, 1, 2].map(beyond).into_iter().fold(0.0, f32::max)
     }
 }
 
@@ -200,23 +175,8 @@ mod tests {
             field.at([-0.6, 3.0, 3.0]).is_none() && field.at([3.0, 49.6, 3.0]).is_none() && field.at([f32::NAN; 3]).is_none()
         );
         assert!(field.at([-0.4, 49.4, 0.0]).is_some());
-        // What may be near is what is, and not much more; nothing is outside.
-        let (mut near, mut told) = (0, 0);
-        let within = 0.003;
-        for _ in 0..10_000 {
-            let places = [0, 1, 2].map(|_| std::array::from_fn::<f32, 8, _>(|_| (52.0 * noise() - 1.5) as f32));
-            let bits = field.nearer(&places, field.steps(within));
-            for k in 0..8 {
-                let distance = field.at([0, 1, 2].map(|axis| places[axis][k])).map(|(distance, _)| distance);
-                let (is, may) = (distance.is_some_and(|distance| distance < within), bits >> k & 1 == 1);
-                assert!(may || !is, "{distance:?}");
-                assert!(!may || distance.is_some_and(|distance| distance < within + 1.8 * 0.005), "{distance:?}");
-                (near, told) = (near + u32::from(is), told + u32::from(may));
-            }
-        }
-        assert!(near > 10_000 && told < near + near / 2, "{near} {told}");
-        let inside = [0, 1, 2].map(|_| [24.5]);
-        assert!(field.at([24.5; 3]).expect("inside").0 < 0.0 && field.nearer(&inside, field.steps(0.0)) == 1);
-        assert_eq!(field.nearer(&[[f32::NAN; 1], [3.0; 1], [3.0; 1]], u32::MAX), 0);
+        assert_eq!(field.outside([-2.5, 3.0, 51.0]), 2.0);
+        assert_eq!(field.outside([-0.4, 49.4, 0.0]), 0.0);
+        assert!(field.at([24.5; 3]).expect("inside").0 < 0.0);
     }
 }

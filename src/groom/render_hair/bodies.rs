@@ -2,7 +2,8 @@
 
 use nalgebra::Vector3;
 
-use super::position::{STEP, lane};
+use super::position::STEP;
+use super::reach::beyond;
 use crate::contact::shape::{PlaneField, Shape};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
@@ -54,6 +55,10 @@ const DEEP: f32 = 4e-3;
 const BESIDE: f32 = 4.0;
 /// A way out is one along which the distance grows by so much a metre at least.
 const STRAIGHT_OUT: f32 = 0.5;
+/// Distances from a grid are told to within so much of its cell.
+const GRID_ERROR: f32 = 1.0;
+/// Beyond this, m, no distance from a shape without a grid is looked up: strands that lie closer to their guide than that need none.
+const FAR: f32 = 0.1;
 /// The steepest that strands leave their root for the surface: so much farther from it for each metre along.
 const RISE: f32 = 0.25;
 
@@ -109,20 +114,23 @@ impl<'a> Placed<'a> {
         }
     }
 
-    #[inline(always)]
-    fn place(&self, point: [f32; 3]) -> [f32; 3] {
-        self.places(point.map(|number| [number])).map(|[number]| number)
+    /// How far all about a point no point is nearer to the body than `clearance`, m; below zero where some are.
+    pub fn room(&self, point: [f32; 3], clearance: f32) -> f32 {
+        let (place, near) = (self.place(point), self.thickness + clearance);
+        match &self.field {
+            Field::Grid(field) => match field.at(place) {
+                Some((distance, _)) => distance - near - GRID_ERROR * self.unit,
+                None => field.outside(place) * self.unit,
+            },
+            Field::Shape(_) => self.field.at(place, near + FAR).map_or(FAR, |(distance, _)| distance - near),
+        }
     }
 
     #[inline(always)]
-    fn places<const N: usize>(&self, [x, y, z]: [[f32; N]; 3]) -> [[f32; N]; 3] {
+    fn place(&self, point: [f32; 3]) -> [f32; 3] {
         [0, 1, 2].map(|row| {
-            let ([a, b, c], shift) = (self.into[row], self.shift[row]);
-            let mut place = [0.0; N];
-            for k in 0..N {
-                place[k] = (a * x[k] + b * y[k]) + (c * z[k] + shift);
-            }
-            place
+            let [a, b, c] = self.into[row];
+            (a * point[0] + b * point[1]) + (c * point[2] + self.shift[row])
         })
     }
 
@@ -145,6 +153,8 @@ pub(super) struct Points<'a> {
     /// Its first guide's points from its root, rows as well, and that root.
     pub guide: &'a [f32],
     pub guide_root: [f32; 3],
+    /// How far from that guide's points no body is near, squares, m².
+    pub reach: &'a [f32],
 }
 
 /// Brings points that are nearer to a body than `clearance` out of it, or, those outside, to where those that come out leave them room: one
@@ -154,81 +164,32 @@ pub(super) fn keep_out(bodies: &[Placed], clearance: f32, points: &mut Points) {
     // What one body pushes out another may have to push back.
     for _ in 0..bodies.len().min(2) {
         for body in bodies {
-            match body.field {
-                Field::Grid(field) => out_of_grid(body, &field, clearance, points),
-                Field::Shape(_) => out_of_shape(body, clearance, points),
+            for at in (0..points.stride).step_by(STEP) {
+                let mut near = beyond(points.rows, points.guide, points.guide_root, points.stride, points.reach, at);
+                while near != 0 {
+                    keep_point_out(body, clearance, points, at + near.trailing_zeros() as usize);
+                    near &= near - 1;
+                }
             }
         }
     }
 }
 
+/// Keeps point `k` out of a body.
 #[inline(always)]
-fn out_of_grid(body: &Placed, field: &PlaneField, clearance: f32, points: &mut Points) {
-    let (stride, count) = (points.stride, points.count);
-    let steps = field.steps(body.thickness + clearance);
-    for at in (0..stride).step_by(STEP) {
-        let place = body.places([0, 1, 2].map(|axis| lane(&points.rows[axis * stride..][..stride], at)));
-        let mut near = field.nearer(&place, steps);
-        // The root stays, and what fills up the rows is no point.
-        if at == 0 {
-            near &= !1;
-        }
-        if at + STEP > count {
-            near &= (1 << (count - at)) - 1;
-        }
-        while near != 0 {
-            let k = near.trailing_zeros() as usize;
-            near &= near - 1;
-            keep_point_out(body, clearance, points, at + k, [0, 1, 2].map(|axis| place[axis][k]));
-        }
-    }
-}
-
-#[inline(always)]
-fn out_of_shape(body: &Placed, clearance: f32, points: &mut Points) {
-    let (stride, count) = (points.stride, points.count);
-    let mut k = 1;
-    while k < count {
-        let place = body.place([0, 1, 2].map(|axis| points.rows[axis * stride + k]));
-        let room = keep_point_out(body, clearance, points, k, place);
-        // The points after this one are no farther off than their edges are long together.
-        k += 1 + if room > 0.0 { skipped(points.rows, stride, count, k, room) } else { 0 };
-    }
-}
-
-/// Keeps point `k`, which is at that place of a body's, out of it. How much farther from it than the clearance it is, m, as far as that is known.
-#[inline(always)]
-fn keep_point_out(body: &Placed, clearance: f32, points: &mut Points, k: usize, place: [f32; 3]) -> f32 {
+fn keep_point_out(body: &Placed, clearance: f32, points: &mut Points, k: usize) {
     let stride = points.stride;
-    let Some((distance, slopes)) = body.field.at(place, body.thickness + clearance) else { return 0.0 };
+    let point = [0, 1, 2].map(|axis| points.rows[axis * stride + k]);
+    let Some((distance, slopes)) = body.field.at(body.place(point), body.thickness + clearance) else { return };
     let distance = distance - body.thickness;
-    let room = distance - clearance;
     let clearance = clearance.min(RISE * points.length * (k as f32 / (points.count - 1) as f32));
     if distance >= clearance {
-        return room;
+        return;
     }
-    let point = [0, 1, 2].map(|axis| points.rows[axis * stride + k]);
     let out = brought_out(body, point, (distance, slopes), clearance, || {
         [0, 1, 2].map(|axis| points.guide_root[axis] + points.guide[axis * stride + k])
     });
     (0..3).for_each(|axis| points.rows[axis * stride + k] = out[axis]);
-    0.0
-}
-
-/// How many points after point `k` lie surely within `reach` of it, by the edges between them.
-#[inline(always)]
-fn skipped(rows: &[f32], stride: usize, count: usize, k: usize, reach: f32) -> usize {
-    let (mut left, mut skipped) = (reach, 0);
-    for j in k..count - 1 {
-        let change = [0, 1, 2].map(|axis| rows[axis * stride + j + 1] - rows[axis * stride + j]);
-        // No shorter than the longest of three, no longer than their sum.
-        left -= change[0].abs() + change[1].abs() + change[2].abs();
-        if left <= 0.0 {
-            break;
-        }
-        skipped += 1;
-    }
-    skipped
 }
 
 /// Where a point goes that is nearer to a body than the clearance.

@@ -9,6 +9,7 @@ use super::frames::frames;
 use super::lengths::{self, Wanted, respace, taken_along};
 use super::pose::{RenderPose, VELOCITY_STEP};
 use super::position::{Roots, mix};
+use super::reach::{About, Reach};
 use super::settings::MOST_GUIDES;
 use super::shape::{N1, PLACE, Shape};
 use super::strand::RenderStrand;
@@ -114,6 +115,8 @@ pub(super) struct Scratch {
     room: Vec<f32>,
     lengths: lengths::Room,
     lengths_before: lengths::Room,
+    reach: Reach,
+    reach_before: Reach,
     bends: curvature::Room,
     bends_before: curvature::Room,
 }
@@ -173,6 +176,7 @@ impl RenderPose {
         let around = [&bodies[..], &bodies_before[..]];
         check_roots("roots", view.roots)?;
         check_roots("roots_before", earlier.and_then(|earlier| earlier.roots))?;
+        let evaluation = Reach::new_evaluation();
         let mut tiles: Vec<(usize, usize)> = (view.first..view.first + view.count)
             .step_by(TILE)
             .map(|first| (first, TILE.min(view.first + view.count - first)))
@@ -180,7 +184,8 @@ impl RenderPose {
         let set = hair.settings.instruction_set.unwrap_or_else(InstructionSet::detected);
         hair.crew.for_each_task(&mut tiles, 1, usize::MAX, |tiles, scratch| {
             for (first, count) in tiles {
-                let tile = TileWork { pose: self, view, earlier, around, first: *first, count: *count, scratch, sink };
+                let tile =
+                    TileWork { pose: self, view, earlier, around, evaluation, first: *first, count: *count, scratch, sink };
                 match set {
                     #[cfg(target_arch = "x86_64")]
                     InstructionSet::Avx512 => F64x8::call(tile),
@@ -229,6 +234,7 @@ struct TileWork<'a, S> {
     earlier: Option<Earlier<'a>>,
     /// The bodies now and at the earlier moment.
     around: [&'a [Placed<'a>]; 2],
+    evaluation: u64,
     first: usize,
     count: usize,
     scratch: &'a mut Scratch,
@@ -240,10 +246,12 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
 
     #[inline(always)]
     fn run(self) {
-        let Self { pose, view, earlier, around, first, count, scratch, sink } = self;
+        let Self { pose, view, earlier, around, evaluation, first, count, scratch, sink } = self;
         let hair = &**pose.hair();
-        let (stride, points) = (hair.reference.stride, hair.reference.points);
-        let Scratch { now, before, rotations, guide_n1, room, lengths, lengths_before, bends, bends_before } = scratch;
+        let (stride, points, size) = (hair.reference.stride, hair.reference.points, hair.reference.size());
+        let clearance = hair.settings.clearance as f32;
+        let Scratch { now, before, rotations, guide_n1, room, lengths, lengths_before, reach, reach_before, bends, bends_before } =
+            scratch;
         now.resize(4 * stride, 0.0);
         before.resize(4 * stride, 0.0);
         rotations.resize(4 * stride, 0.0);
@@ -266,7 +274,8 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                 let roots = roots(&pose.now, strand, given.unwrap_or(followed), view.origin);
                 let range = 3 * stride * lane..3 * stride * (lane + 1);
                 mix(hair, &pose.now, strand, &roots, bends.places.get(range.clone()).filter(|_| hair.reference.curved), now);
-                let moved = finish(hair, &pose.now, strand, &roots, around[0], now, lengths);
+                let about = About { evaluation, shape: &pose.now, bodies: around[0], clearance, stride, count: points, size };
+                let moved = finish(hair, &about, strand, &roots, now, lengths, reach);
                 if let Some(earlier) = &earlier {
                     let back = follow(earlier.shape, strand);
                     let root = match (earlier.carry, given) {
@@ -276,7 +285,8 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
                     let roots = self::roots(earlier.shape, strand, root, view.origin);
                     let bent = bends_before.places.get(range).filter(|_| hair.reference.curved);
                     mix(hair, earlier.shape, strand, &roots, bent, before);
-                    finish(hair, earlier.shape, strand, &roots, around[1], before, lengths_before);
+                    let about = About { shape: earlier.shape, bodies: around[1], ..about };
+                    finish(hair, &about, strand, &roots, before, lengths_before, reach_before);
                     for (before, now) in before.iter_mut().zip(now.iter()) {
                         *before = (*now - *before) * earlier.rate;
                     }
@@ -312,20 +322,21 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
 #[inline(always)]
 fn finish(
     hair: &RenderHair,
-    shape: &Shape,
+    about: &About,
     strand: &RenderStrand,
     roots: &Roots,
-    bodies: &[Placed],
     rows: &mut [f32],
     lengths: &mut lengths::Room,
+    reach: &mut Reach,
 ) -> bool {
-    let (stride, count) = (hair.reference.stride, hair.reference.points);
+    let About { shape, bodies, clearance, stride, count, size, .. } = *about;
     let (rows, along) = rows.split_at_mut(3 * stride);
-    let guide = &shape.rows[strand.guides[0] as usize * hair.reference.size() + PLACE * stride..][..3 * stride];
-    let (length, guide_root) = (along[count - 1], roots.first);
     let pushed = !bodies.is_empty();
     if pushed {
-        keep_out(bodies, hair.settings.clearance as f32, &mut Points { rows, stride, count, length, guide, guide_root });
+        let (first, guide_root) = (strand.guides[0] as usize, roots.first);
+        let guide = &shape.rows[first * size + PLACE * stride..][..3 * stride];
+        let (length, reach) = (along[count - 1], reach.of(first, guide_root, about));
+        keep_out(bodies, clearance, &mut Points { rows, stride, count, length, guide, guide_root, reach });
     }
     // Without either a strand costs nothing more and keeps its bits.
     let wanted = if hair.settings.preserve_length || pushed {
