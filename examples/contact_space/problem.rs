@@ -121,7 +121,8 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
             let key = |k: &usize| (strand.stations[*k].element, strand.stations[*k].s);
             key(a).partial_cmp(&key(b)).unwrap()
         });
-        let loads: Vec<_> = order.iter().map(|k| Load::at(&strand.kinematics, &strand.stations[*k], Vec3::zero())).collect();
+        let loads: Vec<_> =
+            order.iter().map(|k| Load::at(&strand.kinematics.elements, &strand.stations[*k], Vec3::zero())).collect();
         let mut system = ChainSystem { exact: false, ..ChainSystem::default() };
         let n = rule.len();
         system.resize(kind.elements, kind.elements * n);

@@ -38,33 +38,42 @@ struct Scratch {
 }
 
 impl Delassus {
-    /// Makes it the operator over `loads` (from root to tip), after [`Elimination::solve_loaded`] over the curvatures `axes` of the same kinematics.
-    pub fn update(&mut self, elimination: &Elimination<f64>, kinematics: &Kinematics<f64>, loads: &[Load<f64>], axes: &[usize]) {
+    /// Makes it the operator over the `loads` (from root to tip) of the strand in a lane, after [`Elimination::solve_loaded`] over the curvatures
+    /// `axes` of the same kinematics.
+    pub fn update<P: Lane>(
+        &mut self,
+        elimination: &Elimination<P>,
+        kinematics: &Kinematics<P>,
+        lane: usize,
+        loads: &[Load<f64>],
+        axes: &[usize],
+    ) {
         self.stations = loads.len();
         self.columns.resize(9 * loads.len() * loads.len(), 0.0);
         // The same bits by registers of any width: no column sees another.
         #[cfg(target_arch = "x86_64")]
         if InstructionSet::detected() >= InstructionSet::Avx2 {
-            return update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.four);
+            return update(&mut self.columns, elimination, kinematics, lane, loads, axes, &mut self.scratch.four);
         }
         #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
-        update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.two);
+        update(&mut self.columns, elimination, kinematics, lane, loads, axes, &mut self.scratch.two);
         #[cfg(not(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32")))]
-        update(&mut self.columns, elimination, kinematics, loads, axes, &mut self.scratch.one);
+        update(&mut self.columns, elimination, kinematics, lane, loads, axes, &mut self.scratch.one);
     }
 }
 
-fn update<T: Lane>(
+fn update<P: Lane, T: Lane>(
     columns: &mut [f64],
-    elimination: &Elimination<f64>,
-    kinematics: &Kinematics<f64>,
+    elimination: &Elimination<P>,
+    kinematics: &Kinematics<P>,
+    lane: usize,
     loads: &[Load<f64>],
     axes: &[usize],
     scratch: &mut Vec<[T; 3]>,
 ) {
     macro_rules! call {
         ($list:ident, $count:literal, $mask:literal) => {
-            T::call(Columns::<_, $count, $mask> { done: &elimination.$list, kinematics, loads, scratch, columns })
+            T::call(Columns::<_, _, $count, $mask> { done: &elimination.$list, kinematics, lane, loads, scratch, columns })
         };
     }
     for_axes!(axes, call);
@@ -86,25 +95,27 @@ fn make_symmetric(columns: &mut [f64], size: usize) {
 }
 
 /// All columns, for the D free curvatures of MASK an element.
-struct Columns<'a, T, const D: usize, const MASK: u32> {
-    done: &'a [Eliminated<f64, D>],
-    kinematics: &'a Kinematics<f64>,
+struct Columns<'a, P, T, const D: usize, const MASK: u32> {
+    done: &'a [Eliminated<P, D>],
+    kinematics: &'a Kinematics<P>,
+    /// Where the strand is in the types P; the lanes of T are columns.
+    lane: usize,
     loads: &'a [Load<f64>],
     scratch: &'a mut Vec<[T; 3]>,
     columns: &'a mut [f64],
 }
 
 #[inline(always)]
-fn vector<T: Lane>(v: Vec3<f64>) -> Vec3<T> {
-    Vec3([T::splat(v.0[0]), T::splat(v.0[1]), T::splat(v.0[2])])
+fn vector<P: Lane, T: Lane>(v: &Vec3<P>, lane: usize) -> Vec3<T> {
+    Vec3([T::splat(v.0[0].lane(lane)), T::splat(v.0[1].lane(lane)), T::splat(v.0[2].lane(lane))])
 }
 
 #[inline(always)]
-fn matrix<T: Lane>(m: &Mat3<f64>) -> Mat3<T> {
+fn matrix<P: Lane, T: Lane>(m: &Mat3<P>, lane: usize) -> Mat3<T> {
     let mut out = Mat3::zero();
     for i in 0..3 {
         for j in 0..3 {
-            out.0[i][j] = T::splat(m.0[i][j]);
+            out.0[i][j] = T::splat(m.0[i][j].lane(lane));
         }
     }
     out
@@ -119,11 +130,12 @@ fn select<T: Lane>(mask: T::Mask, yes: Vec3<T>, no: Vec3<T>) -> Vec3<T> {
     out
 }
 
-impl<T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, T, D, MASK> {
+impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P, T, D, MASK> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Self { done, kinematics, loads, scratch, columns } = self;
+        let Self { done, kinematics, lane: member, loads, scratch, columns } = self;
+        let one = |value: &P| T::splat(value.lane(member));
         let axes = const { axes::<D>(MASK) };
         let (count, size) = (kinematics.elements.len(), 3 * loads.len());
         scratch.resize(count, [T::zero(); 3]);
@@ -138,7 +150,8 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, T, D, MASK
             let mut local = Vec3::<T>::zero();
             let mut own = [Vec3::<T>::zero(); D];
             for r in 0..3 {
-                unit.0[r] = T::from_lanes(|lane| kinematics.elements[load(lane).element].frame_left.0[at(lane) % 3][r]);
+                unit.0[r] =
+                    T::from_lanes(|lane| kinematics.elements[load(lane).element].frame_left.0[at(lane) % 3][r].lane(member));
                 local.0[r] = T::from_lanes(|lane| load(lane).local.0[r]);
                 for i in 0..D {
                     own[i].0[r] = T::from_lanes(|lane| load(lane).jacobian.0[r][axes[i]]);
@@ -151,9 +164,10 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, T, D, MASK
                 let done = &done[count - 1 - index];
                 let mut y = [T::zero(); 3];
                 for i in 0..D {
-                    y[i] = vector::<T>(done.psi[i]).dot(moment) + vector::<T>(done.jacobian[i]).dot(force);
+                    y[i] =
+                        vector::<P, T>(&done.psi[i], member).dot(moment) + vector::<P, T>(&done.jacobian[i], member).dot(force);
                 }
-                moment += vector::<T>(element.end).cross(force);
+                moment += vector::<P, T>(&element.end, member).cross(force);
                 let mut begins = 0;
                 for lane in 0..T::LANES {
                     begins |= u32::from(load(lane).element == index) << lane;
@@ -168,16 +182,16 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, T, D, MASK
                 }
                 for i in 0..D {
                     for k in 0..i {
-                        y[i] -= y[k] * T::splat(done.factor[i][k]);
+                        y[i] -= y[k] * one(&done.factor[i][k]);
                     }
-                    y[i] = y[i] * T::splat(done.factor[i][i]);
-                    let w = done.coupling[i].map(T::splat);
+                    y[i] = y[i] * one(&done.factor[i][i]);
+                    let w = done.coupling[i].map(|value| one(&value));
                     moment -= Vec3([w[0], w[1], w[2]]).scale(y[i]);
                     force -= Vec3([w[3], w[4], w[5]]).scale(y[i]);
                 }
                 scratch[index] = y;
                 if index > 0 {
-                    let turn = matrix::<T>(&kinematics.elements[index - 1].turn);
+                    let turn = matrix::<P, T>(&kinematics.elements[index - 1].turn, member);
                     (moment, force) = (turn.apply(moment), turn.apply(force));
                 }
             }
@@ -189,20 +203,20 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, T, D, MASK
                 let done = &done[count - 1 - index];
                 let mut delta = scratch[index];
                 for k in (0..D).rev() {
-                    let w = done.coupling[k].map(T::splat);
+                    let w = done.coupling[k].map(|value| one(&value));
                     let mut value = delta[k] - Vec3([w[0], w[1], w[2]]).dot(psi) - Vec3([w[3], w[4], w[5]]).dot(rho);
                     for later in k + 1..D {
-                        value -= delta[later] * T::splat(done.factor[later][k]);
+                        value -= delta[later] * one(&done.factor[later][k]);
                     }
-                    delta[k] = value * T::splat(done.factor[k][k]);
+                    delta[k] = value * one(&done.factor[k][k]);
                 }
                 while 3 * station < first + T::LANES && loads.get(station).is_some_and(|load| load.element == index) {
                     let load = &loads[station];
-                    let mut moved = rho - vector::<T>(load.local).cross(psi);
+                    let mut moved = rho - vector::<f64, T>(&load.local, 0).cross(psi);
                     for k in 0..D {
-                        moved += vector::<T>(load.jacobian.column(axes[k])).scale(delta[k]);
+                        moved += vector::<f64, T>(&load.jacobian.column(axes[k]), 0).scale(delta[k]);
                     }
-                    let moved = matrix::<T>(&element.frame_left).apply(moved);
+                    let moved = matrix::<P, T>(&element.frame_left, member).apply(moved);
                     for (a, moved) in moved.0.iter().enumerate() {
                         let column = &mut columns[(3 * station + a) * size..][..size];
                         for (lane, entry) in column[first..].iter_mut().take(T::LANES).enumerate() {
@@ -211,12 +225,12 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, T, D, MASK
                     }
                     station += 1;
                 }
-                let (mut next_psi, mut next_rho) = (psi, rho - vector::<T>(element.end).cross(psi));
+                let (mut next_psi, mut next_rho) = (psi, rho - vector::<P, T>(&element.end, member).cross(psi));
                 for k in 0..D {
-                    next_psi += vector::<T>(done.psi[k]).scale(delta[k]);
-                    next_rho += vector::<T>(done.jacobian[k]).scale(delta[k]);
+                    next_psi += vector::<P, T>(&done.psi[k], member).scale(delta[k]);
+                    next_rho += vector::<P, T>(&done.jacobian[k], member).scale(delta[k]);
                 }
-                let turn = matrix::<T>(&element.turn);
+                let turn = matrix::<P, T>(&element.turn, member);
                 psi = turn.apply_transposed(next_psi);
                 rho = turn.apply_transposed(next_rho);
             }

@@ -7,7 +7,7 @@
 use crate::math::entire::Stumpff;
 use crate::math::lane::Lane;
 use crate::math::vector::{Mat3, Vec3};
-use crate::rod::kinematics::Kinematics;
+use crate::rod::kinematics::ElementState;
 use crate::rod::segment;
 
 /// A material point that is not a quadrature point.
@@ -56,9 +56,9 @@ pub struct Load<T> {
 }
 
 impl Load<f64> {
-    /// The station in the shape of `kinematics`; `tension` in world axes.
-    pub fn at(kinematics: &Kinematics<f64>, station: &Station, tension: Vec3<f64>) -> Self {
-        let element = &kinematics.elements[station.element];
+    /// The station in the shape of `elements`; `tension` in world axes.
+    pub fn at(elements: &[ElementState<f64>], station: &Station, tension: Vec3<f64>) -> Self {
+        let element = &elements[station.element];
         let point = element.point(station.s);
         let (theta, z) = (element.kappa.scale(station.s), element.kappa_squared * (station.s * station.s));
         let mut jacobian = segment::chord_gradient(theta, z, &point.c).scale(station.s * station.s);
@@ -84,19 +84,63 @@ impl Load<f64> {
     }
 
     /// The same with a spring of that stiffness (symmetric, world axes, N/m).
-    pub fn with_stiffness(self, kinematics: &Kinematics<f64>, stiffness: &Mat3<f64>) -> Self {
-        let turn = &kinematics.elements[self.element].frame_left;
+    pub fn with_stiffness(self, elements: &[ElementState<f64>], stiffness: &Mat3<f64>) -> Self {
+        let turn = &elements[self.element].frame_left;
         Self { stiffness: Some(turn.transposed_mul(stiffness).mul(turn)), ..self }
     }
 
     /// Where the loaded point is, relative to the root's origin, world axes.
-    pub fn position(&self, kinematics: &Kinematics<f64>) -> Vec3<f64> {
-        let element = &kinematics.elements[self.element];
+    pub fn position(&self, elements: &[ElementState<f64>]) -> Vec3<f64> {
+        let element = &elements[self.element];
         element.origin_left + element.frame_left.apply(self.local)
     }
 }
 
 impl<T: Lane> Load<T> {
+    /// What acts on nothing: a lane's where other lanes have a station on that element.
+    pub fn none(element: usize) -> Self {
+        let c =
+            Stumpff { c1: T::zero(), c2: T::zero(), c3: T::zero(), c4: T::zero(), c5: T::zero(), c6: T::zero(), c7: T::zero() };
+        Self {
+            element,
+            s: T::zero(),
+            c,
+            local: Vec3::zero(),
+            jacobian: Mat3::zero(),
+            lever: Vec3::zero(),
+            turning: None,
+            tension: Vec3::zero(),
+            stiffness: None,
+        }
+    }
+
+    /// Puts a strand's own into its lane.
+    pub fn set_lane(&mut self, lane: usize, from: &Load<f64>) {
+        let put = |to: &mut T, from: f64| to.set_lane(lane, from);
+        let put_vector = |to: &mut Vec3<T>, from: &Vec3<f64>| (0..3).for_each(|i| to.0[i].set_lane(lane, from.0[i]));
+        let put_matrix = |to: &mut Mat3<T>, from: &Mat3<f64>| {
+            (0..3).for_each(|i| (0..3).for_each(|j| to.0[i][j].set_lane(lane, from.0[i][j])));
+        };
+        put(&mut self.s, from.s);
+        put(&mut self.c.c1, from.c.c1);
+        put(&mut self.c.c2, from.c.c2);
+        put(&mut self.c.c3, from.c.c3);
+        put(&mut self.c.c4, from.c.c4);
+        put(&mut self.c.c5, from.c.c5);
+        put(&mut self.c.c6, from.c.c6);
+        put(&mut self.c.c7, from.c.c7);
+        put_vector(&mut self.local, &from.local);
+        put_vector(&mut self.lever, &from.lever);
+        put_vector(&mut self.tension, &from.tension);
+        put_matrix(&mut self.jacobian, &from.jacobian);
+        if let Some(turning) = &from.turning {
+            put_matrix(self.turning.get_or_insert_with(Mat3::zero), turning);
+        }
+        if let Some(stiffness) = &from.stiffness {
+            put_matrix(self.stiffness.get_or_insert_with(Mat3::zero), stiffness);
+        }
+    }
+
     /// δr for a rotation and a displacement of the element's left end and a change of its curvatures, in the element's axes.
     #[inline(always)]
     pub fn moved(&self, psi: Vec3<T>, rho: Vec3<T>, delta: Vec3<T>) -> Vec3<T> {

@@ -1,4 +1,4 @@
-//! The direction that forces at stations lead a strand in whose system is eliminated: by one pass from the stations to the root and one back, in
+//! The direction that forces at stations lead strands in whose system is eliminated: by one pass from the stations to the root and one back, in
 //! linear time.
 //!
 //! Symbols as in `elimination`: u = (ψ, ρ); y what is left of the forces on an element's free curvatures once all downstream of it is
@@ -13,29 +13,35 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::Kinematics;
 
 /// Scratch of the passes; kept between calls.
-#[derive(Debug, Clone, Default)]
-pub struct ResponseScratch {
-    left_over: Vec<[f64; 3]>,
+#[derive(Debug, Clone)]
+pub struct ResponseScratch<T> {
+    left_over: Vec<[T; 3]>,
 }
 
-impl Elimination<f64> {
+impl<T> Default for ResponseScratch<T> {
+    fn default() -> Self {
+        Self { left_over: Vec::new() }
+    }
+}
+
+impl<T: Lane> Elimination<T> {
     /// Newton's direction with the forces `forces` (world axes, N) on the stations `loads`, after [`Elimination::solve_loaded`]. Gives
     /// how far each station moves along it too.
     #[allow(clippy::too_many_arguments, reason = "a kernel's operands")]
     pub fn direction(
         &self,
-        kinematics: &Kinematics<f64>,
-        loads: &[Load<f64>],
-        forces: &[Vec3<f64>],
+        kinematics: &Kinematics<T>,
+        loads: &[Load<T>],
+        forces: &[Vec3<T>],
         axes: &[usize],
-        scratch: &mut ResponseScratch,
-        change: &mut Vec<[f64; 3]>,
-        moved: &mut Vec<Vec3<f64>>,
-    ) -> Direction<f64> {
+        scratch: &mut ResponseScratch<T>,
+        change: &mut Vec<[T; 3]>,
+        moved: &mut Vec<Vec3<T>>,
+    ) -> Direction<T> {
         let (scratch, out) = (&mut scratch.left_over, (change, moved));
         macro_rules! call {
             ($list:ident, $count:literal, $mask:literal) => {
-                f64::call(Towards::<$count, $mask> { done: &self.$list, kinematics, loads, forces, scratch, out })
+                T::call(Towards::<_, $count, $mask> { done: &self.$list, kinematics, loads, forces, scratch, out })
             };
         }
         for_axes!(axes, call)
@@ -44,7 +50,7 @@ impl Elimination<f64> {
 
 /// The free columns of a station's J.
 #[inline(always)]
-fn free_columns<const D: usize>(load: &Load<f64>, axes: [usize; D]) -> [Vec3<f64>; D] {
+fn free_columns<T: Lane, const D: usize>(load: &Load<T>, axes: [usize; D]) -> [Vec3<T>; D] {
     let mut out = [Vec3::zero(); D];
     for i in 0..D {
         out[i] = load.jacobian.column(axes[i]);
@@ -53,40 +59,40 @@ fn free_columns<const D: usize>(load: &Load<f64>, axes: [usize; D]) -> [Vec3<f64
 }
 
 /// [`Elimination::direction`] for the D free curvatures of MASK an element.
-struct Towards<'a, const D: usize, const MASK: u32> {
-    done: &'a [Eliminated<f64, D>],
-    kinematics: &'a Kinematics<f64>,
-    loads: &'a [Load<f64>],
-    forces: &'a [Vec3<f64>],
-    scratch: &'a mut Vec<[f64; 3]>,
-    out: (&'a mut Vec<[f64; 3]>, &'a mut Vec<Vec3<f64>>),
+struct Towards<'a, T, const D: usize, const MASK: u32> {
+    done: &'a [Eliminated<T, D>],
+    kinematics: &'a Kinematics<T>,
+    loads: &'a [Load<T>],
+    forces: &'a [Vec3<T>],
+    scratch: &'a mut Vec<[T; 3]>,
+    out: (&'a mut Vec<[T; 3]>, &'a mut Vec<Vec3<T>>),
 }
 
-impl<const D: usize, const MASK: u32> Kernel for Towards<'_, D, MASK> {
-    type Output = Direction<f64>;
+impl<T: Lane, const D: usize, const MASK: u32> Kernel for Towards<'_, T, D, MASK> {
+    type Output = Direction<T>;
     #[inline(always)]
-    fn run(self) -> Direction<f64> {
+    fn run(self) -> Direction<T> {
         direction(self.done, self.kinematics, self.loads, self.forces, const { axes::<D>(MASK) }, self.scratch, self.out)
     }
 }
 
 #[inline(always)]
-fn direction<const D: usize>(
-    eliminated: &[Eliminated<f64, D>],
-    kinematics: &Kinematics<f64>,
-    loads: &[Load<f64>],
-    forces: &[Vec3<f64>],
+fn direction<T: Lane, const D: usize>(
+    eliminated: &[Eliminated<T, D>],
+    kinematics: &Kinematics<T>,
+    loads: &[Load<T>],
+    forces: &[Vec3<T>],
     axes: [usize; D],
-    left_over: &mut Vec<[f64; 3]>,
-    (change, moved): (&mut Vec<[f64; 3]>, &mut Vec<Vec3<f64>>),
-) -> Direction<f64> {
+    left_over: &mut Vec<[T; 3]>,
+    (change, moved): (&mut Vec<[T; 3]>, &mut Vec<Vec3<T>>),
+) -> Direction<T> {
     let count = kinematics.elements.len();
     left_over.clear();
-    left_over.resize(count, [0.0; 3]);
-    let (mut moment, mut force) = (Vec3::<f64>::zero(), Vec3::<f64>::zero());
+    left_over.resize(count, [T::zero(); 3]);
+    let (mut moment, mut force) = (Vec3::<T>::zero(), Vec3::<T>::zero());
     let mut next = loads.len();
     // Nothing comes to what lies beyond the last station that a force acts on.
-    let acts = |force: &Vec3<f64>| force.0 != [0.0; 3];
+    let acts = |force: &Vec3<T>| (0..T::LANES).any(|lane| force.0.iter().any(|part| part.lane(lane) != 0.0));
     let reach = forces.iter().rposition(acts).map_or(0, |last| loads[last].element + 1);
     while next > 0 && loads[next - 1].element >= reach {
         next -= 1;
@@ -113,7 +119,7 @@ fn direction<const D: usize>(
             for k in 0..i {
                 y[i] -= y[k] * done.factor[i][k];
             }
-            y[i] *= done.factor[i][i];
+            y[i] = y[i] * done.factor[i][i];
             let w = &done.coupling[i];
             moment -= Vec3([w[0], w[1], w[2]]).scale(y[i]);
             force -= Vec3([w[3], w[4], w[5]]).scale(y[i]);
@@ -124,14 +130,14 @@ fn direction<const D: usize>(
         }
     }
     change.clear();
-    change.resize(count, [0.0; 3]);
+    change.resize(count, [T::zero(); 3]);
     moved.clear();
-    let (mut psi, mut rho) = (Vec3::<f64>::zero(), Vec3::<f64>::zero());
-    let (mut descent, mut rotation_squared, mut rotation_sum) = (0.0, 0.0_f64, 0.0);
+    let (mut psi, mut rho) = (Vec3::<T>::zero(), Vec3::<T>::zero());
+    let (mut descent, mut rotation_squared, mut rotation_sum) = (T::zero(), T::zero(), T::zero());
     for index in 0..count {
         let element = &kinematics.elements[index];
         let done = &eliminated[count - 1 - index];
-        let mut delta = [0.0; D];
+        let mut delta = [T::zero(); D];
         for i in (0..D).rev() {
             let w = &done.coupling[i];
             let mut value =
@@ -154,10 +160,10 @@ fn direction<const D: usize>(
             next_rho += done.jacobian[i].scale(delta[i]);
         }
         let turned = next_psi.norm_squared();
-        rotation_squared = rotation_squared.max(turned);
+        rotation_squared = rotation_squared.larger(turned);
         rotation_sum += turned;
         psi = element.turn.apply_transposed(next_psi);
         rho = element.turn.apply_transposed(next_rho);
     }
-    Direction { descent, rotation_squared, rotation_sum, repaired: 0.0, condition: 0.0 }
+    Direction { descent, rotation_squared, rotation_sum, repaired: T::zero(), condition: 0.0 }
 }

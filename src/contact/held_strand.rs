@@ -16,9 +16,7 @@ use super::touch::{StrandCurve, StrandPath, Touch};
 use crate::chain::load::Station;
 use crate::math::frame::Frame;
 use crate::math::vector::Vec3;
-use crate::step::Setting;
 use crate::step::held::{Held, WorldBond};
-use crate::step::members::One;
 
 /// A strand that was woken so often rests no more: two neighbours would go on waking each other in turn.
 const MOST_WAKES: u32 = 2;
@@ -48,6 +46,17 @@ pub struct Attachment {
     pub modelled: bool,
 }
 
+/// What a strand's pack is to do in the first half of an iteration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FirstHalf {
+    /// Nothing: the strand rests, or its island is done.
+    None,
+    /// It was done ahead. If another strand of the pack has it to do, it is done again: a pack is eliminated as a whole.
+    Done,
+    /// It is to be done.
+    ToDo,
+}
+
 /// A held strand.
 #[derive(Debug, Default)]
 pub struct HeldStrand {
@@ -55,6 +64,10 @@ pub struct HeldStrand {
     pub index: u32,
     /// Its step.
     pub held: Held,
+    /// The pack that it goes in, and its lane there.
+    pub pack: u32,
+    /// See `pack`.
+    pub lane: u32,
     /// What it is to contact.
     pub contact: StrandContact,
     /// Its mass, kg.
@@ -123,10 +136,9 @@ impl HeldStrand {
         path_of(self.index, &self.held)
     }
 
-    /// Begins its step of `h` seconds.
-    pub fn begin(&mut self, one: &One, setting: &Setting, h: f64) {
+    /// Its step has begun.
+    pub fn begun(&mut self) {
         self.places.clear();
-        self.held.begin(one, setting, h, self.first_order);
     }
 
     /// Whether a body is still to come after it when the step ends.
@@ -340,22 +352,16 @@ impl HeldStrand {
         elements * (WORK_AN_ELEMENT + WORK_A_COLUMN * points) + WORK_A_COUPLING * points * points
     }
 
-    /// Does the first half of the step's first iteration before it begins.
-    pub fn look_ahead(&mut self, island: &Island) {
-        self.linearise(island);
-        self.looked_ahead = true;
-    }
-
-    /// First half of a Newton iteration; the joints' forces are the last iteration's.
-    pub fn linearise(&mut self, island: &Island) {
+    /// Before the first half of a Newton iteration; the joints' forces are the last iteration's.
+    pub fn hold(&mut self, island: &Island) -> FirstHalf {
         if std::mem::take(&mut self.looked_ahead) {
-            return;
+            return FirstHalf::Done;
         }
         self.choose_rest(island);
         self.sort(island);
         self.find_places(false);
         if self.resting {
-            return;
+            return FirstHalf::None;
         }
         self.stations.clear();
         self.stations.extend(self.attachments[..self.modelled].iter().map(|attachment| attachment.station));
@@ -367,21 +373,28 @@ impl HeldStrand {
                 joint.world_bond(&Held::place(self.held.now(), &end.station))
             }));
         }
-        self.held.linearise(&self.stations, &self.forces, &self.bonds);
+        self.held.hold(&self.stations, &self.forces, &self.bonds);
+        FirstHalf::ToDo
     }
 
-    /// Second half, with the joints' new forces. A strand that begins again does not go on.
-    pub fn advance(&mut self, setting: &Setting, island: &Island) {
+    /// Before the second half, with the joints' new forces. False where its pack need not do it: a strand that begins again does not go on.
+    pub fn advances(&mut self, island: &Island) -> bool {
         if self.begins_again {
             self.residual = f64::INFINITY;
-            return;
+            return false;
         }
         if self.resting {
-            return;
+            return false;
         }
         self.pull(island);
+        self.held.pull(&self.forces);
+        true
+    }
+
+    /// Its pack has done the second half.
+    pub fn advanced(&mut self) {
         self.advanced = true;
-        self.residual = self.held.advance(setting, &self.forces);
+        self.residual = self.held.residual;
         self.find_places(true);
     }
 

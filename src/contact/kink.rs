@@ -11,6 +11,7 @@ use super::joint::{JointEnd, JointKind};
 use super::options::ContactOptions;
 use crate::math::trigonometry::sine_cosine;
 use crate::step::Setting;
+use crate::step::held_packs::AnyPack;
 
 /// A place cannot give way along a direction in which its response is less than this part of all of it.
 const STUCK: f64 = 1e-9;
@@ -89,10 +90,10 @@ impl HeldStrand {
     }
 
     /// Bends it so.
-    pub fn bend(&mut self, kink: &Kink, setting: &Setting) {
+    pub fn bend(&mut self, kink: &Kink, setting: &Setting, pack: &mut AnyPack) {
         let (sine, cosine) = sine_cosine(SIDES * f64::from(self.index));
         let curvature = kink.turn / self.length();
-        self.held.bend([curvature * cosine, curvature * sine], setting);
+        pack.bend(self.lane as usize, [curvature * cosine, curvature * sine], setting, &mut self.held);
         (self.residual, self.resting) = (f64::INFINITY, false);
         self.moved();
     }

@@ -5,6 +5,7 @@
 mod account;
 mod crowd;
 mod formula;
+mod packs;
 mod parts;
 #[cfg(test)]
 mod tests;
@@ -24,10 +25,13 @@ use crate::contact::held_strand::{Attachment, HeldStrand};
 use crate::contact::island::Island;
 use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
+use crate::math::lanes::InstructionSet;
 use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
+use crate::step::held_packs::AnyPack;
 use crate::step::options::Integrator;
 use crate::step::{Setting, StrandOutcome};
+use packs::Packs;
 
 /// How often strands are searched for touches that the last search did not know of.
 const MOST_SEARCHES: u32 = 16;
@@ -52,6 +56,7 @@ pub(super) struct Holding {
     /// The strands held in the last substep; more may be kept for their memory.
     strands: Vec<HeldStrand>,
     count: usize,
+    packs: Packs,
     islands: Vec<Island>,
     island_count: usize,
     joints: Vec<Joint>,
@@ -87,6 +92,8 @@ pub(super) struct Scene<'a> {
     pub body_ids: &'a [BodyId],
     pub options: &'a ContactOptions,
     pub setting: &'a Setting<'a>,
+    /// What packs are made of.
+    pub set: InstructionSet,
     pub crew: &'a Crew,
     /// What the substep may cost.
     pub meter: &'a Meter<'a>,
@@ -312,26 +319,25 @@ impl Holding {
     }
 
     /// Begins the step of those strands anew that are marked for it, by implicit Euler.
-    fn restart(scene: &mut Scene, held: &mut [HeldStrand], h: f64) {
-        if !held.iter().any(|held| held.begins_again) {
+    fn restart(scene: &mut Scene, packs: &mut Packs, held: &mut [HeldStrand], h: f64) {
+        if !held.iter().any(|held| held.begins_again) || scene.meter.is_halted() {
             return;
         }
-        let mut pairs = Self::pairs(scene.strands, held);
-        scene.crew.for_each(&mut pairs, |(strand, held), _| {
-            if held.begins_again && !scene.meter.is_halted() {
-                (held.begins_again, held.first_order, held.resting, held.looked_ahead) = (false, true, false, false);
-                strand.with_one(|one| held.begin(one, scene.setting, h));
-            }
-        });
+        for held in held.iter_mut().filter(|held| held.begins_again) {
+            (held.first_order, held.resting, held.looked_ahead) = (true, false, false);
+        }
+        packs.begin(scene, held, h, |held| held.begins_again);
+        held.iter_mut().for_each(|held| held.begins_again = false);
     }
 
     /// Makes the ends the strands' states.
     fn finish(&mut self, scene: &mut Scene, h: f64) {
         let islands = &self.islands[..self.island_count];
-        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
+        let pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]).into_iter();
+        let mut work = self.packs.gather(pairs, |(_, held)| (held.pack, held.lane));
         let (setting, bodies) = (scene.setting, scene.bodies);
         let (stopped, fast) = (scene.meter.stopped(), scene.is_fast && !scene.options.model.is_soft());
-        scene.crew.for_each(&mut pairs, |(strand, held), scratch| {
+        let finish_one = |pack: &mut AnyPack, strand: &mut Strand, held: &mut HeldStrand, scratch: &mut Scratch| {
             let island = &islands[held.island as usize];
             let left = island.ending.stopped != Stopped::No;
             if stopped == Stopped::Cancelled || stopped != Stopped::No && !held.advanced {
@@ -362,7 +368,8 @@ impl Holding {
             // No step bends a strand by more than the energy of going its own length in it.
             let speed = strand.model.length() / h;
             let most_elastic = strand.energies.elastic + held.mass * speed * speed;
-            strand.with_one(|one| held.held.end(one, setting, h, most_elastic, &mut scratch.step.rule));
+            let lane = held.lane as usize;
+            strand.with_one(|one| pack.end(lane, one, setting, h, most_elastic, &mut scratch.step.rule, &mut held.held));
             let outcome = held.held.outcome;
             // (Its end may be no shape at all: then it is rolled back, and not behind.)
             let behind = behind && !outcome.quarantined;
@@ -374,6 +381,12 @@ impl Holding {
                 strand.goes_after(held.came_to.clone());
             }
             strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
+        };
+        scene.crew.for_each(&mut work, |work, scratch| {
+            work.finish(setting, h, |held| stopped == Stopped::No || stopped != Stopped::Cancelled && held.advanced);
+            for (strand, held) in work.members.iter_mut().flatten() {
+                finish_one(work.pack, strand, held, scratch);
+            }
         });
     }
 
@@ -395,17 +408,8 @@ impl Holding {
             (held.root_gap, held.looked_ahead, held.advanced) = (f64::INFINITY, false, false);
             held.found.clear();
         }
-        // (Constraints are told of with the paths of their strands, whatever halted the step.)
-        let constrained = !scene.constraints.is_empty();
-        let mut pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
-        scene.crew.for_each(&mut pairs, |(strand, held), _| {
-            if !constrained && scene.meter.is_halted() {
-                return;
-            }
-            strand.begin_root_way(h);
-            strand.with_one(|one| held.begin(one, scene.setting, h));
-            scene.meter.spend(held.half_work());
-        });
+        self.packs.clear();
+        self.packs.begin(scene, &mut self.strands[..self.count], h, |_| true);
     }
 
     /// The constraints' joints.
@@ -500,7 +504,7 @@ impl Holding {
     /// Newton's iterations of all islands, `most` of them at most.
     fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
         let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
-        let Self { strands, islands, count, island_count, .. } = self;
+        let Self { strands, islands, packs, count, island_count, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         for _ in 0..most {
             let stopped = scene.meter.stopped();
@@ -511,7 +515,10 @@ impl Holding {
             for island in islands.iter_mut().filter(|island| island.done && island.ending.stopped == Stopped::No) {
                 let kinks = island.kinks(strands, options);
                 if !kinks.is_empty() {
-                    kinks.iter().for_each(|kink| strands[kink.held as usize].bend(kink, setting));
+                    for kink in &kinks {
+                        let held = &mut strands[kink.held as usize];
+                        held.bend(kink, setting, packs.pack(held));
+                    }
                     island.go_on();
                     continue;
                 }
@@ -524,19 +531,13 @@ impl Holding {
             if islands.iter().all(|island| island.done) {
                 break;
             }
-            Self::restart(scene, strands, h);
+            Self::restart(scene, packs, strands, h);
             scene.crew.for_each(islands, |island, _| {
                 if !island.done && !meter.is_halted() {
                     island.refresh(strands, scene.bodies);
                 }
             });
-            scene.crew.for_each(strands, |held, _| {
-                let island = &islands[held.island as usize];
-                if !island.done && !meter.is_halted() {
-                    held.linearise(island);
-                    meter.spend(held.half_work());
-                }
-            });
+            packs.linearise(strands, islands, scene.crew, meter, |held| !islands[held.island as usize].done);
             share_out(islands, meter.left());
             // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
             let mut to_solve: Vec<&mut Island> = islands.iter_mut().filter(|island| !island.done).collect();
@@ -565,14 +566,7 @@ impl Holding {
                     Self::begin_pressed_again(island, strands);
                 }
             }
-            scene.crew.for_each(strands, |held, _| {
-                let island = &islands[held.island as usize];
-                // (Where the contact problem was left there are no forces to go by.)
-                if !island.done && !meter.is_halted() {
-                    held.advance(setting, island);
-                    meter.spend(held.half_work());
-                }
-            });
+            packs.advance(strands, islands, setting, scene.crew, meter);
             if meter.is_halted() {
                 continue;
             }

@@ -284,6 +284,7 @@ impl Solver {
             body_ids: &body_ids,
             options: &self.options.contact,
             setting: &setting,
+            set,
             crew: &self.crew,
             meter,
             is_last,

@@ -4,6 +4,8 @@ pub mod damping;
 pub mod dynamics;
 pub mod equilibrium;
 pub mod held;
+pub mod held_pack;
+pub mod held_packs;
 pub mod iterate;
 pub mod linearly_implicit;
 pub mod local_error;

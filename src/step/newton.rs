@@ -302,7 +302,7 @@ fn walk<T: Lane>(
 
 /// Puts the trial state `part` of the direction on from the accepted one, in the lanes of `moving`.
 #[inline(always)]
-fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
+pub(super) fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
     let share = T::from_lanes(|lane| part[lane]);
     let moving = T::mask(moving);
     it.trial_curvatures.clone_from(&it.curvatures);

@@ -129,7 +129,15 @@ mod tests {
                         rows[axis * stride + k] = (point + apart)[axis] as f32 + root[axis];
                     }
                 }
-                let about = About { evaluation, shape: &shape, bodies: &bodies, clearance: clearance as f32, stride, count, size: 3 * stride };
+                let about = About {
+                    evaluation,
+                    shape: &shape,
+                    bodies: &bodies,
+                    clearance: clearance as f32,
+                    stride,
+                    count,
+                    size: 3 * stride,
+                };
                 let mut reach = Reach::default();
                 let reach = reach.of(0, root, &about);
                 for at in [0, 8] {

@@ -13,7 +13,7 @@ impl Holding {
         if scene.setting.options.integrator != Integrator::SecondOrder {
             return;
         }
-        let Self { strands, islands, count, island_count, .. } = self;
+        let Self { strands, islands, packs, count, island_count, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         // Of the islands that have touches and strands on their own formula.
         let asked = |island: &Island, strands: &[HeldStrand]| {
@@ -31,11 +31,11 @@ impl Holding {
                 island.refresh(strands, scene.bodies);
             }
         });
-        scene.crew.for_each(strands, |held, _| {
-            if asked[held.island as usize] && !meter.is_halted() {
-                held.look_ahead(&islands[held.island as usize]);
-            }
-        });
+        // (What it takes is counted when it would be due.)
+        meter.uncounted(|| packs.linearise(strands, islands, scene.crew, meter, |held| asked[held.island as usize]));
+        for held in strands.iter_mut().filter(|held| asked[held.island as usize]) {
+            held.looked_ahead = true;
+        }
         if meter.is_halted() {
             return;
         }
@@ -47,7 +47,7 @@ impl Holding {
             let held = &mut strands[*held as usize];
             held.begins_again = !held.first_order;
         }
-        Self::restart(scene, strands, h);
+        Self::restart(scene, packs, strands, h);
     }
 
     /// After an island's contact problem: marks those of its strands for a new beginning that a touch presses and that are not on implicit

@@ -16,7 +16,7 @@ use crate::solver::bodies::ContactPartner;
 use crate::solver::constraints::{ConstraintStatus, station_at};
 use crate::solver::strand::{Strand, root_after};
 use crate::step::Setting;
-use crate::step::held::Held;
+use crate::step::held::{Alone, Held};
 use crate::step::members::One;
 use crate::step::state::{StrandState, rotation_matrix};
 
@@ -55,7 +55,7 @@ pub(super) struct NearStrand {
 pub(super) struct Answer {
     /// Its own copy of the strand's state, for the step that is begun with it.
     state: StrandState,
-    held: Held,
+    alone: Alone,
     stations: Vec<Station>,
     forces: Vec<Vec3<f64>>,
 }
@@ -67,7 +67,7 @@ impl Answer {
         self.stations.reserve(most);
         self.forces.clear();
         self.forces.reserve(most);
-        self.held.make_room(most);
+        self.alone.make_room(most);
     }
 }
 
@@ -130,7 +130,7 @@ impl NearStrand {
     /// Works out how its places answer.
     pub fn condense(&mut self, strand: &Strand, setting: &Setting, seconds: f64) {
         let Self { answer, places, elements, .. } = self;
-        let Answer { state, held, stations, forces } = &mut **answer.get_or_insert_default();
+        let Answer { state, alone, stations, forces } = &mut **answer.get_or_insert_default();
         state.clone_from(&strand.state);
         stations.clear();
         stations.extend(places.iter().map(|place| place.station));
@@ -139,18 +139,18 @@ impl NearStrand {
         let before = (strand.state.root.origin, &elements[..]);
         let start = state.root;
         let root_at = |elapsed: f64| root_after(&strand.root_move, &start, elapsed);
-        held.begin(&One { model: &strand.model, state, root_at: &root_at }, setting, seconds, true);
-        held.linearise(stations, forces, &[]);
+        alone.begin(&One { model: &strand.model, state, root_at: &root_at }, setting, seconds, true);
+        alone.linearise(stations, forces);
         // (The first linear model has no tension in it.)
         for _ in 0..MOST_ITERATIONS {
-            let farthest = (0..places.len()).map(|k| led_to(held, forces, k).norm_squared()).fold(0.0, f64::max);
+            let farthest = (0..places.len()).map(|k| led_to(&alone.held, forces, k).norm_squared()).fold(0.0, f64::max);
             if farthest <= (LINEAR * strand.model.length()).powi(2) {
                 break;
             }
-            held.advance(setting, forces);
-            held.linearise(stations, forces, &[]);
+            alone.advance(setting, forces);
+            alone.linearise(stations, forces);
         }
-        let model = &strand.model;
+        let (model, held) = (&strand.model, &alone.held);
         let most_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
         for (k, place) in places.iter_mut().enumerate() {
             let Some(touch) = &mut place.touch else { continue };
@@ -168,7 +168,7 @@ impl NearStrand {
 
     /// The matrix of all places.
     fn columns(&self) -> &[f64] {
-        self.answer.as_ref().map_or(&[], |answer| &answer.held.delassus.columns)
+        self.answer.as_ref().map_or(&[], |answer| &answer.alone.held.delassus.columns)
     }
 
     /// The matrix's rows and columns of the touches alone.

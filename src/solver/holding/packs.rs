@@ -1,0 +1,219 @@
+//! Held strands side by side: which go together in a pack, and each half of an iteration pack by pack.
+//!
+//! Strands of a kind are packed by how many iterations they took last time, so that a pack does not wait for one of its own. A strand that
+//! begins its step again leaves its pack for one of those that do. Who shares a pack changes nobody's result.
+
+use super::Scene;
+use crate::contact::held_strand::{FirstHalf, HeldStrand};
+use crate::contact::island::Island;
+use crate::math::frame::Frame;
+use crate::math::lane::Precision;
+use crate::meter::Meter;
+use crate::rod::strand::StrandModel;
+use crate::solver::strand::{Strand, root_after};
+use crate::solver::workers::Crew;
+use crate::step::held::Held;
+use crate::step::held_packs::AnyPack;
+use crate::step::members::{Kind, Members};
+use crate::step::state::StrandState;
+use crate::step::{Setting, packs};
+
+/// The most strands of a pack.
+const MOST: usize = 8;
+
+/// The packs of a substep; more may be kept for their memory.
+#[derive(Debug, Default)]
+pub(super) struct Packs {
+    packs: Vec<AnyPack>,
+    count: usize,
+    /// Those that begin: by formula and kind, then by iterations; and their places among the held strands.
+    order: Vec<(bool, Kind, u32, u32)>,
+}
+
+/// A pack, and strands of it by their lanes.
+pub(super) struct Work<'a, M> {
+    pub pack: &'a mut AnyPack,
+    pub members: [Option<M>; MOST],
+}
+
+/// A held strand, and what the scene has of it.
+pub(super) type Pair<'a> = (&'a mut Strand, &'a mut HeldStrand);
+
+impl Packs {
+    /// Nothing is packed.
+    pub fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// The packs that some of `items` are in, whose places are a pack and a lane.
+    pub fn gather<M>(&mut self, items: impl Iterator<Item = M>, place: impl Fn(&M) -> (u32, u32)) -> Vec<Work<'_, M>> {
+        let mut work: Vec<Work<M>> =
+            self.packs[..self.count].iter_mut().map(|pack| Work { pack, members: [const { None }; MOST] }).collect();
+        for item in items {
+            let (pack, lane) = place(&item);
+            work[pack as usize].members[lane as usize] = Some(item);
+        }
+        work.retain(|work| work.members.iter().any(Option::is_some));
+        work
+    }
+
+    /// The same of held strands.
+    pub fn of<'a>(&'a mut self, strands: &'a mut [HeldStrand]) -> Vec<Work<'a, &'a mut HeldStrand>> {
+        self.gather(strands.iter_mut(), |held| (held.pack, held.lane))
+    }
+
+    /// Packs those of the held strands that are to begin, and begins their step of `h` seconds.
+    pub fn begin(&mut self, scene: &mut Scene, held: &mut [HeldStrand], h: f64, begins: impl Fn(&HeldStrand) -> bool) {
+        let (setting, set) = (scene.setting, scene.set);
+        let width = packs::width(Precision::F64, set).min(MOST);
+        self.order.clear();
+        for (place, (strand, held)) in super::Holding::pairs(scene.strands, held).into_iter().enumerate() {
+            if begins(held) {
+                strand.begin_root_way(h);
+                let kind = Kind::of(&strand.model, &strand.state, setting.options.integrator, h);
+                self.order.push((held.first_order, kind, strand.fared.iterations, place as u32));
+            }
+        }
+        self.order.sort_unstable();
+        for kind in self.order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+            for pack in kind.chunks(width) {
+                for (lane, (.., place)) in pack.iter().enumerate() {
+                    let held = &mut held[*place as usize];
+                    (held.pack, held.lane) = (self.count as u32, lane as u32);
+                }
+                self.count += 1;
+            }
+        }
+        self.packs.resize_with(self.packs.len().max(self.count), AnyPack::default);
+        let pairs = super::Holding::pairs(scene.strands, held).into_iter().filter(|(_, held)| begins(held));
+        let mut work = self.gather(pairs, |(_, held)| (held.pack, held.lane));
+        // (Constraints are told of with the paths of their strands, whatever halted the step.)
+        let (constrained, meter) = (!scene.constraints.is_empty(), scene.meter);
+        scene.crew.for_each(&mut work, |Work { pack, members }, _| {
+            if !constrained && meter.is_halted() {
+                return;
+            }
+            let first_order = members.iter().flatten().any(|(_, held)| held.first_order);
+            let mut strands = [const { None }; MOST];
+            let mut lanes = [const { None }; MOST];
+            for (lane, (strand, held)) in members.iter_mut().enumerate().filter_map(|(lane, pair)| Some((lane, pair.as_mut()?))) {
+                (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut held.held));
+            }
+            pack.begin(&Present(strands), setting, h, first_order, set, &mut lanes);
+            for (_, held) in members.iter_mut().flatten() {
+                held.begun();
+                meter.spend(held.half_work());
+            }
+        });
+    }
+
+    /// The first half of an iteration of the strands whose islands are `asked`.
+    pub fn linearise(
+        &mut self,
+        strands: &mut [HeldStrand],
+        islands: &[Island],
+        crew: &Crew,
+        meter: &Meter,
+        asked: impl Fn(&HeldStrand) -> bool + Sync,
+    ) {
+        crew.for_each(&mut self.of(strands), |Work { pack, members }, _| {
+            let mut halves = [FirstHalf::None; MOST];
+            for (lane, held) in present(members) {
+                if asked(held) && !meter.is_halted() {
+                    halves[lane] = held.hold(&islands[held.island as usize]);
+                    meter.spend(held.half_work());
+                }
+            }
+            if !halves.contains(&FirstHalf::ToDo) {
+                return;
+            }
+            let mut lanes = [const { None }; MOST];
+            for (lane, held) in present(members).filter(|(lane, _)| halves[*lane] != FirstHalf::None) {
+                held.held.is_done_again(halves[lane] == FirstHalf::Done);
+                lanes[lane] = Some(&mut held.held);
+            }
+            pack.linearise(&mut lanes);
+        });
+    }
+
+    /// The second half of the strands whose islands go on.
+    pub fn advance(&mut self, strands: &mut [HeldStrand], islands: &[Island], setting: &Setting, crew: &Crew, meter: &Meter) {
+        crew.for_each(&mut self.of(strands), |Work { pack, members }, _| {
+            let mut goes = [false; MOST];
+            for (lane, held) in present(members) {
+                let island = &islands[held.island as usize];
+                // (Where the contact problem was left there are no forces to go by.)
+                if !island.done && !meter.is_halted() {
+                    goes[lane] = held.advances(island);
+                    meter.spend(held.half_work());
+                }
+            }
+            if !goes.contains(&true) {
+                return;
+            }
+            let mut lanes: [Option<&mut Held>; MOST] = [const { None }; MOST];
+            for (lane, held) in present(members).filter(|(lane, _)| goes[*lane]) {
+                lanes[lane] = Some(&mut held.held);
+            }
+            pack.advance(setting, &mut lanes);
+            present(members).filter(|(lane, _)| goes[*lane]).for_each(|(_, held)| held.advanced());
+        });
+    }
+
+    /// The pack of a strand.
+    pub fn pack(&mut self, held: &HeldStrand) -> &mut AnyPack {
+        &mut self.packs[held.pack as usize]
+    }
+}
+
+/// Those that there are, with their lanes.
+pub(super) fn present<'a, 'b>(
+    members: &'a mut [Option<&'b mut HeldStrand>; MOST],
+) -> impl Iterator<Item = (usize, &'a mut &'b mut HeldStrand)> {
+    members.iter_mut().enumerate().filter_map(|(lane, held)| Some((lane, held.as_mut()?)))
+}
+
+impl Work<'_, Pair<'_>> {
+    /// Works out the ends of the strands that `ends` is true of.
+    pub fn finish(&mut self, setting: &Setting, h: f64, ends: impl Fn(&HeldStrand) -> bool) {
+        let mut strands = [const { None }; MOST];
+        let mut lanes = [const { None }; MOST];
+        let members = self.members.iter_mut().enumerate().filter_map(|(lane, pair)| Some((lane, pair.as_mut()?)));
+        for (lane, (strand, held)) in members.filter(|(_, (_, held))| ends(held)) {
+            (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut held.held));
+        }
+        if lanes.iter().any(Option::is_some) {
+            self.pack.finish(&Present(strands), setting, h, &mut lanes);
+        }
+    }
+}
+
+/// Strands by their lanes; in others, which nobody asks for, there is one of these.
+struct Present<'a>([Option<&'a mut Strand>; MOST]);
+
+impl Present<'_> {
+    fn strand(&self, lane: usize) -> &Strand {
+        let of_lane = self.0.get(lane).and_then(Option::as_deref);
+        of_lane.or_else(|| self.0.iter().find_map(Option::as_deref)).expect("a pack has a strand")
+    }
+}
+
+impl Members for Present<'_> {
+    fn count(&self) -> usize {
+        self.0.iter().rposition(Option::is_some).map_or(0, |last| last + 1)
+    }
+    fn model(&self, lane: usize) -> &StrandModel {
+        &self.strand(lane).model
+    }
+    fn state(&self, lane: usize) -> &StrandState {
+        &self.strand(lane).state
+    }
+    fn parts(&mut self, lane: usize) -> (&StrandModel, &mut StrandState) {
+        let strand = self.0[lane].as_deref_mut().expect("a lane with a strand");
+        (&strand.model, &mut strand.state)
+    }
+    fn root_at(&self, lane: usize, seconds: f64) -> Frame {
+        let strand = self.strand(lane);
+        root_after(&strand.root_move, &strand.state.root, seconds)
+    }
+}

@@ -1,0 +1,478 @@
+//! Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of [`super::held`].
+//!
+//! The strands of a pack are of one [`Kind`](super::members::Kind) and begin together; each then goes its own way, and may wait while others
+//! go on: no lane's result depends on the others.
+
+use super::held::Held;
+use super::iterate::{Problem, choose_start, forces, foresee, place_trial, wrench};
+use super::members::{Members, lane_of};
+use super::options::Integrator;
+use super::scratch::Bench;
+use super::stages::{self, StageTimes};
+use super::state::RuleScratch;
+use super::workspace::Workspace;
+use super::{Setting, StrandOutcome, keep, newton, whole};
+use crate::chain::elimination::Elimination;
+use crate::chain::load::Load;
+use crate::chain::response::ResponseScratch;
+use crate::chain::system::LinearSolve;
+use crate::math::entire::Stumpff;
+use crate::math::lane::{Kernel, Lane, MAX_LANES};
+use crate::math::vector::{Mat3, Vec3};
+use crate::rod::freedoms::Freedoms;
+use crate::rod::kinematics::{ElementState, element_states};
+
+/// The strands of a pack that take part in half an iteration, by their lanes.
+pub type Lanes<'a, 'b> = &'a mut [Option<&'b mut Held>];
+
+/// A pack in the course of its strands' step.
+#[derive(Debug)]
+pub struct HeldPack<T> {
+    bench: Bench<T>,
+    /// The elements as the step found them.
+    start: Vec<ElementState<T>>,
+    rotation: Mat3<T>,
+    offset: Vec3<T>,
+    times: StageTimes<T>,
+    freedoms: Freedoms,
+    rule: usize,
+    /// The lanes whose tension is foreseen: the exact Hessian's geometric terms are those of it. Others have none.
+    exact: u32,
+    /// The strands' loads from root to tip, a lane's own beside others' on the same element.
+    loads: Vec<Load<T>>,
+    forces: Vec<Vec3<T>>,
+    moved: Vec<Vec3<T>>,
+    scratch: ResponseScratch<T>,
+}
+
+impl<T: Lane> Default for HeldPack<T> {
+    fn default() -> Self {
+        Self {
+            bench: Bench::default(),
+            start: Vec::new(),
+            rotation: Mat3::zero(),
+            offset: Vec3::zero(),
+            times: StageTimes { index: 0, k: T::zero(), way: T::zero() },
+            freedoms: Freedoms::default(),
+            rule: 0,
+            exact: 0,
+            loads: Vec::new(),
+            forces: Vec::new(),
+            moved: Vec::new(),
+            scratch: ResponseScratch::default(),
+        }
+    }
+}
+
+impl<T: Lane> HeldPack<T> {
+    /// Makes room for so many stations.
+    pub fn make_room(&mut self, stations: usize) {
+        self.loads.reserve(stations.saturating_sub(self.loads.len()));
+        self.forces.reserve(stations.saturating_sub(self.forces.len()));
+        self.moved.reserve(stations.saturating_sub(self.moved.len()));
+    }
+
+    /// Begins a step of `h` seconds of strands of one kind, a lane each; `first_order`: by implicit Euler whatever the setting says.
+    pub fn begin(&mut self, members: &dyn Members, setting: &Setting, h: f64, first_order: bool, strands: Lanes) {
+        T::call(Begin { pack: self, members, setting, h, first_order, strands });
+    }
+
+    /// First half of an iteration of strands that [`Held::hold`] has told of their stations.
+    pub fn linearise(&mut self, strands: Lanes) {
+        T::call(Linearise { pack: self, strands });
+    }
+
+    /// Second half: goes the way that the strands' forces ([`Held::pull`]) lead to.
+    pub fn advance(&mut self, setting: &Setting, strands: Lanes) {
+        T::call(Advance { pack: self, setting, strands });
+    }
+
+    /// Bends all elements of one strand by so much more, 1/m about n1 and n2: the iteration goes on from there. (Of freedoms that are held none.)
+    pub fn bend(&mut self, lane: usize, curvature: [f64; 2], setting: &Setting, held: &mut Held) {
+        let size = (curvature[0] * curvature[0] + curvature[1] * curvature[1]).sqrt();
+        let change = match (self.freedoms.contains(1), self.freedoms.contains(2)) {
+            (true, true) => [0.0, curvature[0], curvature[1]],
+            (true, false) => [0.0, size, 0.0],
+            (false, true) => [0.0, 0.0, size],
+            (false, false) => return,
+        };
+        let Workspace { loaded, iterate, .. } = &mut self.bench.workspace;
+        iterate.trial_curvatures.clone_from(&iterate.curvatures);
+        for row in &mut iterate.trial_curvatures {
+            for axis in 0..3 {
+                row[axis].set_lane(lane, row[axis].lane(lane) + change[axis]);
+            }
+        }
+        let axes = self.freedoms.axes();
+        let rule = setting.rules.rule(self.rule);
+        let axes = &axes[..self.freedoms.count()];
+        let problem = Problem { root: &self.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
+        let potential = place_trial(&problem, iterate);
+        held.potential = (potential.0.lane(lane), potential.1.lane(lane));
+        unpack(&iterate.trial.elements, lane, &mut held.trial);
+        held.accept();
+        std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
+        std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
+        held.before = None;
+    }
+
+    /// Works out what the step's end is like for its strands, before [`HeldPack::end`].
+    pub fn finish(&mut self, members: &dyn Members, setting: &Setting, h: f64, strands: Lanes) {
+        T::call(Finish { pack: self, members, setting, h, strands });
+    }
+
+    /// Ends the step of one strand: its end becomes the strand's state, unless it is not finite, or has not converged and is bent by more than
+    /// `most_elastic` (J): it is then come to nowhere.
+    #[allow(clippy::too_many_arguments, reason = "a strand, and what its step is of")]
+    pub fn end(
+        &self,
+        lane: usize,
+        member: &mut dyn Members,
+        setting: &Setting,
+        h: f64,
+        most_elastic: f64,
+        scratch: &mut RuleScratch,
+        held: &mut Held,
+    ) {
+        let outcome = &mut held.outcome;
+        let nowhere = !outcome.converged && outcome.energies.elastic > most_elastic;
+        outcome.quarantined |= nowhere || !held.finite;
+        if outcome.quarantined {
+            outcome.converged = false;
+        } else {
+            keep(member, lane, setting, h, &self.bench.workspace, scratch);
+        }
+    }
+
+    /// Gives every station of the strands a place among the pack's loads: those of an element side by side.
+    #[inline(always)]
+    fn lay_out(&mut self, strands: Lanes) {
+        let elements = self.bench.workspace.iterate.kinematics.elements.len();
+        self.loads.clear();
+        strands.iter_mut().flatten().for_each(|held| held.slots.clear());
+        for element in 0..elements {
+            let first = self.loads.len();
+            for held in strands.iter_mut().flatten() {
+                let mut next = first;
+                while held.stations.get(held.slots.len()).is_some_and(|station| station.element == element) {
+                    held.slots.push(next as u32);
+                    next += 1;
+                }
+                while self.loads.len() < next {
+                    self.loads.push(Load::none(element));
+                }
+            }
+        }
+    }
+
+    /// Puts the strands' loads into their places.
+    #[inline(always)]
+    fn fill(&mut self, strands: Lanes) {
+        for load in &mut self.loads {
+            *load = Load::none(load.element);
+        }
+        for (lane, held) in running(strands) {
+            for (slot, load) in held.slots.iter().zip(&held.loads) {
+                self.loads[*slot as usize].set_lane(lane, load);
+            }
+        }
+    }
+
+    /// Newton's direction with the forces in place; how far the stations move along it goes to the strands.
+    #[inline(always)]
+    fn direct(&mut self, strands: Lanes) -> crate::chain::system::Direction<T> {
+        let axes = self.freedoms.axes();
+        let axes = &axes[..self.freedoms.count()];
+        let Bench { workspace, elimination } = &mut self.bench;
+        let iterate = &mut workspace.iterate;
+        let (change, moved) = (&mut iterate.change, &mut self.moved);
+        let found = elimination.direction(&iterate.kinematics, &self.loads, &self.forces, axes, &mut self.scratch, change, moved);
+        for (lane, held) in running(strands) {
+            held.free.clear();
+            held.free.extend(held.slots.iter().map(|slot| lane_of(&moved[*slot as usize], lane, 1.0)));
+        }
+        found
+    }
+}
+
+/// Those that take part, with their lanes.
+#[inline(always)]
+fn running<'a, 'b>(strands: &'a mut [Option<&'b mut Held>]) -> impl Iterator<Item = (usize, &'a mut &'b mut Held)> {
+    strands.iter_mut().enumerate().filter_map(|(lane, held)| Some((lane, held.as_mut()?)))
+}
+
+/// One lane's elements.
+#[inline(always)]
+fn unpack<T: Lane>(elements: &[ElementState<T>], lane: usize, out: &mut Vec<ElementState<f64>>) {
+    out.clear();
+    let vector = |v: &Vec3<T>| Vec3(v.0.map(|part| part.lane(lane)));
+    let matrix = |m: &Mat3<T>| Mat3(m.0.map(|row| row.map(|part| part.lane(lane))));
+    out.extend(elements.iter().map(|element| {
+        let c = &element.c;
+        ElementState {
+            kappa: vector(&element.kappa),
+            kappa_squared: element.kappa_squared.lane(lane),
+            length: element.length.lane(lane),
+            c: Stumpff {
+                c1: c.c1.lane(lane),
+                c2: c.c2.lane(lane),
+                c3: c.c3.lane(lane),
+                c4: c.c4.lane(lane),
+                c5: c.c5.lane(lane),
+                c6: c.c6.lane(lane),
+                c7: c.c7.lane(lane),
+            },
+            frame_left: matrix(&element.frame_left),
+            origin_left: vector(&element.origin_left),
+            turn: matrix(&element.turn),
+            end: vector(&element.end),
+        }
+    }));
+}
+
+struct Begin<'a, 'b, T> {
+    pack: &'a mut HeldPack<T>,
+    members: &'a dyn Members,
+    setting: &'a Setting<'a>,
+    h: f64,
+    first_order: bool,
+    strands: Lanes<'a, 'b>,
+}
+
+impl<T: Lane> Kernel for Begin<'_, '_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { pack, members, setting, h, first_order, strands } = self;
+        let workspace = &mut pack.bench.workspace;
+        let two_step = setting.options.integrator == Integrator::SecondOrder && stages::leans_on_past(members.state(0), h);
+        pack.times = if two_step && !first_order {
+            stages::start_backward_difference(members, setting, h, workspace).0
+        } else {
+            stages::start_euler(members, setting, h, workspace)
+        };
+        let loaded = &workspace.loaded;
+        element_states(loaded.rotation, loaded.lengths.iter().copied(), &loaded.curvatures, &mut pack.start);
+        (pack.rotation, pack.offset) = stages::move_roots(h, members, workspace);
+        (pack.freedoms, pack.rule) = (members.model(0).freedoms, members.state(0).rule);
+        workspace.last_stage = 0;
+
+        let rule = setting.rules.rule(pack.rule);
+        let axes = pack.freedoms.axes();
+        let axes = &axes[..pack.freedoms.count()];
+        let Workspace { loaded, iterate, stages, roots, .. } = workspace;
+        stages::assemble_terms(pack.times.k, pack.offset, &rule.weights, loaded, &stages[0], iterate);
+        stages::lead(pack.times.way, pack.freedoms, loaded, None, iterate);
+        let problem = Problem { root: &pack.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
+        let (value, noise) = choose_start(&problem, iterate);
+        iterate.system.point_tension.clear();
+        (iterate.system.exact, pack.exact) = (false, 0);
+        pack.loads.clear();
+        let usual = newton::usual_damping(iterate);
+        for (lane, held) in running(strands) {
+            unpack(&pack.start, lane, &mut held.start);
+            unpack(&iterate.kinematics.elements, lane, &mut held.now);
+            (held.start_origin, held.origin) = (members.state(lane).root.origin, roots[lane].origin);
+            held.begin((value.lane(lane), noise.lane(lane)), usual.lane(lane));
+        }
+    }
+}
+
+struct Linearise<'a, 'b, T> {
+    pack: &'a mut HeldPack<T>,
+    strands: Lanes<'a, 'b>,
+}
+
+impl<T: Lane> Kernel for Linearise<'_, '_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { pack, strands } = self;
+        let axes = pack.freedoms.axes();
+        let axes = &axes[..pack.freedoms.count()];
+        let iterate = &mut pack.bench.workspace.iterate;
+        forces(iterate);
+        for (lane, held) in running(strands) {
+            held.load(iterate, lane, pack.exact >> lane & 1 == 1);
+        }
+        pack.lay_out(strands);
+        for tries in 0..=newton::MAX_DAMPINGS {
+            pack.fill(strands);
+            let Bench { workspace, elimination } = &mut pack.bench;
+            let iterate = &mut workspace.iterate;
+            let damping = |lane: usize| strands.get(lane).and_then(Option::as_ref).map_or(0.0, |held| held.damping.value);
+            iterate.system.rotation_stiffness = T::from_lanes(damping);
+            let found = elimination.solve_loaded(&iterate.kinematics, &iterate.system, &pack.loads, axes, &mut iterate.change);
+            // A strand that is good keeps its damping, and its system again.
+            let mut good = true;
+            for (_, held) in running(strands).filter(|(lane, _)| found.repaired.lane(*lane) != 0.0) {
+                if tries < newton::MAX_DAMPINGS {
+                    held.stiffen();
+                    good = false;
+                }
+            }
+            if good {
+                break;
+            }
+        }
+        let Bench { workspace, elimination } = &pack.bench;
+        for (lane, held) in running(strands) {
+            held.delassus.update(elimination, &workspace.iterate.kinematics, lane, &held.loads, axes);
+        }
+        pack.forces.clear();
+        pack.forces.resize(pack.loads.len(), Vec3::zero());
+        pack.direct(strands);
+    }
+}
+
+struct Advance<'a, 'b, T> {
+    pack: &'a mut HeldPack<T>,
+    setting: &'a Setting<'a>,
+    strands: Lanes<'a, 'b>,
+}
+
+impl<T: Lane> Kernel for Advance<'_, '_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { pack, setting, strands } = self;
+        pack.forces.clear();
+        pack.forces.resize(pack.loads.len(), Vec3::zero());
+        for (lane, held) in running(strands) {
+            for (station, slot) in held.slots.iter().enumerate() {
+                let told = held.forces[station] - held.pulled(station);
+                (0..3).for_each(|axis| pack.forces[*slot as usize].0[axis].set_lane(lane, told.0[axis]));
+            }
+        }
+        let found = pack.direct(strands);
+        let axes = pack.freedoms.axes();
+        let axes = &axes[..pack.freedoms.count()];
+        let Workspace { loaded, iterate, .. } = &mut pack.bench.workspace;
+        let limit = Elimination::<T>::ROTATION_LIMIT;
+        let rule = setting.rules.rule(pack.rule);
+        let problem = Problem { root: &pack.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
+        let (mut part, mut from, mut rotation) = ([0.0; MAX_LANES], [(0.0, 0.0); MAX_LANES], [0.0; MAX_LANES]);
+        let (mut to, mut potential) = (from, from);
+        let mut pending = 0;
+        for (lane, held) in running(strands) {
+            held.outcome.iterations += 1;
+            rotation[lane] = found.rotation_squared.lane(lane).sqrt();
+            if !(rotation[lane].is_finite() && found.descent.lane(lane).is_finite()) {
+                (held.outcome.quarantined, held.residual) = (true, f64::INFINITY);
+                continue;
+            }
+            from[lane] = held.lagrangian(held.potential, &held.now);
+            part[lane] = if rotation[lane] > limit { limit / rotation[lane] } else { 1.0 };
+            pending |= 1 << lane;
+        }
+        let mut moving = pending;
+        for _ in 0..newton::MAX_HALVINGS {
+            if pending == 0 {
+                break;
+            }
+            let (value, noise) = newton::place_on_way(&problem, iterate, &part, moving);
+            let asked = pending;
+            for (lane, held) in running(strands).filter(|(lane, _)| asked >> lane & 1 == 1) {
+                unpack(&iterate.trial.elements, lane, &mut held.trial);
+                potential[lane] = (value.lane(lane), noise.lane(lane));
+                to[lane] = held.lagrangian(potential[lane], &held.trial);
+                let least = newton::ARMIJO * part[lane] * found.descent.lane(lane);
+                if to[lane].0 <= from[lane].0 - least + from[lane].1 {
+                    pending &= !(1 << lane);
+                } else {
+                    part[lane] *= 0.5;
+                }
+            }
+        }
+        if pending != 0 {
+            // No way down that rounding lets us see: as good as the potential can tell.
+            moving &= !pending;
+            newton::place_on_way(&problem, iterate, &part, moving);
+        }
+        std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
+        std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
+        for (lane, held) in running(strands) {
+            if pending >> lane & 1 == 1 {
+                (held.outcome.residual, held.residual) = (rotation[lane], rotation[lane]);
+            }
+            if moving >> lane & 1 == 0 {
+                continue;
+            }
+            held.accept();
+            held.potential = potential[lane];
+            let promised = 0.5 * (found.descent.lane(lane) + held.damping.value * found.rotation_sum.lane(lane));
+            let (from, to) = (from[lane], to[lane]);
+            held.damping.learn(if promised >= 8.0 * from.1 { (from.0 - to.0) / promised } else { 1.0 });
+            let newton = held.damping.value == 0.0 && part[lane] == 1.0;
+            let left = newton::constant(rotation[lane], held.before) * rotation[lane];
+            let quadratic = newton && pack.exact >> lane & 1 == 1;
+            held.outcome.residual = if quadratic { rotation[lane] * left.min(1.0) } else { rotation[lane] };
+            held.residual = held.outcome.residual;
+            held.before = newton.then_some(rotation[lane]);
+        }
+        if setting.options.exact_hessian && moving != 0 {
+            pack.foresee(&part, moving);
+        }
+    }
+}
+
+impl<T: Lane> HeldPack<T> {
+    /// The tension of the lanes that have moved, by `part` of the direction each. The others keep theirs.
+    #[inline(always)]
+    fn foresee(&mut self, part: &[f64; MAX_LANES], moved: u32) {
+        let axes = self.freedoms.axes();
+        let iterate = &mut self.bench.workspace.iterate;
+        std::mem::swap(&mut iterate.system.point_tension, &mut iterate.spare_tension);
+        foresee(iterate, &axes[..self.freedoms.count()], part);
+        let others = (1_u32 << T::LANES) - 1 & !moved;
+        if others != 0 {
+            let moved = T::mask(moved);
+            if self.exact == 0 {
+                iterate.spare_tension.clear();
+            }
+            iterate.spare_tension.resize(iterate.system.point_tension.len(), Vec3::zero());
+            for (now, before) in iterate.system.point_tension.iter_mut().zip(&iterate.spare_tension) {
+                (0..3).for_each(|axis| now.0[axis] = T::select(moved, now.0[axis], before.0[axis]));
+            }
+        }
+        self.exact |= moved;
+        iterate.system.exact = true;
+    }
+}
+
+struct Finish<'a, 'b, T> {
+    pack: &'a mut HeldPack<T>,
+    members: &'a dyn Members,
+    setting: &'a Setting<'a>,
+    h: f64,
+    strands: Lanes<'a, 'b>,
+}
+
+impl<T: Lane> Kernel for Finish<'_, '_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let Self { pack, members, setting, h, strands } = self;
+        let workspace = &mut pack.bench.workspace;
+        let axes = pack.freedoms.axes();
+        forces(&mut workspace.iterate);
+        let Workspace { iterate, stages, .. } = &mut *workspace;
+        stages::finish_stage(pack.times.k, pack.offset, &axes[..pack.freedoms.count()], iterate, &mut stages[0]);
+        let (force, torque) = wrench(&iterate.kinematics, &iterate.system.point_force);
+        (workspace.wrench_force, workspace.wrench_torque) = (force, torque);
+        for (lane, held) in running(strands) {
+            let (force, torque) = held.wrench(lane_of(&force, lane, 1.0), lane_of(&torque, lane, 1.0));
+            for axis in 0..3 {
+                workspace.wrench_force.0[axis].set_lane(lane, force.0[axis]);
+                workspace.wrench_torque.0[axis].set_lane(lane, torque.0[axis]);
+            }
+        }
+        whole::measure_roots(members, h, workspace);
+        let mut outcomes = [StrandOutcome::default(); MAX_LANES];
+        whole::energies(members, setting, workspace, &mut outcomes);
+        let finiteness = whole::finiteness(workspace);
+        for (lane, held) in running(strands) {
+            (held.outcome.energies, held.finite) = (outcomes[lane].energies, finiteness.lane(lane) == 0.0);
+        }
+    }
+}
