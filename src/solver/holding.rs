@@ -409,7 +409,9 @@ impl Holding {
             held.found.clear();
         }
         self.packs.clear();
-        self.packs.begin(scene, &mut self.strands[..self.count], h, |_| true);
+        let held = &mut self.strands[..self.count];
+        self.packs.begin(scene, held, h, |_| true);
+        scene.meter.spend(held.iter().map(HeldStrand::half_work).sum());
     }
 
     /// The constraints' joints.

@@ -100,10 +100,7 @@ impl Packs {
                 (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut held.held));
             }
             pack.begin(&Present(strands), setting, h, first_order, set, &mut lanes);
-            for (_, held) in members.iter_mut().flatten() {
-                held.begun();
-                meter.spend(held.half_work());
-            }
+            members.iter_mut().flatten().for_each(|(_, held)| held.begun());
         });
     }
 
