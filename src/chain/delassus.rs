@@ -185,7 +185,7 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
                         y[i] -= y[k] * one(&done.factor[i][k]);
                     }
                     y[i] = y[i] * one(&done.factor[i][i]);
-                    let w = done.coupling[i].map(|value| one(&value));
+                    let w: [T; 6] = std::array::from_fn(|column| one(&done.coupling[i][column]));
                     moment -= Vec3([w[0], w[1], w[2]]).scale(y[i]);
                     force -= Vec3([w[3], w[4], w[5]]).scale(y[i]);
                 }
@@ -203,7 +203,7 @@ impl<P: Lane, T: Lane, const D: usize, const MASK: u32> Kernel for Columns<'_, P
                 let done = &done[count - 1 - index];
                 let mut delta = scratch[index];
                 for k in (0..D).rev() {
-                    let w = done.coupling[k].map(|value| one(&value));
+                    let w: [T; 6] = std::array::from_fn(|column| one(&done.coupling[k][column]));
                     let mut value = delta[k] - Vec3([w[0], w[1], w[2]]).dot(psi) - Vec3([w[3], w[4], w[5]]).dot(rho);
                     for later in k + 1..D {
                         value -= delta[later] * one(&done.factor[later][k]);

@@ -114,7 +114,23 @@ impl<T: Lane> Load<T> {
         }
     }
 
+    /// Makes it one that acts on nothing, on an element.
+    #[inline(always)]
+    pub fn clear(&mut self, element: usize) {
+        self.element = element;
+        self.s = T::zero();
+        for part in
+            [&mut self.c.c1, &mut self.c.c2, &mut self.c.c3, &mut self.c.c4, &mut self.c.c5, &mut self.c.c6, &mut self.c.c7]
+        {
+            *part = T::zero();
+        }
+        (self.local, self.lever, self.tension) = (Vec3::zero(), Vec3::zero(), Vec3::zero());
+        self.jacobian = Mat3::zero();
+        (self.turning, self.stiffness) = (None, None);
+    }
+
     /// Puts a strand's own into its lane.
+    #[inline(always)]
     pub fn set_lane(&mut self, lane: usize, from: &Load<f64>) {
         let put = |to: &mut T, from: f64| to.set_lane(lane, from);
         let put_vector = |to: &mut Vec3<T>, from: &Vec3<f64>| (0..3).for_each(|i| to.0[i].set_lane(lane, from.0[i]));

@@ -148,29 +148,31 @@ impl<T: Lane> HeldPack<T> {
     #[inline(always)]
     fn lay_out(&mut self, strands: Lanes) {
         let elements = self.bench.workspace.iterate.kinematics.elements.len();
-        self.loads.clear();
         strands.iter_mut().flatten().for_each(|held| held.slots.clear());
+        let mut count = 0;
         for element in 0..elements {
-            let first = self.loads.len();
+            let first = count;
             for held in strands.iter_mut().flatten() {
                 let mut next = first;
                 while held.stations.get(held.slots.len()).is_some_and(|station| station.element == element) {
                     held.slots.push(next as u32);
                     next += 1;
                 }
-                while self.loads.len() < next {
-                    self.loads.push(Load::none(element));
+                while count < next {
+                    match self.loads.get_mut(count) {
+                        Some(load) => load.clear(element),
+                        None => self.loads.push(Load::none(element)),
+                    }
+                    count += 1;
                 }
             }
         }
+        self.loads.truncate(count);
     }
 
     /// Puts the strands' loads into their places.
     #[inline(always)]
     fn fill(&mut self, strands: Lanes) {
-        for load in &mut self.loads {
-            *load = Load::none(load.element);
-        }
         for (lane, held) in running(strands) {
             for (slot, load) in held.slots.iter().zip(&held.loads) {
                 self.loads[*slot as usize].set_lane(lane, load);
@@ -205,8 +207,10 @@ fn running<'a, 'b>(strands: &'a mut [Option<&'b mut Held>]) -> impl Iterator<Ite
 #[inline(always)]
 fn unpack<T: Lane>(elements: &[ElementState<T>], lane: usize, out: &mut Vec<ElementState<f64>>) {
     out.clear();
-    let vector = |v: &Vec3<T>| Vec3(v.0.map(|part| part.lane(lane)));
-    let matrix = |m: &Mat3<T>| Mat3(m.0.map(|row| row.map(|part| part.lane(lane))));
+    // (Number by number: whole arrays would be copied first.)
+    let row = |row: &[T; 3]| [row[0].lane(lane), row[1].lane(lane), row[2].lane(lane)];
+    let vector = |v: &Vec3<T>| Vec3(row(&v.0));
+    let matrix = |m: &Mat3<T>| Mat3([row(&m.0[0]), row(&m.0[1]), row(&m.0[2])]);
     out.extend(elements.iter().map(|element| {
         let c = &element.c;
         ElementState {
