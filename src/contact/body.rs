@@ -282,6 +282,8 @@ pub struct BodyAt<'a> {
     pub bounds: Bounds,
     /// Angle that it turns by, rad.
     pub(super) turn: f64,
+    /// The farthest that something of its shape is from its pose's origin, m; 0 where it has no end.
+    pub radius: f64,
     pub(super) axes_start: Matrix3<f64>,
     pub(super) axes_end: Matrix3<f64>,
 }
@@ -292,29 +294,39 @@ impl<'a> BodyAt<'a> {
         let (axes_start, axes_end) = (*start.rotation.to_rotation_matrix().matrix(), *end.rotation.to_rotation_matrix().matrix());
         let turn = rotation_vector(&(start.rotation.inverse() * end.rotation)).norm();
         let local = shape.bounds();
+        let radius = radius(&local);
         let bounds = if local.low.x.is_finite() {
             let corners = local.corners();
             let place =
                 |frame: &Frame, axes: &Matrix3<f64>| Bounds::of_points(corners.map(|corner| frame.origin + axes * corner));
             // A point that turns by an angle φ about the pose's origin leaves its chord by at most r (1 − cos φ/2) ≤ r φ²/8.
-            let farthest = corners.iter().map(|corner| corner.norm_squared()).fold(0.0, f64::max).sqrt();
-            place(&start, &axes_start).union(&place(&end, &axes_end)).grown(farthest * (0.125 * turn * turn).min(1.0))
+            place(&start, &axes_start).union(&place(&end, &axes_end)).grown(radius * (0.125 * turn * turn).min(1.0))
         } else {
             local
         };
         let (friction, viscous_friction, group, mask) = (1.0, 1.0, 1, u32::MAX);
-        Self { index, shape, start, end, thickness, friction, viscous_friction, group, mask, bounds, turn, axes_start, axes_end }
+        Self {
+            index,
+            shape,
+            start,
+            end,
+            thickness,
+            friction,
+            viscous_friction,
+            group,
+            mask,
+            bounds,
+            turn,
+            radius,
+            axes_start,
+            axes_end,
+        }
     }
 
     /// The same going from and to other poses.
     pub fn on_way(&self, [start, end]: [Frame; 2]) -> Self {
         let Self { friction, viscous_friction, group, mask, .. } = *self;
         Self { friction, viscous_friction, group, mask, ..Self::new(self.index, self.shape, start, end, self.thickness) }
-    }
-
-    /// The farthest that something of its shape is from its pose's origin, m; 0 where it has no end.
-    pub fn radius(&self) -> f64 {
-        radius(&self.shape.bounds())
     }
 
     /// Half of the least extent of what strands meet, m: what goes by more at once leaves no trace of where it went.

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use super::allowance::Allowance;
 use super::body::BodyAt;
-use super::shape::Sides;
+use super::shape::{Bounds, Sides};
 use crate::math::frame::Frame;
 use crate::math::rotation::rotation_vector;
 use crate::math::vector::Vec3;
@@ -39,10 +39,26 @@ pub struct FreePath<'a> {
 /// Lists that are used again from call to call.
 #[derive(Debug, Clone, Default)]
 pub struct Scratch {
-    /// At the start and the end, the body's axes.
+    /// At the start and the end, world axes; of the start nothing until it is asked for.
+    world: [Vec<ElementState<f64>>; 2],
+    /// The same in the body's axes.
     elements: [Vec<ElementState<f64>>; 2],
     /// Elements that may be near the body, and the arclengths at which they begin.
     near: Vec<(usize, f64)>,
+}
+
+impl Scratch {
+    /// Brings the elements at one end of the step into the axes of a body that is there then.
+    fn turn(&mut self, end: usize, body: &Frame) {
+        let axes = rotation_matrix(body);
+        let turned = self.world[end].iter().map(|state| ElementState {
+            frame_left: axes.transposed_mul(&state.frame_left),
+            origin_left: axes.apply_transposed(state.origin_left),
+            ..*state
+        });
+        self.elements[end].clear();
+        self.elements[end].extend(turned);
+    }
 }
 
 /// A piece of an element during a part of the step.
@@ -86,9 +102,36 @@ pub fn can_tell(body: &BodyAt) -> bool {
 }
 
 impl FreePath<'_> {
-    /// Whether no point of it was ever deeper in a body than `spare` metres plus its allowance. False also where 256 balls do not decide it, and
-    /// beside a body for which distances cannot ([`can_tell`]).
-    pub fn is_clear_of(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
+    /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its allowance. False also where 256 balls do not decide
+    /// it, and beside a body for which distances cannot ([`can_tell`]).
+    pub fn is_clear_of<'a>(&self, bodies: impl IntoIterator<Item = &'a BodyAt<'a>>, spare: f64, scratch: &mut Scratch) -> bool {
+        let mut around = None;
+        bodies.into_iter().all(|body| {
+            let around = around.get_or_insert_with(|| self.around(scratch));
+            // A point that goes straight in the body's axes, which turn by φ, leaves its chord by at most r φ²/8.
+            let arm = (self.root[0].origin - body.start.origin).norm() + self.lengths.iter().sum::<f64>();
+            let aside = arm * (0.125 * body.turn * body.turn).min(1.0);
+            !body.is_near(&around.grown(aside)) || self.is_clear_of_one(body, spare, scratch)
+        })
+    }
+
+    /// A box around all that its surface comes to.
+    fn around(&self, scratch: &mut Scratch) -> Bounds {
+        scratch.world[0].clear();
+        self.place(1, scratch);
+        let (mut around, mut start) = (Bounds::EMPTY, 0.0);
+        let to = self.root[1].origin;
+        for (state, displacement) in scratch.world[1].iter().zip(self.displacements(&self.root)) {
+            start += state.length;
+            if start > self.exempt {
+                let ends = [state.origin_left, state.origin_right()].map(|end| to + Vector3::from(end));
+                around = around.union(&Bounds::of_points(ends).grown(0.5 * state.length + displacement));
+            }
+        }
+        around.grown(self.radius)
+    }
+
+    fn is_clear_of_one(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
         if !can_tell(body) {
             return false;
         }
@@ -100,14 +143,17 @@ impl FreePath<'_> {
 
     fn stays_out(&self, body: &BodyAt, spare: f64, scratch: &mut Scratch) -> bool {
         let roots = [body.start.inverse().compose(&self.root[0]), body.end.inverse().compose(&self.root[1])];
-        self.place(&roots, 1, scratch);
+        scratch.turn(1, &body.end);
         self.find_near(&roots, body, spare, scratch);
         if scratch.near.is_empty() {
             return true;
         }
-        self.place(&roots, 0, scratch);
+        if scratch.world[0].is_empty() {
+            self.place(0, scratch);
+        }
+        scratch.turn(0, &body.start);
         let origins = roots.map(|root| root.origin);
-        let Scratch { elements: [first, second], near } = scratch;
+        let Scratch { elements: [first, second], near, .. } = scratch;
         let mut balls = MOST_BALLS;
         near.iter().all(|(k, start)| {
             let element = Element { states: [&first[*k], &second[*k]], origins, start: *start };
@@ -115,29 +161,33 @@ impl FreePath<'_> {
         })
     }
 
-    /// Places the elements at the step's start (0) or end (1), in the body's axes.
-    fn place(&self, roots: &[Frame; 2], end: usize, scratch: &mut Scratch) {
-        element_states(
-            rotation_matrix(&roots[end]),
-            self.lengths.iter().copied(),
-            self.curvatures[end],
-            &mut scratch.elements[end],
-        );
+    /// Places the elements at the step's start (0) or end (1).
+    fn place(&self, end: usize, scratch: &mut Scratch) {
+        let lengths = self.lengths.iter().copied();
+        element_states(rotation_matrix(&self.root[end]), lengths, self.curvatures[end], &mut scratch.world[end]);
     }
 
-    /// Finds the elements that may be near the body, from where they end and from how far they can have come: at arclength s the displacement is no more
-    /// than the integral, up to s, of the angle by which tangents turned.
-    fn find_near(&self, roots: &[Frame; 2], body: &BodyAt, spare: f64, scratch: &mut Scratch) {
-        let [from, to] = roots;
-        let (shift, turn) = ((to.origin - from.origin).norm(), rotation_vector(&(to.rotation * from.rotation.inverse())).norm());
-        let (slope, needed) = (body.shape.distance_slope(), self.radius + body.thickness - spare);
-        let (mut start, mut angle, mut displacement) = (0.0, turn, shift);
-        scratch.near.clear();
-        for (k, state) in scratch.elements[1].iter().enumerate() {
-            let (length, [before, after]) = (state.length, self.curvatures.map(|rows| rows[k]));
+    /// How far points of each element can have come while the root went from pose to pose: at arclength s no farther than the integral, up to s, of
+    /// the angle by which tangents turned.
+    fn displacements(&self, [from, to]: &[Frame; 2]) -> impl Iterator<Item = f64> {
+        let mut displacement = (to.origin - from.origin).norm();
+        let mut angle = rotation_vector(&(to.rotation * from.rotation.inverse())).norm();
+        self.lengths.iter().zip(self.curvatures[0].iter().zip(self.curvatures[1])).map(move |(length, (before, after))| {
             let turned = Vec3(std::array::from_fn(|axis| after[axis] - before[axis])).norm_squared().sqrt() * length;
             displacement += (angle + 0.5 * turned) * length;
             angle += turned;
+            displacement
+        })
+    }
+
+    /// Finds the elements that may be near the body, from where they end and from how far they can have come.
+    fn find_near(&self, roots: &[Frame; 2], body: &BodyAt, spare: f64, scratch: &mut Scratch) {
+        let to = &roots[1];
+        let (slope, needed) = (body.shape.distance_slope(), self.radius + body.thickness - spare);
+        let mut start = 0.0;
+        scratch.near.clear();
+        for (k, (state, displacement)) in scratch.elements[1].iter().zip(self.displacements(roots)).enumerate() {
+            let length = state.length;
             let middle = to.origin + 0.5 * Vector3::from(state.origin_left + state.origin_right());
             let enough = needed + slope * (0.5 * length + displacement);
             if start + length > self.exempt && body.shape.distance(middle, enough) < enough {
@@ -215,7 +265,7 @@ mod tests {
         let rows = [[0.0; 3]; 4];
         let root = way.map(|origin| Frame { origin, ..Frame::default() });
         let path = FreePath { lengths: &[LENGTH / 4.0; 4], root, curvatures: [&rows, &rows], exempt: 0.01, radius, allowance };
-        path.is_clear_of(&BodyAt::new(0, shape, poses[0], poses[1], 0.0), 1e-5, &mut Scratch::default())
+        path.is_clear_of([&BodyAt::new(0, shape, poses[0], poses[1], 0.0)], 1e-5, &mut Scratch::default())
     }
 
     fn still(shape: &Shape, way: [Vector3<f64>; 2]) -> bool {

@@ -40,7 +40,7 @@ impl Passing {
     pub fn new(from: &Frame, body: &BodyAt, [root_from, root_to]: &[Frame; 2], length: f64) -> Self {
         let along = from.carried(root_from, root_to);
         let turned = rotation_vector(&(body.end.rotation * along.rotation.inverse())).norm();
-        let arm = body.radius().min((root_from.origin - from.origin).norm() + length);
+        let arm = body.radius.min((root_from.origin - from.origin).norm() + length);
         let travel = (body.end.origin - along.origin).norm() + arm * turned;
         Self { along, travel, limit: limit(body, length) }
     }
@@ -74,19 +74,27 @@ impl Solver {
         let going = |index: usize| {
             let body = self.bodies[index].body.at(index as u32, h);
             let turn = rotation_vector(&(body.end.rotation * body.start.rotation.inverse())).norm();
-            (body, (body.end.origin - body.start.origin).norm() + body.radius() * turn, body.half_extent())
+            (body, (body.end.origin - body.start.origin).norm() + body.radius * turn, body.half_extent())
         };
         let bodies = (0..self.bodies.len()).map(going).filter(|(.., extent)| extent.is_finite());
+        let mut fastest = None;
         let most = bodies.fold(1.0, |most, (body, travel, extent)| {
-            self.strands.iter().map(|strand| strand.parts(&body, travel, extent, h)).fold(most, f64::max)
+            let fastest = if extent <= THICK { *fastest.get_or_insert_with(|| self.fastest()) } else { f64::INFINITY };
+            self.strands.iter().map(|strand| strand.parts(&body, travel, extent, fastest, h)).fold(most, f64::max)
         });
         most.ceil().min(f64::from(MOST)) as u32
+    }
+
+    /// The fastest that some point of a strand goes, m/s.
+    fn fastest(&self) -> f64 {
+        let squares = self.strands.iter().flat_map(|strand| &strand.state.velocities).map(|v| v.norm_squared());
+        squares.fold(0.0, f64::max).sqrt()
     }
 }
 
 impl Strand {
-    /// In how many parts it and a body of some half extent that goes so far itself are to pass each other.
-    fn parts(&self, at: &BodyAt, travel: f64, extent: f64, h: f64) -> f64 {
+    /// In how many parts it and a body of some half extent that goes so far itself are to pass each other; no strand is faster than `fastest` (m/s).
+    fn parts(&self, at: &BodyAt, travel: f64, extent: f64, fastest: f64, h: f64) -> f64 {
         let Some(contact) = self.contact.as_deref() else { return 1.0 };
         let still = travel == 0.0 && self.root_move.is_none() && self.astray.is_none();
         if still && extent > THICK {
@@ -97,7 +105,7 @@ impl Strand {
         if still && !is_thin || !at.meets(contact.groups, contact.mask) {
             return 1.0;
         }
-        let swings = || if is_thin { self.swings_by(at, h) / (SWING * length) } else { 0.0 };
+        let swings = || if is_thin { self.swings_by(at, SWING * length, fastest, h) / (SWING * length) } else { 0.0 };
         if still {
             return if at.is_near(&self.reach(contact, &[self.state.root; 2])) { swings() } else { 1.0 };
         }
@@ -108,20 +116,29 @@ impl Strand {
         }
         let turn = root[1].rotation * root[0].rotation.inverse();
         // (An angle is at most π times its half's sine.)
-        let own = (root[1].origin - root[0].origin).norm() + length * PI * turn.quaternion().imag().norm();
-        let goes_far = travel + own > limit(at, length);
+        let (shift, angle) = ((root[1].origin - root[0].origin).norm(), PI * turn.quaternion().imag().norm());
+        let limit = limit(at, length);
+        let goes_far = travel + (shift + length * angle) > limit;
         if !(goes_far || is_thin) || !at.is_near(&self.reach(contact, &root)) {
             return 1.0;
+        }
+        // What it goes at most, past all of the body: no part more than one where that is within the limit.
+        let away = (root[0].origin - at.start.origin).norm();
+        if travel + shift + (away + at.radius.min(away + length)) * angle <= limit {
+            return swings();
         }
         let passing = Passing::new(&at.start, at, &root, length);
         (passing.travel / passing.limit).max(swings())
     }
 
-    /// How far it goes past a body in a substep of `h` seconds by its own speed, m.
-    fn swings_by(&self, body: &BodyAt, h: f64) -> f64 {
+    /// How far it goes past a body in a substep of `h` seconds by its own speed, m; 0 where that is no more than `least`.
+    fn swings_by(&self, body: &BodyAt, least: f64, fastest: f64, h: f64) -> f64 {
         let root = self.state.root.origin;
         let carried_to = body.end.origin + body.end.rotation * (body.start.rotation.inverse() * (root - body.start.origin));
         let carried = (carried_to - root) / h;
+        if (fastest + carried.norm()) * h <= least {
+            return 0.0;
+        }
         let squares = self.state.velocities.iter().map(|v| (Vector3::from(*v) - carried).norm_squared());
         squares.fold(0.0, f64::max).sqrt() * h
     }

@@ -105,7 +105,7 @@ impl Saved {
             radius: contact.radius,
             allowance: strand.allowance.as_deref(),
         };
-        near(strand, &self.root, bodies).all(|body| path.is_clear_of(body, spare, scratch))
+        path.is_clear_of(near(strand, &self.root, bodies), spare, scratch)
     }
 }
 
