@@ -125,7 +125,9 @@ impl FreePath<'_> {
             start += state.length;
             if start > self.exempt {
                 let ends = [state.origin_left, state.origin_right()].map(|end| to + Vector3::from(end));
-                around = around.union(&Bounds::of_points(ends).grown(0.5 * state.length + displacement));
+                // An arc lies this near its chord, since it turns no more.
+                let aside = 0.5 * state.length * (0.5 * state.kappa_squared.sqrt() * state.length).min(1.0);
+                around = around.union(&Bounds::of_points(ends).grown(aside + displacement));
             }
         }
         around.grown(self.radius)
