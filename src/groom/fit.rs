@@ -4,7 +4,7 @@
 //! the elements begin and end, and the root's direction, by Levenberg and Marquardt's method. Its linear systems take linear time, as those of
 //! a step do (`fit/linearised.rs`). The length is the curve's, by construction. Several starts are tried until one is good: helices that the
 //! curve's curvature resembles, an element at a time, on nodes where the curvature varies and on others (`fit/start.rs`). Where the largest
-//! distance is still too large, least squares with other weights lower it. `docs/groom_fit.md` has what that leaves on real grooms, beside other
+//! distance is still too large, least squares with other weights lower it. `docs/notebook/groom_fit.md` has what that leaves on real grooms, beside other
 //! methods.
 
 pub mod bulk;

@@ -1,4 +1,4 @@
-//! Strands posed by hand: dragged by a point, brushed, bent and turned element by element, cut, grown, mirrored (`docs/posing.md`).
+//! Strands posed by hand: dragged by a point, brushed, bent and turned element by element, cut, grown, mirrored (`docs/theory/posing.md`).
 //!
 //! A pose is a strand's root, element lengths and curvatures. Whatever is done to it, it stays a Super-Helix: elements do not stretch
 //! unless told to, and frames stay proper.

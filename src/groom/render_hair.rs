@@ -5,7 +5,7 @@
 //! any number of threads, into the caller's memory. A strand's points depend on the map and the pose alone, not on who evaluates them.
 //!
 //! Near the root a strand is mixed from its guides, in positions or in curvatures ([`Space`]); towards the tip it goes over to its wisp, a
-//! line beside its first guide, the more so the curlier the hair. Guides whose tips have parted are not mixed. docs/render_hair.md has the
+//! line beside its first guide, the more so the curlier the hair. Guides whose tips have parted are not mixed. docs/theory/render_hair.md has the
 //! formulas.
 
 mod align;

@@ -1,5 +1,5 @@
 //! Styling by hand: the bodies of tools from a few numbers, and combs whose teeth hold the strands that they meet until these are combed. See
-//! `docs/styling_tools.md`. Clips, scissors, hot plates and the freezing of a style are methods of [`Solver`](crate::solver::Solver).
+//! `docs/theory/styling_tools.md`. Clips, scissors, hot plates and the freezing of a style are methods of [`Solver`](crate::solver::Solver).
 
 pub mod ring_comb;
 pub mod tools;

@@ -1,4 +1,4 @@
-//! A scene file (docs/scene_format.md): read, checked, and turned into what the solver is made from.
+//! A scene file (docs/reference/scene_format.md): read, checked, and turned into what the solver is made from.
 
 pub mod attachments;
 pub mod colliders;
