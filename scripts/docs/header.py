@@ -51,11 +51,11 @@ class Reference:
     def page(self, section: str) -> str:
         """The page of a section."""
         here = slug(section)
-        lines = [f"# {section}", "", "From [superhelix.h](../../include/superhelix.h); [all sections](README.md).", ""]
+        lines = [f"# {section}", "", "From [superhelix.h](../../include/superhelix.h); [all sections](index.md).", ""]
         constants = [item for item in self.api["constants"] if item["section"] == section]
         for struct in self.of("structs", section):
             lines += self.heading(struct, here)
-            if struct["init"]:
+            if struct["init"] and struct["init"] not in struct["doc"]:
                 lines += [f"Fill it with {self.text(struct['init'], here)}.", ""]
             lines += ["| field | type | meaning |", "|---|---|---|"]
             for field in struct["fields"]:

@@ -49,11 +49,15 @@ class Stage:
                 to = readme
             else:
                 return None
+        elif not (ROOT / path).is_file():
+            return target  # found broken when the site is checked
         else:
             to = path.relative_to("docs") if path.is_relative_to("docs") else Path("files") / path
             # mdBook does not copy Markdown that is no page.
-            to = to.with_name(to.name + ".txt") if to.suffix in (".md", ".h") else to
+            to = to.with_name(to.name.replace(".", "_") + ".txt") if to.suffix in (".md", ".h") else to
             self.copy(path, to)
+        # mdBook makes index.html of README.md, but not in links.
+        to = to.with_name("index.md") if to.name == "README.md" else to
         return os.path.relpath(to, place.parent) + mark + anchor
 
     def copy(self, path: Path, to: Path) -> None:
@@ -85,14 +89,14 @@ class Stage:
         shutil.rmtree(STAGE, ignore_errors=True)
         STAGE.mkdir(parents=True)
         for page, place in self.places.items():
-            text = self.text(page, place, (ROOT / page).read_text(encoding="utf-8"))
-            if place == Path("SUMMARY.md"):
-                text = summary(text, Reference().write(STAGE / HEADER))
+            text = (ROOT / page).read_text(encoding="utf-8")
+            contents = place == Path("SUMMARY.md")
+            text = summary(text, Reference().write(STAGE / HEADER)) if contents else self.text(page, place, text)
             (STAGE / place).parent.mkdir(parents=True, exist_ok=True)
             (STAGE / place).write_text(text, encoding="utf-8")
         for page in (STAGE / HEADER).iterdir():
-            page.write_text(page.read_text(encoding="utf-8").replace("../../include/superhelix.h", "../../files/include/superhelix.h.txt"), encoding="utf-8")
-        self.copy(Path("include/superhelix.h"), Path("files/include/superhelix.h.txt"))
+            page.write_text(page.read_text(encoding="utf-8").replace("../../include/superhelix.h", "../../files/include/superhelix_h.txt"), encoding="utf-8")
+        self.copy(Path("include/superhelix.h"), Path("files/include/superhelix_h.txt"))
         book = (ROOT / "docs" / "book.toml").read_text(encoding="utf-8")
         (STAGE / "book.toml").write_text(book.replace('build-dir = "../build/docs"', 'build-dir = "book"'), encoding="utf-8")
 
