@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib install uninstall dist dist-check deb test python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit haptics \
+.PHONY: help lib install uninstall dist dist-check deb test test-docs docs python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit haptics \
 	instructions figures tradeoff peers clean
 
 help: ## this list
@@ -47,8 +47,17 @@ test: ## everything: format, lints, documentation, tests in Rust, C and of all b
 	scripts/test_python.sh
 	scripts/test_cpp.sh
 	scripts/test_csharp.sh
+	scripts/test_docs.sh
 	$(MAKE) --no-print-directory abi wasm
 	SHX_PROFILE=test DIST=$(TARGET)/dist $(MAKE) dist-check
+
+docs: ## the pages as a site with search, and the C header's reference: build/docs/ (mdBook is compiled once: five minutes)
+	@scripts/setup.sh figures
+	scripts/docs/build.sh
+
+test-docs: ## the pages alone: links and anchors, what folders of src say they hold, the code of the pages compiled and run (a minute)
+	@scripts/setup.sh test python csharp
+	scripts/test_docs.sh
 
 cpp: ## the tests of the C++ binding alone: C++17 and C++20, with and without exceptions, sanitizers, the game loop (a minute)
 	@scripts/setup.sh test python

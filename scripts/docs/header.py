@@ -69,7 +69,7 @@ class Reference:
         if constants:
             lines += ["## Constants", "", "| constant | value | meaning |", "|---|---|---|"]
             for item in constants:
-                lines.append(f"| <a id=\"{item['name'].lower()}\"></a>`{item['name']}` | `{item['value']}` | {cell(self.text(item['doc'], here))} |")
+                lines.append(f'| <a id="{item["name"].lower()}"></a>`{item["name"]}` | `{item["value"]}` | {cell(self.text(item["doc"], here))} |')
         return "\n".join(lines).rstrip() + "\n"
 
     def of(self, kind: str, section: str) -> Iterable[Item]:
@@ -123,7 +123,8 @@ def signature(function: Item) -> str:
     parameters = []
     for item in function["parameters"]:
         kind = typed(item["type"])
-        parameters.append(f"{kind}{'' if kind.endswith('*') else ' '}{item['name']}{'[%d]' % item['array'] if item['array'] else ''}")
+        array = f"[{item['array']}]" if item["array"] else ""
+        parameters.append(f"{kind}{'' if kind.endswith('*') else ' '}{item['name']}{array}")
     returns = typed(function["returns"])
     head = f"{returns}{'' if returns.endswith('*') else ' '}{function['name']}("
     line = f"{head}{', '.join(parameters) or 'void'});"

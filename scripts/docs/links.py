@@ -78,7 +78,7 @@ def main() -> int:
     for page in tracked("*.md"):
         checker.page(page)
     for file in tracked():
-        if file.suffix in TEXT and not file.is_relative_to("tests/data") and not file.is_relative_to("docs/figures") or file.suffix == ".py":
+        if (file.suffix in TEXT and not file.is_relative_to("tests/data") and not file.is_relative_to("docs/figures")) or file.suffix == ".py":
             checker.names(file)
     checker.summary()
     for line in checker.broken:

@@ -19,7 +19,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from header import Reference
-from pages import ATTRIBUTE, LINK, ROOT, prose, tracked
+from pages import ATTRIBUTE, ROOT, prose, tracked
 
 STAGE = ROOT / "build" / "docs-source"
 #: The pages of the site that are no files of docs/.

@@ -156,9 +156,7 @@ def main() -> int:
     parser.add_argument("pages", nargs="*", type=Path, help="only these pages")
     arguments = parser.parse_args()
     csharp = arguments.csharp.resolve() if arguments.csharp and shutil.which("mono") else None
-    tools = Tools(
-        arguments.library.resolve(), arguments.headers.resolve(), arguments.binary.resolve(), arguments.python, arguments.target.resolve(), csharp
-    )
+    tools = Tools(arguments.library.resolve(), arguments.headers.resolve(), arguments.binary.resolve(), arguments.python, arguments.target.resolve(), csharp)
     for path in (tools.library / "libsuperhelix.so", tools.headers / "superhelix.h", tools.binary, tools.target / "libsuperhelix.rlib"):
         if not path.exists():
             parser.error(f"there is no {path}")
