@@ -102,7 +102,7 @@ def sampling():
 
 
 def limits():
-    """The table in docs/theory/integrators.md, between the markers."""
+    """The table in docs/notebook/integrators.md, between the markers."""
     table = defaultdict(dict)
     for row in rows("limits.csv"):
         papers = f"✗ {float(row['papers_blown_up_s']):.2g} s" if row["papers_blown_up_s"] else f"{float(row['papers_error_mm']):.3g}"
@@ -113,7 +113,7 @@ def limits():
     lines = ["| hair | motion | dissipation | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " |", "|---" * (3 + len(rates)) + "|"]
     for (hair, motion, dissipation), line in table.items():
         lines.append(f"| {hair} | {motion} | {dissipation} | " + " | ".join(line[rate] for rate in rates) + " |")
-    put(lines, "theory/integrators.md", "limits")
+    put(lines, "notebook/integrators.md", "limits")
 
 
 def newton():
