@@ -106,7 +106,7 @@ class Page:
             words = len(text.split())
             if words > WORDS:
                 self.failures.append(f"{self.path}: {words} words, {WORDS} at most")
-            if not runnable and self.path.name != "README.md":
+            if not runnable:
                 self.failures.append(f"{self.path}: no code with a line `<!-- run -->` before it")
         if text.count("\n<!-- run -->\n") + text.startswith("<!-- run -->\n") != len(runnable):
             self.failures.append(f"{self.path}: a line `<!-- run -->` that does not stand directly before fenced code")
