@@ -162,7 +162,7 @@ def quadrature():
         lines.append(f"| {hair} | {elements} | {power(line['error'])} | " + " | ".join(f"{line['points', t]:.1f}" for t in tolerances) + " | " +
                      " | ".join(power(line["added", t]) for t in tolerances) + " | " +
                      " | ".join(f"{100 * line['velocity', t]:.2g} %" for t in tolerances) + " |")
-    put(lines, "theory/mathematics.md", "quadrature motions")
+    put(lines, "notebook/quadrature.md", "quadrature motions")
 
     costs = rows("quadrature_cost.csv")
     six = next(float(row["instructions"]) for row in costs if row["points"] == "6")
