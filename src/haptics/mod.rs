@@ -1,4 +1,4 @@
-//! Force feedback: a tool in a hand, through a haptic device, in simulated hair. See `docs/notebook/haptics.md`.
+//! Force feedback: a tool in a hand, through a haptic device, in simulated hair. See `docs/theory/haptics.md`.
 //!
 //! Two sides share two triple buffers and nothing else. [`Tool`] is the simulation's: before a step it sends the tool's bodies to where the device has
 //! them, after it it publishes what touches them. [`Device`] is that of the device's thread: it takes what is newest and answers with a force.
