@@ -36,7 +36,7 @@ def comment(file: Path) -> str:
         if not line.startswith("//!") or line == BEGIN:
             break
         lines.append(line[3:].strip())
-    return "\n".join(lines)
+    return "\n".join(lines).strip()
 
 
 def sentence(file: Path) -> str:
