@@ -3,8 +3,8 @@
 
     python3 scripts/docs/links.py
 
-Relative links and anchors of every Markdown page; names of pages (`docs/...md`) in sources, scripts and tests; every page of docs/ is listed in
-docs/SUMMARY.md, and the other way round. Prints what is broken; exit status 1 if anything is.
+Relative links and anchors of every Markdown page; files of the repository that pages name in code (`tests/...rs`), except in the notebook and the
+changelog, which are history; names of pages (`docs/...md`) in sources, scripts and tests; every page of docs/ is listed in docs/SUMMARY.md. Prints what is broken; exit status 1 if anything is.
 """
 
 from __future__ import annotations
@@ -14,10 +14,13 @@ import sys
 from pathlib import Path
 from urllib.parse import unquote
 
-from pages import ROOT, anchors, links, tracked
+from pages import ROOT, anchors, links, prose, tracked
 
 #: What names a page: "docs/theory/contact.md", with or without an anchor.
 NAMED = re.compile(r"(?<![\w./$-])docs/[\w/-]+\.md(?:#[\w-]+)?")
+#: What names a file of the repository in a page's code.
+FILE = re.compile(r"`((?:src|tests|examples|examples_c|examples_wasm|benches|scripts|bindings|abi|packaging|include)/[\w/.-]*\w)`")
+HISTORY = (Path("docs/notebook"), Path("CHANGELOG.md"))
 #: Files that name pages.
 TEXT = {".rs", ".h", ".c", ".hpp", ".cpp", ".cs", ".py", ".sh", ".toml", ".txt", ".json", ".md", ".mjs", ".ipynb", ".cmake", ".js", ".css", ""}
 
@@ -52,6 +55,16 @@ class Checker:
             name, _, anchor = unquote(link).partition("#")
             path = (ROOT / page).parent / name if name else ROOT / page
             self.target(f"{page}:{line}", path.resolve(), anchor, link)
+        if not any(page.is_relative_to(history) for history in HISTORY):
+            for line, words in prose(text):
+                for found in FILE.finditer(words):
+                    self.file(f"{page}:{line}", found[1])
+
+    def file(self, where: str, name: str) -> None:
+        """A file that a page names; a module may go without its ending."""
+        self.checked += 1
+        if not any((ROOT / (name + ending)).exists() for ending in ("", ".rs")):
+            self.broken.append(f"{where}: there is no {name}")
 
     def names(self, file: Path) -> None:
         """The pages that a source names."""
