@@ -4,7 +4,8 @@
     python3 scripts/docs/links.py
 
 Relative links and anchors of every Markdown page; files of the repository that pages name in code (`tests/...rs`), except in the notebook and the
-changelog, which are history; names of pages (`docs/...md`) in sources, scripts and tests; every page of docs/ is listed in docs/SUMMARY.md. Prints what is broken; exit status 1 if anything is.
+changelog, which are history; names of pages (`docs/...md`) in sources, scripts and tests; every page of docs/ is listed in docs/SUMMARY.md. Prints
+what is broken; exit status 1 if anything is.
 """
 
 from __future__ import annotations
