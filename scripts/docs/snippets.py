@@ -7,7 +7,7 @@ A line `<!-- run -->` directly before fenced code makes it run:
     cpp     the same, as C++17
     python  run with the package `superhelix`
     rust    compiled and run as a documentation test of the crate
-    csharp  a whole program: compiled by mcs with the binding's sources, and run by mono
+    csharp  a whole program, or the statements of one: compiled by mcs against the binding, and run by mono
     json    a scene file: saved as scene.json and run
     sh      run by bash, the command `superhelix` in the path
 
@@ -32,7 +32,7 @@ from pages import ROOT, Block, blocks, tracked
 
 GUIDE = Path("docs/guide")
 WORDS = 1500
-SECONDS = 120
+SECONDS = 300
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 
 
@@ -123,7 +123,11 @@ class Page:
         where = f"{self.path}:{block.line}"
         suffix = {"python": "py", "csharp": "cs", "rust": "md"}.get(block.language, block.language)
         name = "scene.json" if block.language == "json" else f"line_{block.line}.{suffix}"
-        body = f"```\n{block.text}```\n" if block.language == "rust" else block.text
+        body = block.text
+        if block.language == "rust":
+            body = f"```\n{body}```\n"
+        elif block.language == "csharp" and "static void Main" not in body:
+            body = f"using System;\nusing Superhelix;\ninternal static class Page {{ private static void Main() {{\n{body}}} }}\n"
         try:
             commands = tools.commands(block, name)
         except ValueError as error:
