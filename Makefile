@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib install uninstall dist dist-check deb test python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit haptics \
+.PHONY: help lib install uninstall dist dist-check deb test test-docs docs python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit haptics \
 	instructions figures tradeoff peers clean
 
 help: ## this list
@@ -19,7 +19,7 @@ lib: ## the shared and the static library, the header and superhelix.pc, into bu
 
 # scripts/install.sh reads these from the environment.
 export PREFIX LIBDIR INCLUDEDIR CMAKEDIR DESTDIR
-install: ## what `make lib` built, into PREFIX (default /usr/local; LIBDIR, INCLUDEDIR, CMAKEDIR, DESTDIR: docs/install.md)
+install: ## what `make lib` built, into PREFIX (default /usr/local; LIBDIR, INCLUDEDIR, CMAKEDIR, DESTDIR: docs/reference/install.md)
 	@[ -f $${SHX_BUILD_DIR:-build}/lib/pkgconfig/superhelix.pc ] || $(MAKE) lib
 	scripts/install.sh
 
@@ -47,8 +47,17 @@ test: ## everything: format, lints, documentation, tests in Rust, C and of all b
 	scripts/test_python.sh
 	scripts/test_cpp.sh
 	scripts/test_csharp.sh
+	scripts/test_docs.sh
 	$(MAKE) --no-print-directory abi wasm
 	SHX_PROFILE=test DIST=$(TARGET)/dist $(MAKE) dist-check
+
+docs: ## the pages as a site with search, and the C header's reference: build/docs/ (mdBook is compiled once: five minutes)
+	@scripts/setup.sh figures
+	scripts/docs/build.sh
+
+test-docs: ## the pages alone: links and anchors, what folders of src say they hold, the code of the pages compiled and run (a minute)
+	@scripts/setup.sh test python csharp
+	scripts/test_docs.sh
 
 cpp: ## the tests of the C++ binding alone: C++17 and C++20, with and without exceptions, sanitizers, the game loop (a minute)
 	@scripts/setup.sh test python
@@ -62,7 +71,7 @@ python: ## the tests of the Python binding alone: lints, types, pytest, the guid
 	@scripts/setup.sh test python
 	scripts/test_python.sh
 
-abi: ## the binary interface against its baseline (docs/abi.md)
+abi: ## the binary interface against its baseline (docs/reference/abi.md)
 	@scripts/setup.sh abi
 	python3 abi/test_abi.py
 	python3 abi/abi.py check
@@ -71,7 +80,7 @@ abi: ## the binary interface against its baseline (docs/abi.md)
 abi-baseline: ## makes the present header and the present examples what later ones are held to
 	python3 abi/abi.py baseline
 
-wasm: ## the library as WebAssembly, and the golden hashes under node (docs/platforms.md); says so where it is skipped
+wasm: ## the library as WebAssembly, and the golden hashes under node (docs/reference/platforms.md); says so where it is skipped
 	@scripts/setup.sh wasm
 	scripts/wasm.sh
 
@@ -84,7 +93,7 @@ demo: ## a head of hair on a recorded walk, hosted by a C program, drawn lit: ou
 	@scripts/setup.sh build
 	scripts/demo.sh
 
-soak: ## strands from the whole space for a million strand-seconds (docs/extremes.md), bodies thrown through hair for 100000 steps, a million strokes of hands, and the randomised tests with 100000 cases each (an hour)
+soak: ## strands from the whole space for a million strand-seconds (docs/theory/extremes.md), bodies thrown through hair for 100000 steps, a million strokes of hands, and the randomised tests with 100000 cases each (an hour)
 	@scripts/setup.sh test
 	EXTREMES_CASES=$${EXTREMES_CASES:-12000} EXTREMES_LONG=$${EXTREMES_LONG:-7500} EXTREMES_CSV="$(CURDIR)/docs/figures" \
 	  cargo test --locked --profile demo --test extremes -- --nocapture
@@ -94,11 +103,11 @@ soak: ## strands from the whole space for a million strand-seconds (docs/extreme
 	PROPTEST_CASES=$${PROPTEST_CASES:-100000} cargo test --locked --all-features --test kernels --test files_fuzz --test integrators -- \
 	  kernel_mathematics:: pose_spline:: readers_survive_anything_and_ask_for_little hard_cases:: --nocapture
 
-bench: ## what the engine costs: every table of docs/performance.md, the costs that were asked for first (under 10 minutes)
+bench: ## what the engine costs: every table of docs/notebook/performance.md, the costs that were asked for first (under 10 minutes)
 	@scripts/setup.sh build figures
 	scripts/bench.sh
 
-contact: ## what contact costs and errs by, a thousand guides on a shaken head: the tables of docs/contact.md (a few minutes; CONTACT_QUICK=yes: a try)
+contact: ## what contact costs and errs by, a thousand guides on a shaken head: the tables of docs/notebook/contact.md (a few minutes; CONTACT_QUICK=yes: a try)
 	@scripts/setup.sh build figures
 	scripts/bench_contact.sh
 
@@ -107,7 +116,7 @@ pictures: ## the pictures of docs/ and README: scenes with contact (docs/figures
 	scripts/contact_figures.sh
 	scripts/path_traced.sh
 
-fit: ## how close strands come to real grooms: the tables of docs/groom_fit.md and how still they lie (GROOMS=directory of .hair, .tfx, .usda and .data, also .gz; a few minutes)
+fit: ## how close strands come to real grooms: the tables of docs/notebook/groom_fit.md and how still they lie (GROOMS=directory of .hair, .tfx, .usda and .data, also .gz; a few minutes)
 	@scripts/setup.sh build figures
 	scripts/groom_fit.sh
 
@@ -115,7 +124,7 @@ instructions: ## instructions an element costs, by callgrind: docs/figures/instr
 	@scripts/setup.sh test
 	scripts/instructions.sh
 
-haptics: ## a comb in a hand: the tables and figures of docs/haptics.md, partly in real time (10 minutes; wants two free cores)
+haptics: ## a comb in a hand: the tables and figures of docs/notebook/haptics.md, partly in real time (10 minutes; wants two free cores)
 	@scripts/setup.sh build figures
 	scripts/haptics.sh
 
@@ -123,11 +132,11 @@ figures: ## every figure and table of docs/, from their programs
 	@scripts/setup.sh build figures
 	scripts/figures.sh
 
-tradeoff: ## what accuracy costs: docs/tradeoff.md, its figures, and src/study/measured.rs (about half an hour of one core)
+tradeoff: ## what accuracy costs: docs/notebook/tradeoff.md, its figures, and src/study/measured.rs (about half an hour of one core)
 	@scripts/setup.sh build figures
 	scripts/tradeoff.sh
 
-peers: ## beside pyPBD, MuJoCo and PyElastica: docs/peers.md and its figures (under a quarter of an hour; PEERS_QUICK=yes: a try)
+peers: ## beside pyPBD, MuJoCo and PyElastica: docs/notebook/peers.md and its figures (under a quarter of an hour; PEERS_QUICK=yes: a try)
 	@scripts/setup.sh build figures
 	scripts/peers.sh
 

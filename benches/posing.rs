@@ -1,4 +1,4 @@
-//! How long it takes to pose strands: `cargo bench --bench posing --profile demo`. Prints the rows of a table in `docs/posing.md`.
+//! How long it takes to pose strands: `cargo bench --bench posing --profile demo`. Prints the rows of a table in `docs/theory/posing.md`.
 
 use std::time::Instant;
 

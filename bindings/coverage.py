@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Tells which functions of the C API each binding calls: the table of docs/bindings.md.
+"""Tells which functions of the C API each binding calls: the table of docs/reference/bindings.md.
 
-    python3 bindings/coverage.py            write docs/bindings.md
-    python3 bindings/coverage.py --check    fail if docs/bindings.md is not what the bindings say, or a binding misses a function
+    python3 bindings/coverage.py            write docs/reference/bindings.md
+    python3 bindings/coverage.py --check    fail if docs/reference/bindings.md is not what the bindings say, or a binding misses a function
 
 A binding is a line of LANGUAGES. Its hand-written layer is scanned, not the generated low-level one: what counts is what a user reaches.
 A binding that is not there yet is left out of the table.
@@ -21,7 +21,7 @@ from pathlib import Path
 
 BINDINGS = Path(__file__).resolve().parent
 ROOT = BINDINGS.parent
-PAGE = ROOT / "docs" / "bindings.md"
+PAGE = ROOT / "docs" / "reference" / "bindings.md"
 
 #: For each function of the API, from where in a binding it is called.
 Calls = dict[str, list[str]]
@@ -134,13 +134,13 @@ def files_of(language: Language) -> list[Path]:
 
 
 def page(functions: list[dict[str, str]], tables: dict[str, Calls]) -> str:
-    """docs/bindings.md."""
+    """docs/reference/bindings.md."""
     languages = [language for language in LANGUAGES if language.name in tables]
-    guides = ", ".join(f"[{language.name}]({language.guide})" if (ROOT / "docs" / language.guide).exists() else language.name for language in languages)
+    guides = ", ".join(f"[{language.name}]({language.guide})" if (PAGE.parent / language.guide).exists() else language.name for language in languages)
     lines = [
         "# Bindings",
         "",
-        f"Every function of the C API ([superhelix.h](../include/superhelix.h)) and how each language reaches it: {guides}.",
+        f"Every function of the C API ([superhelix.h](../../include/superhelix.h)) and how each language reaches it: {guides}.",
         "Written by `python3 bindings/coverage.py`, which reads `bindings/api.json` (the header's description, from which bindings are generated)",
         "and scans each binding's hand-written layer. The tests fail where the table is old or a cell is empty.",
         "",
@@ -187,7 +187,7 @@ def main() -> int:
             print(f"{name} does not reach {', '.join(missing)}", file=sys.stderr)
             failed = True
     if not PAGE.exists() or PAGE.read_text(encoding="utf-8") != text:
-        print("docs/bindings.md is old: run python3 bindings/coverage.py", file=sys.stderr)
+        print("docs/reference/bindings.md is old: run python3 bindings/coverage.py", file=sys.stderr)
         failed = True
     return int(failed)
 

@@ -1,4 +1,4 @@
-//! Friction coefficients fitted to the oracle's curves: the table and the figure of docs/friction_fit.md.
+//! Friction coefficients fitted to the oracle's curves: the table and the figure of docs/theory/friction_fit.md.
 //!
 //! `cargo run --release --example friction -- docs/figures/friction.csv docs/figures/friction_curve.csv`
 

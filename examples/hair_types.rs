@@ -1,7 +1,7 @@
 //! Kinds of hair before and after: the natural shapes of a lock of each, and its rest under gravity; and what the sliders do to hair at rest.
 //!
 //! `cargo run --profile demo --example hair_types -- docs/figures` writes docs/figures/hair_types.csv and hair_sliders.csv, the tables of
-//! docs/hair_types.md.
+//! docs/theory/hair_types.md.
 
 use std::fmt::Write as _;
 

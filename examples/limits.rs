@@ -1,5 +1,5 @@
 //! Where the papers' linearly implicit step holds and where it blows up, and how far each integrator's tip is off: three kinds of hair,
-//! three motions, three dissipations, five steps. The table of docs/integrators.md.
+//! three motions, three dissipations, five steps. The table of docs/notebook/integrators.md.
 //!
 //! "Blown up": a tip faster than 100 m/s, a curvature beyond 1e5 rad/m, or a state that is not finite. The
 //! error is the largest distance of the tip, at the tenths of two seconds, from second order at 1/8000 s extrapolated with 1/4000 s.

@@ -1,5 +1,5 @@
 //! Newton iterations a step: a head shaken hard and a recorded walk, both integrators that minimise, two tolerances. The table of
-//! docs/newton.md.
+//! docs/theory/newton.md.
 //!
 //! `cargo run --release --example newton -- docs/figures/newton.csv`
 

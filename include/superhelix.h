@@ -330,8 +330,8 @@ typedef void (*shx_parallel_for_fn)(void *user, uint32_t count, uint32_t min_ran
 
 // Single precision: twice as many strands in each vector register. Use it for substeps of 1/240 s or longer
 // and up to 200 elements per strand. After seconds of walking it stays within 1e-3 of a strand's length of
-// double precision, mostly within 1e-4 (docs/lanes.md). Shorter substeps accumulate more rounding error.
-// Requires SHX_LINEAR_SOLVER_LINEAR_TIME; SHX_INTEGRATOR_REFERENCE does not support it.
+// double precision, mostly within 1e-4 (docs/theory/lanes.md). Shorter substeps accumulate more rounding
+// error. Requires SHX_LINEAR_SOLVER_LINEAR_TIME; SHX_INTEGRATOR_REFERENCE does not support it.
 #define SHX_PRECISION_F32 2
 
 // The best vector instructions of this machine. The default.
@@ -2592,7 +2592,7 @@ typedef struct shx_settings {
   // measured scenes. Negative: such hair was not measured.
   double rms_error;
   // Processor time per strand and simulated second in the most expensive of those scenes, microseconds, one
-  // thread, on the machine of docs/tradeoff.md. Negative: not measured.
+  // thread, on the machine of docs/notebook/tradeoff.md. Negative: not measured.
   double cost;
   // Allowed relative error of the integrals along an element.
   double quadrature_tolerance;
@@ -2614,7 +2614,7 @@ SHX_API shx_result shx_settings_from_preset(uint32_t preset, double curvature, d
 // Returns the cheapest settings whose measured error was at most target_error in all measured scenes: RMS
 // position error as a fraction of the strand's length, above zero (divide an error in metres by the
 // length). Hair and frame_time are as in shx_settings_from_preset. Four types of hair were measured;
-// docs/tradeoff.md says what the result means for others.
+// docs/notebook/tradeoff.md says what the result means for others.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a target_error
 // below that of the finest settings, which the message gives, and a curvature above all that were measured).
 // Threads: any.
@@ -2856,7 +2856,7 @@ SHX_API shx_result shx_friction_fit_report_init(shx_friction_fit_report *report,
 // more of them are compared than there are unknowns. The fit simulates it with the strand and minimises
 // the squared difference over the logarithms of the coefficients; the strand's own values of fitted
 // coefficients have no effect. solver gives gravity, wind, integrator and worker_count; null: defaults.
-// Its log is not used. docs/friction_fit.md explains how to record. The result goes to out_report.
+// Its log is not used. docs/theory/friction_fit.md explains how to record. The result goes to out_report.
 // out_curve is null or holds count doubles: the best curve, starting with value first_compared. Takes
 // some 20 simulations of the recording for one coefficient, 120 for two. A coefficient that the
 // recording does not determine is not an error: see status.
@@ -2990,7 +2990,7 @@ SHX_API shx_result shx_curve_data_init(shx_curve_data *data, size_t size);
 
 // Writes curves to a file: .hair (Cem Yuksel), .tfx (TressFX), .obj (Wavefront lines)
 // or .usda (USD text), by the ending of its name. Attributes that the format cannot
-// store are omitted: see the table in docs/files.md.
+// store are omitted: see the table in docs/reference/files.md.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
 // Threads: any.
 SHX_API shx_result shx_curve_data_write(const char *path, const shx_curve_data *data);
@@ -3116,7 +3116,7 @@ typedef struct shx_hair_type {
   uint64_t reserved[4];
 } shx_hair_type;
 
-// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes
+// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/theory/hair_types.md describes
 // their effects. Fill it with shx_hair_sliders_init.
 typedef struct shx_hair_sliders {
   // Set by shx_hair_sliders_init.

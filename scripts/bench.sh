@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures what the engine costs, prints every table as it comes, and makes docs/performance.md of them. Nothing else should run on the
+# Measures what the engine costs, prints every table as it comes, and makes docs/notebook/performance.md of them. Nothing else should run on the
 # machine meanwhile. The profile `demo` compiles in a third of the time of `release`.
 #   BENCH_PROFILE=release   another profile
 #   BENCH_ROUNDS=15         rounds that the medians are over

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures what contact costs and errs by, and writes the tables of docs/contact.md and of docs/tradeoff.md. Nothing else should run on the machine
+# Measures what contact costs and errs by, and writes the tables of docs/notebook/contact.md and of docs/notebook/tradeoff.md. Nothing else should run on the machine
 # meanwhile.
 #   CONTACT_QUICK=yes    forty guides, four steps, one step size, into build/contact_quick, tables to the terminal; docs/ stays as it is
 set -euo pipefail

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes every figure and measured table of docs/: runs the programs that measure, into docs/figures/*.csv, then draws them with
 # matplotlib in an environment of its own, build/venv. The contact sheet is the demonstration's; path-traced pictures are `make pictures`'s.
-# docs/extremes.md shows what the last `make soak` recorded.
+# docs/theory/extremes.md shows what the last `make soak` recorded.
 #   FIGURES_MEASURE=no   draws from the committed numbers without measuring again
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The first program of a stranger in each language, from nothing: a fresh clone of this repository, nothing compiled, a fresh prefix and a fresh Python
-# environment. Prints what each way took and the last line of what its program printed: the table of docs/install.md.
+# environment. Prints what each way took and the last line of what its program printed: the table of docs/reference/install.md.
 # Usage: scripts/first_programs.sh [FOLDER]; the clone and all that it makes go there (default: a new folder under /tmp), which is kept.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fits strands to every groom of a directory and writes the tables of docs/groom_fit.md. Nothing else should run on the machine meanwhile.
+# Fits strands to every groom of a directory and writes the tables of docs/notebook/groom_fit.md. Nothing else should run on the machine meanwhile.
 #   GROOMS=directory    .hair, .tfx, .usda and .data files, as they are or as .gz, also in folders of it; without it those of tests/data/grooms
 #   GROOM_FIT_THREADS=2
 set -euo pipefail

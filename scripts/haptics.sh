@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the figures and tables of docs/haptics.md: a C program combs Sintel's hair in real time, hands comb other hair in the example `haptics`.
+# Makes the figures and tables of docs/notebook/haptics.md: a C program combs Sintel's hair in real time, hands comb other hair in the example `haptics`.
 # Needs two free cores for what runs in real time.
 #   FIGURES_MEASURE=no   draws from the committed numbers without measuring again
 #   SHX_BUILD_DIR        where the C library is built to, default build

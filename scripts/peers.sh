@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The engine beside pyPBD, MuJoCo's rod and PyElastica: measures all of them in one run, draws, and fills docs/peers.md. The peers come from
+# The engine beside pyPBD, MuJoCo's rod and PyElastica: measures all of them in one run, draws, and fills docs/notebook/peers.md. The peers come from
 # PyPI, pinned in benches/peers/requirements.txt, into build/peers/venv; nothing else is touched.
 #   PEERS_QUICK=yes    a ninth of the settings, one round, into build/peers/quick; docs/ stays as it is
 #   PEERS_MEASURE=no   draws from the committed numbers without measuring again

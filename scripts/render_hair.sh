@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the tables of docs/render_hair.md: strands from a part of real grooms' guides, and what they cost. Its picture is path-traced.
+# Makes the tables of docs/notebook/render_hair.md: strands from a part of real grooms' guides, and what they cost. Its picture is path-traced.
 #   FIGURES_MEASURE=no   writes them from the committed numbers without measuring again
 set -euo pipefail
 cd "$(dirname "$0")/.."

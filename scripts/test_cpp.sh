@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests the C++ binding: generated headers, warnings in C++17 and C++20, exceptions, results, no exceptions, sanitizers, every C function called, the
-# examples, a game loop on a real groom among them, the code of docs/cpp.md. Environment: SUPERHELIX_BUILD (scripts/test_library.sh); CXX, the compiler,
+# examples, a game loop on a real groom among them, the code of docs/reference/cpp.md. Environment: SUPERHELIX_BUILD (scripts/test_library.sh); CXX, the compiler,
 # default c++.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -22,7 +22,7 @@ sanitize=(-fsanitize=address,undefined -fno-sanitize-recover=all)
 # The guide's code, as one program.
 {
   printf '#undef NDEBUG\n#include <superhelix/superhelix.hpp>\n#include <cassert>\n#include <thread>\nint main() {\n'
-  sed -n '/^```cpp$/,/^```$/{/^```/d;p}' docs/cpp.md
+  sed -n '/^```cpp$/,/^```$/{/^```/d;p}' docs/reference/cpp.md
   printf '}\n'
 } >"$out/guide.cpp"
 # Two at a time: a name each, then how it is compiled.

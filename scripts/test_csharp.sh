@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Tests the C# binding under mono: generated files, warnings, the tests with arrays alone and with spans, every C function called, the Unity component on
-# stubs of UnityEngine and a real groom, the package file, the example, the code of docs/csharp.md. Environment: SUPERHELIX_BUILD
+# stubs of UnityEngine and a real groom, the package file, the example, the code of docs/reference/csharp.md. Environment: SUPERHELIX_BUILD
 # (scripts/test_library.sh).
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -37,7 +37,7 @@ done
 # The guide's code.
 {
   printf 'using System;\nusing Superhelix;\ninternal static class Guide\n{\n  private static void Main()\n  {\n'
-  sed -n '/^```csharp$/,/^```$/{/^```/d;p}' docs/csharp.md
+  sed -n '/^```csharp$/,/^```$/{/^```/d;p}' docs/reference/csharp.md
   printf '  }\n}\n'
 } >"$out/guide.cs"
 "${compiler[@]}" -r:"$out/plain.dll" -out:"$out/guide.exe" "$out/guide.cs"

@@ -21,12 +21,13 @@ python=$PWD/$venv/bin/python
 
 PYTHONPATH=bindings/python/src prints_as_c build/python "$python" bindings/python/examples/hello.py
 cd bindings/python
-"$python" -m ruff format --check --quiet ../../abi ../api.py ../coverage.py ../tables.py ../cpp ../csharp . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
-"$python" -m ruff check --quiet ../../abi ../api.py ../coverage.py .
+"$python" -m ruff format --check --quiet ../../abi ../../scripts/docs ../api.py ../coverage.py ../tables.py ../cpp ../csharp . || { echo "test_python.sh: ruff format bindings/python" >&2; exit 1; }
+"$python" -m ruff check --quiet ../../abi ../../scripts/docs ../api.py ../coverage.py .
 "$python" -m mypy
 for generator in ../cpp/generate.py ../csharp/generate.py ../csharp/pack.py; do
   MYPYPATH=.. "$python" -m mypy "$generator"
 done
+MYPYPATH=../../scripts/docs "$python" -m mypy ../../scripts/docs/{links,folders,snippets,header}.py
 PYTHONPATH=$PWD/src "$python" -m pytest --all-functions
 
 # What a user does, with the library that is built already.

@@ -1,5 +1,9 @@
 //! Running work on many strands: on the calling thread, in a private pool, or by the host's task system. Pieces of work do not see each
 //! other, so that the result does not depend on who ran which.
+//!
+//! Files:
+//!
+//! - `team.rs`: Threads that stay together through many short rounds of work: what handing it out anew would cost is more than what they do in one.
 
 mod team;
 

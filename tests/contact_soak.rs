@@ -356,7 +356,7 @@ impl Scene {
             (scale, most, last) = (scale.max(moving(&report)), most.max(now), now);
             stored = stored.max(springs);
         }
-        // Second order rises a little now and then where it is not damped (docs/extremes.md), and comes down again.
+        // Second order rises a little now and then where it is not damped (docs/theory/extremes.md), and comes down again.
         // What springs between strands held may be given back.
         let rose = most > before + 0.25 * scale + stored || last > before + 0.05 * scale + stored;
         tally.rose += u64::from(rose);
@@ -430,7 +430,7 @@ fn bodies_thrown_through_hair() {
     assert!(few.rolled_back * 500 <= few.steps && few.unconverged * 50 <= few.steps, "{few:?}");
     // (In a tangle a strand that has come back may be lost again at once.)
     assert!(few.lost_for < LOST_FOR && many.lost_for < 2.0 * LOST_FOR, "{few:?} {many:?}");
-    // Large islands are less often solved to their end, see docs/contact.md. (In a short run the worst scenes may be most of it.)
+    // Large islands are less often solved to their end, see docs/notebook/contact.md. (In a short run the worst scenes may be most of it.)
     let enough = many.steps + 100;
     assert!(many.stayed * 2000 <= enough && many.deep_steps * 200 <= enough && many.drawing * 100 <= enough, "{many:?}");
     assert!(many.rose * 600 <= many.steps + 600, "{many:?}");

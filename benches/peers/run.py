@@ -1,4 +1,4 @@
-"""Everything that docs/peers.md shows, in one run: docs/figures/peers*.csv. `make peers` calls it; by hand:
+"""Everything that docs/notebook/peers.md shows, in one run: docs/figures/peers*.csv. `make peers` calls it; by hand:
 
 build/peers/venv/bin/python benches/peers/run.py OURS [--quick] [--into FOLDER]
 

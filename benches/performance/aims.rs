@@ -30,7 +30,7 @@ pub fn measure(peak: &Peak, rounds: usize) -> Table {
     let header = ["what", "unit", "limit", "measured", "spread", "least", "of_limit", "of_peak", "note"];
     let table = Table::new(
         "aims",
-        "What was asked for (spread: quartiles' distance / median; of peak: see docs/performance.md)",
+        "What was asked for (spread: quartiles' distance / median; of peak: see docs/notebook/performance.md)",
         &header,
     );
     let mut aims = Aims { table, peak, rounds };

@@ -1,5 +1,5 @@
 //! What the engine costs, all in one run: the costs that were asked for, and tables over N, instructions, precision, threads, integrators,
-//! scenes, freedoms, terms and numbers of strands. `docs/performance.md` shows and explains them.
+//! scenes, freedoms, terms and numbers of strands. `docs/notebook/performance.md` shows and explains them.
 //!
 //! Rows that are compared take turns: a round takes each through the same steps once, so that what else the machine does falls on all
 //! alike; figures are medians over the rounds. On one thread it is processor time that is measured, on two the clock on the wall.

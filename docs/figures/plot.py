@@ -1,4 +1,4 @@
-"""Draws docs/figures/*.png from docs/figures/*.csv and writes the measured tables of docs/*.md between their markers. Run by `make figures`."""
+"""Draws docs/figures/*.png from docs/figures/*.csv and writes the measured tables of docs/theory/*.md and docs/notebook/*.md between their markers. Run by `make figures`."""
 
 import csv
 from collections import defaultdict
@@ -37,7 +37,7 @@ def put(lines, page, name):
     before, rest = text.split(start)
     _, after = rest.split(end)
     page.write_text(before + start + "\n".join(lines) + "\n" + end + after)
-    print(f"docs/{page.name}: table of {name}")
+    print(f"docs/{page.relative_to(DOCS)}: table of {name}")
 
 
 def convergence():
@@ -71,7 +71,7 @@ def convergence():
             known = {round(1 / step): error for step, error, _ in points}
             lines.append(f"| `{name}` | {integrator.replace('_', ' ')} | " + " | ".join(f"{known[rate]:.2g}" for rate in rates) +
                          f" | {points[-1][2]:.1g} |")
-    put(lines, "convergence.md", "convergence")
+    put(lines, "theory/convergence.md", "convergence")
 
 
 def sampling():
@@ -86,23 +86,23 @@ def sampling():
             spent, points = float(row["d"]), 16e-6 * int(row["count"])
             lines.append(f"| (strand by strand, `Solver::sample_strands`: all three in f64) | | {spent:.0f} | | {spent / points:.1f} | "
                          f"{float(row['a']):.0f} | |")
-    put(lines, "performance.md", "sampling")
+    put(lines, "notebook/performance.md", "sampling")
     told = {(row["what"], row["count"]): float(row["b"]) for row in data if row["kind"] == "memory"}
     counts = sorted({int(count) for _, count in told})
     lines = ["| integrator | " + " | ".join(f"N = {count}" for count in counts) + " |", "|---" * (len(counts) + 1) + "|"]
     for name in ("SecondOrder", "ImplicitEuler", "LinearlyImplicit"):
         words = "".join(" " + letter.lower() if letter.isupper() else letter for letter in name).strip()
         lines.append(f"| {words} | " + " | ".join(f"{told[name, str(count)]:.0f}" for count in counts) + " |")
-    put(lines, "performance.md", "memory")
+    put(lines, "notebook/performance.md", "memory")
     lines = ["| strands | added in one call | every other one removed in one call | as many added again |", "|---|---|---|---|"]
     for row in data:
         if row["kind"] == "population":
             lines.append(f"| {int(row['count']):,} | " + " | ".join(f"{float(row[key]):.0f} ms" for key in "abc") + " |")
-    put(lines, "performance.md", "population")
+    put(lines, "notebook/performance.md", "population")
 
 
 def limits():
-    """The table in docs/integrators.md, between the markers."""
+    """The table in docs/notebook/integrators.md, between the markers."""
     table = defaultdict(dict)
     for row in rows("limits.csv"):
         papers = f"✗ {float(row['papers_blown_up_s']):.2g} s" if row["papers_blown_up_s"] else f"{float(row['papers_error_mm']):.3g}"
@@ -113,7 +113,7 @@ def limits():
     lines = ["| hair | motion | dissipation | " + " | ".join(f"h = 1/{rate}" for rate in rates) + " |", "|---" * (3 + len(rates)) + "|"]
     for (hair, motion, dissipation), line in table.items():
         lines.append(f"| {hair} | {motion} | {dissipation} | " + " | ".join(line[rate] for rate in rates) + " |")
-    put(lines, "integrators.md", "limits")
+    put(lines, "notebook/integrators.md", "limits")
 
 
 def newton():
@@ -127,7 +127,7 @@ def newton():
              "|---" * (3 + len(scenes)) + "|"]
     for (motion, integrator, tolerance), line in table.items():
         lines.append(f"| {motion} | {integrator} | {tolerance} | " + " | ".join(line[scene] for scene in scenes) + " |")
-    put(lines, "newton.md", "newton")
+    put(lines, "theory/newton.md", "newton")
 
 
 def power(value):
@@ -145,7 +145,7 @@ def quadrature():
     lines = ["| points | " + " | ".join(f"10⁻{exponent}" for exponent in raised) + " |", "|---" * 12 + "|"]
     for points, turns in table.items():
         lines.append(f"| {points} | " + " | ".join("–" if turn == 0 else f"{turn:#.3g}".rstrip(".") for turn in turns) + " |")
-    put(lines, "mathematics.md", "quadrature angles")
+    put(lines, "theory/mathematics.md", "quadrature angles")
 
     tolerances = ["1e-2", "1e-3", "1e-4", "1e-6"]
     worst = defaultdict(lambda: defaultdict(float))
@@ -162,14 +162,14 @@ def quadrature():
         lines.append(f"| {hair} | {elements} | {power(line['error'])} | " + " | ".join(f"{line['points', t]:.1f}" for t in tolerances) + " | " +
                      " | ".join(power(line["added", t]) for t in tolerances) + " | " +
                      " | ".join(f"{100 * line['velocity', t]:.2g} %" for t in tolerances) + " |")
-    put(lines, "mathematics.md", "quadrature motions")
+    put(lines, "notebook/quadrature.md", "quadrature motions")
 
     costs = rows("quadrature_cost.csv")
     six = next(float(row["instructions"]) for row in costs if row["points"] == "6")
     lines = ["| points | tolerance | iterations a step | instructions an element and step | of those of six points |", "|---" * 5 + "|"]
     for row in costs:
         lines.append(f"| {row['points']} | {power(float(row['tolerance']))[4:]} | {float(row['iterations']):.2f} | {row['instructions']} | {float(row['instructions']) / six:.2f} |")
-    put(lines, "performance.md", "quadrature cost")
+    put(lines, "notebook/performance.md", "quadrature cost")
 
 
 def friction():
@@ -191,7 +191,7 @@ def friction():
         lines.append(f"| `{row['curve']}` | {noise} | {units[row['coefficient']]} | {true:.3g} | " +
                      (f"{value:.4g} | {100 * (value / true - 1):+.2f} % | {100 * error / value:.2f} % | {100 * float(row['step_shift']):+.2f} % | "
                       if determined else "| | | | ") + f"{row['verdict'].lower()} |")
-    put(lines, "friction_fit.md", "friction")
+    put(lines, "theory/friction_fit.md", "friction")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Writes the tables of docs/contact.md and docs/tradeoff.md between their markers, from contact_*.csv in docs/figures. Run by `make contact`.
+"""Writes the tables of docs/notebook/contact.md and docs/notebook/tradeoff.md between their markers, from contact_*.csv in docs/figures. Run by `make contact`.
 With another folder than docs/figures the tables of the numbers there are printed, and docs/ stays as it is.
 """
 
@@ -31,7 +31,7 @@ def shake():
              for row in rows("contact_shake.csv")]
     show(table(("model", "ms a step, median", "nine of ten", "worst", "touches", "iterations, mean", "most", "deepest told, m",
                 "overlap, m", "of 90 steps deeper than 0.1 mm", "residual",
-                "unconverged strand steps", "rolled back"), lines), "shake", "contact.md")
+                "unconverged strand steps", "rolled back"), lines), "shake", "notebook/contact.md")
 
 
 def price():
@@ -43,13 +43,13 @@ def price():
               *(of[case]["ms_a_strand_second"] for case in ("rough", "smooth")))
              for (model, step), of in found.items()]
     show(table(("model", "step, s", "rough: error, mm", "smooth: error, mm", "rough: cost, ms", "smooth: cost, ms"), lines),
-         "price", "contact.md", "tradeoff.md")
+         "price", "notebook/contact.md", "notebook/tradeoff.md")
 
 
 def rest():
     lines = [(row["model"], f"{1e3 * float(row['tip_error_m']):.4f}", f"{1e2 * float(row['force_error']):.3f}", f"{1e6 * float(row['deepest_m']):.1f}")
              for row in rows("contact_rest.csv")]
-    show(table(("model", "tip off, mm", "force off, %", "deepest, µm"), lines), "rest", "contact.md", "tradeoff.md")
+    show(table(("model", "tip off, mm", "force off, %", "deepest, µm"), lines), "rest", "notebook/contact.md", "notebook/tradeoff.md")
 
 
 def scaling():
@@ -57,7 +57,7 @@ def scaling():
               row["touches_found"], row["search_ms"], row["search_us_a_touch_found"])
              for row in rows("contact_scaling.csv")]
     show(table(("scene", "model", "strands", "touches", "ms a step", "µs a touch", "touches found by a search", "ms a search",
-                "µs a touch found"), lines), "scaling", "contact.md")
+                "µs a touch found"), lines), "scaling", "notebook/contact.md")
 
 
 def jumps():
@@ -65,7 +65,7 @@ def jumps():
               row["left"], row["lost_after"], row["deepest_after_m"])
              for row in rows("contact_jumps.csv")]
     show(table(("model", "the head goes", "budget, ms", "ms a calm step (at random: the median)", "dearest", "99.9 of 100", "strand steps left", "lost a second later",
-                "deepest then, m"), lines), "jumps", "contact.md")
+                "deepest then, m"), lines), "jumps", "notebook/contact.md")
 
 
 if __name__ == "__main__":

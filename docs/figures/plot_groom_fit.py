@@ -1,9 +1,9 @@
-"""Writes the tables of docs/groom_fit.md between their markers, from docs/figures/groom_fit*.csv. Run by `make fit`."""
+"""Writes the tables of docs/notebook/groom_fit.md between their markers, from docs/figures/groom_fit*.csv. Run by `make fit`."""
 
 from plot import DOCS, rows
 from plot_performance import table
 
-PAGE = DOCS / "groom_fit.md"
+PAGE = DOCS / "notebook/groom_fit.md"
 
 
 def put(lines, name):
@@ -11,7 +11,7 @@ def put(lines, name):
     before, rest = PAGE.read_text().split(start)
     _, after = rest.split(end)
     PAGE.write_text(before + start + "\n".join(lines) + "\n" + end + after)
-    print(f"docs/{PAGE.name}: table of {name}")
+    print(f"docs/notebook/{PAGE.name}: table of {name}")
 
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

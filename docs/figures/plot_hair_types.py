@@ -1,9 +1,9 @@
-"""Writes the tables of docs/hair_types.md between their markers, from docs/figures/hair_types.csv and hair_sliders.csv."""
+"""Writes the tables of docs/theory/hair_types.md between their markers, from docs/figures/hair_types.csv and hair_sliders.csv."""
 
 from plot import put, rows
 from plot_performance import table
 
-PAGE = "hair_types.md"
+PAGE = "theory/hair_types.md"
 
 
 def kinds():

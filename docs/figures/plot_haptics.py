@@ -1,4 +1,4 @@
-"""Draws the figures of docs/haptics.md from docs/figures/haptics_*.csv, and the picture of the comb from out/haptics where that was just made."""
+"""Draws the figures of docs/notebook/haptics.md from docs/figures/haptics_*.csv, and the picture of the comb from out/haptics where that was just made."""
 
 from pathlib import Path
 
@@ -10,7 +10,7 @@ from plot_performance import table
 
 ROOT = Path(__file__).resolve().parents[2]
 OUT = ROOT / "out" / "haptics"
-PAGE = "haptics.md"
+PAGE = "notebook/haptics.md"
 MOMENTS = (0.02, 0.8, 1.4, 2.0)
 TEETH = 7
 

@@ -1,5 +1,5 @@
-"""Draws docs/figures/peers*.png from peers*.csv and writes the tables of docs/peers.md between their markers. Run by `make peers`; the figures'
-folder may be given, and then what is not docs/figures leaves docs/peers.md alone and prints the tables."""
+"""Draws docs/figures/peers*.png from peers*.csv and writes the tables of docs/notebook/peers.md between their markers. Run by `make peers`; the figures'
+folder may be given, and then what is not docs/figures leaves docs/notebook/peers.md alone and prints the tables."""
 
 import csv
 import json
@@ -13,7 +13,7 @@ import matplotlib.pyplot as plt
 
 HERE = Path(__file__).resolve().parent
 FOLDER = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else HERE
-PAGE = HERE.parent / "peers.md"
+PAGE = HERE.parent / "notebook/peers.md"
 plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "grid.linewidth": 0.5, "legend.frameon": False,
                      "axes.spines.top": False, "axes.spines.right": False})
 PROGRAMS = {"superhelix": ("#1f5fa8", "o"), "pyPBD": ("#c7622b", "s"), "MuJoCo": ("#3d8f53", "^"), "PyElastica": ("#7a4a9e", "D")}
@@ -39,7 +39,7 @@ def put(lines, name):
     before, rest = PAGE.read_text().split(start)
     _, after = rest.split(end)
     PAGE.write_text(before + start + "\n".join(lines) + "\n" + end + after)
-    print(f"docs/{PAGE.name}: table of {name}")
+    print(f"docs/notebook/{PAGE.name}: table of {name}")
 
 
 def save(figure, name):

@@ -1,11 +1,11 @@
-"""Draws docs/figures/{cost,scaling}.png and writes the tables of docs/performance.md between their markers, from
+"""Draws docs/figures/{cost,scaling}.png and writes the tables of docs/notebook/performance.md between their markers, from
 docs/figures/performance_*.csv and instructions.csv. Run by `make bench` and `make figures`."""
 
 from collections import defaultdict
 
 from plot import COLOURS, plt, put, rows, save
 
-PAGE = "performance.md"
+PAGE = "notebook/performance.md"
 
 
 def table(header, lines):

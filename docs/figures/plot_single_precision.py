@@ -1,4 +1,4 @@
-"""Draws docs/figures/single_precision.png and writes the tables of docs/lanes.md from docs/figures/single_precision.csv. Run by `make figures`."""
+"""Draws docs/figures/single_precision.png and writes the tables of docs/notebook/lanes.md from docs/figures/single_precision.csv. Run by `make figures`."""
 
 from collections import defaultdict
 
@@ -84,8 +84,8 @@ if __name__ == "__main__":
     for row in rows("single_precision.csv"):
         data[row["study"]].append(row)
     figure(data)
-    put(motions(data, "rate", "rate", lambda rate: f"1/{rate} s"), "lanes.md", "steps")
-    put(motions(data, "elements", "elements", lambda count: f"N = {count}"), "lanes.md", "elements")
-    put(effort(data), "lanes.md", "effort")
-    put(still(data), "lanes.md", "rest")
-    put(energy(data), "lanes.md", "energy")
+    put(motions(data, "rate", "rate", lambda rate: f"1/{rate} s"), "notebook/lanes.md", "steps")
+    put(motions(data, "elements", "elements", lambda count: f"N = {count}"), "notebook/lanes.md", "elements")
+    put(effort(data), "notebook/lanes.md", "effort")
+    put(still(data), "notebook/lanes.md", "rest")
+    put(energy(data), "notebook/lanes.md", "energy")

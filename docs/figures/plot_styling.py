@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the figures of docs/styling_tools.md and docs/hair_handle.md from what the tests print:
+"""Draws the figures of docs/theory/styling_tools.md and docs/theory/hair_handle.md from what the tests print:
 
     cargo test --profile demo --test styling -- --nocapture --test-threads=1 > styling.txt
     python3 docs/figures/plot_styling.py styling.txt

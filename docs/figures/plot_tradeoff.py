@@ -1,4 +1,4 @@
-"""Draws docs/figures/tradeoff*.png from docs/figures/tradeoff*.csv and writes the tables of docs/tradeoff.md between their markers. Run by
+"""Draws docs/figures/tradeoff*.png from docs/figures/tradeoff*.csv and writes the tables of docs/notebook/tradeoff.md between their markers. Run by
 `make tradeoff` and `make figures`."""
 
 import csv
@@ -12,7 +12,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 FIGURES = Path(__file__).resolve().parent
-PAGE = FIGURES.parent / "tradeoff.md"
+PAGE = FIGURES.parent / "notebook/tradeoff.md"
 plt.rcParams.update({"font.size": 8, "axes.grid": True, "grid.alpha": 0.3, "grid.linewidth": 0.5, "legend.frameon": False,
                      "axes.spines.top": False, "axes.spines.right": False})
 SCENES = ["calm_sway", "walk", "head_shake", "curly_bounce", "stiff_bristle", "wind_gust"]
@@ -222,7 +222,7 @@ def put(lines, name):
     before, rest = PAGE.read_text().split(start)
     _, after = rest.split(end)
     PAGE.write_text(before + start + "\n".join(lines) + "\n" + end + after)
-    print(f"docs/tradeoff.md: {name}")
+    print(f"docs/notebook/tradeoff.md: {name}")
 
 
 def price_table(data):

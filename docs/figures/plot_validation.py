@@ -1,5 +1,5 @@
 """Draws docs/figures/validation_*.png from the csv files that the validation tests record, and writes the measured tables of
-docs/validation_physics.md and docs/extremes.md between their markers. Run by `make figures`."""
+docs/theory/validation_physics.md and docs/theory/extremes.md between their markers. Run by `make figures`."""
 
 import csv
 import re
@@ -57,7 +57,7 @@ def elements():
                 need = [int(np.ceil(n2 * np.sqrt(e2 / share))) for share in (1e-2, 1e-3)]
                 cells = " | ".join(f"{line[n]:.1e}" if n in line else "" for n in counts)
                 lines.append(f"| {case} | {cells} | {order:.2f} | {need[0]} | {need[1]} |")
-        put(lines, "validation_physics.md", marker)
+        put(lines, "theory/validation_physics.md", marker)
     figure, axes = plt.subplots(1, 3, figsize=(10.5, 3.9), sharey=True)
     groups = [("shapes at rest: distance of the tip, L", ["cantilever", "ellipse", "planar", "curl", "generic", "hair", "postbuckled"]),
               ("critical weights, relative", ["bend-twist", "greenhill", "lateral"]),
@@ -199,7 +199,7 @@ def motion():
     lines = ["| case | " + " | ".join(f"1/{1 / step:.0f} s" for step in every) + " |", "|---" * (len(every) + 1) + "|"]
     for case, points in sorted(steps.items()):
         lines.append(f"| {case} | " + " | ".join(f"{dict(points)[step]:.1e}" for step in every) + " |")
-    put(lines, "validation_physics.md", "steps")
+    put(lines, "theory/validation_physics.md", "steps")
     step = np.array([1 / 7680, 1 / 480])
     panel.loglog(step, 2e3 * step**2, ":", color="black", linewidth=1.2, label="second order")
     panel.set_ylim(1e-10, 3e-2)
@@ -233,7 +233,7 @@ def whirl():
     for row in table("whirl", "whirl"):
         data[row["case"]].append([float(row[key]) for key in ("spin_by_critical", "growth_by_omega", "theory")])
         lines.append("| " + " | ".join(row[key] for key in row) + " |")
-    put(lines, "validation_physics.md", "whirl")
+    put(lines, "theory/validation_physics.md", "whirl")
     for k, (case, points) in enumerate(sorted(data.items())):
         spin, growth, theory = np.array(sorted(points)).T
         left.plot(spin, theory, "-", color=plt.cm.tab10(k), linewidth=0.9)
@@ -254,7 +254,7 @@ def whirl():
     lines = ["| acceleration / g | largest Γ(1 + a/g) | furthest out of its plane, L | leaves (L/20) after |", "|---" * 4 + "|"]
     for strength, out, when in shaken:
         lines.append(f"| {strength:g} | {9 * (1 + strength):.1f} | {out:.1e} | {when + ' s' if when else 'stays'} |")
-    put(lines, "validation_physics.md", "shaken")
+    put(lines, "theory/validation_physics.md", "shaken")
 
 
 def extremes():
@@ -274,7 +274,7 @@ def extremes():
                      f"{float(row['iterations_a_step']):.2f} | {100 * int(row['unconverged']) / steps:.2g} % | "
                      f"{100 * int(row['subdivided']) / steps:.2g} % | {row['quarantined']} | "
                      f"{int(row['quiet_stretches']):,} | {grew[0]} | {grew[1]} | {row['worst_stretch']} | {row['worst_skew']} | {row['probes']} | {probe} | {row['wound']} |")
-    put(lines, "extremes.md", "extremes")
+    put(lines, "theory/extremes.md", "extremes")
     cells, failed = defaultdict(lambda: [0, 0]), ["0", "below 1/2", "1/2 to 50", "above 50"]
     for row in rows("extremes_papers.csv"):
         cell = cells[int(row["h_decade"]), row["friction_number"]]
@@ -288,7 +288,7 @@ def extremes():
             cases, bad = cells[decade, friction]
             line.append(f"{bad} of {cases}" if cases else "")
         lines.append(f"| {friction} | " + " | ".join(line) + " |")
-    put(lines, "extremes.md", "papers")
+    put(lines, "theory/extremes.md", "papers")
 
 
 elements()

@@ -1,4 +1,4 @@
-//! How close fitted strands come on real grooms, what it costs, beside other ways to fit, and how still they lie: the tables of docs/groom_fit.md.
+//! How close fitted strands come on real grooms, what it costs, beside other ways to fit, and how still they lie: the tables of docs/notebook/groom_fit.md.
 //!
 //!     cargo run --profile demo --example groom_fit -- OUT_DIRECTORY [GROOM_DIRECTORY] [THREADS]
 //!

@@ -1,5 +1,5 @@
 //! Where single precision stops being good enough: the same strands stepped in f64 and in f32, over the number of elements, stiffness,
-//! curl and step. The table and the figure of docs/lanes.md.
+//! curl and step. The table and the figure of docs/notebook/lanes.md.
 //!
 //! What a motion makes of any small error is measured beside it: a second run in f64 whose stiffness is off by 2⁻²⁴ of itself, as if
 //! rounded once to f32, and whose first curvatures by 2⁻²⁴ of a radian a length.

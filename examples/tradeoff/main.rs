@@ -1,5 +1,5 @@
 //! What accuracy costs: errors against trajectories that are as good as exact, and processor time, over integrator, step, elements,
-//! iteration cap, tolerance and freedoms, in six scenes with four types of hair. The tables and figures of docs/tradeoff.md.
+//! iteration cap, tolerance and freedoms, in six scenes with four types of hair. The tables and figures of docs/notebook/tradeoff.md.
 //!
 //! `cargo run --profile demo --example tradeoff -- sweep docs/figures 1` measures everything: `tradeoff.csv` and `tradeoff_truth.csv`
 //! (about a quarter of an hour of processor time; times are those of the thread, so that two threads may share it). `presets docs/figures 1` measures the

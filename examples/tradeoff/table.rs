@@ -52,7 +52,7 @@ pub fn write(directory: &Path) {
         Hair::ALL.map(|hair| hair.natural().iter().map(|k| k * k).sum::<f64>().sqrt()).map(|k| format!("{k:.1}")).join(", ");
     let mut text = format!(
         "//! Errors and costs as `make tradeoff` measured them; made by it from docs/figures/tradeoff.csv. Types of hair: straight, wavy, curly,
-//! fuzzy, those of Bertails et al. 2006, appendix B. Scenes: the bits of [`Scenes`](super::suggestion::Scenes). `docs/tradeoff.md` says how.
+//! fuzzy, those of Bertails et al. 2006, appendix B. Scenes: the bits of [`Scenes`](super::suggestion::Scenes). `docs/notebook/tradeoff.md` says how.
 
 /// Root mean square distance of a strand's points from where they should be, in units of its length; and processor time a strand and
 /// simulated second, µs.

@@ -49,7 +49,7 @@ docs=$archive/share/doc/superhelix
 licenses=$archive/share/licenses/superhelix
 "$python" -B "$scripts/check_sbom.py" "$docs/superhelix.cdx.json"
 for file in "$archive/LICENSE-MIT" "$archive/LICENSE-APACHE" "$licenses/third_party.txt" "$licenses/rust_standard_library.html" \
-  "$docs/README.md" "$docs/CHANGELOG.md" "$docs/docs/overview.md"; do
+  "$docs/README.md" "$docs/CHANGELOG.md" "$docs/docs/reference/overview.md"; do
   [ -s "$file" ] || fail "the archive lacks ${file#"$archive/"}"
 done
 # What the bill lists has its licence.

@@ -216,7 +216,7 @@ pub(super) unsafe fn read_data(data: *const shx_curve_data) -> Result<(Curves, O
 
 /// Writes curves to a file: .hair (Cem Yuksel), .tfx (TressFX), .obj (Wavefront lines)
 /// or .usda (USD text), by the ending of its name. Attributes that the format cannot
-/// store are omitted: see the table in docs/files.md.
+/// store are omitted: see the table in docs/reference/files.md.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
 /// Threads: any.
 #[unsafe(no_mangle)]

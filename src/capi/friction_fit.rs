@@ -434,7 +434,7 @@ pub unsafe extern "C" fn shx_friction_fit_report_init(report: *mut shx_friction_
 /// more of them are compared than there are unknowns. The fit simulates it with the strand and minimises
 /// the squared difference over the logarithms of the coefficients; the strand's own values of fitted
 /// coefficients have no effect. solver gives gravity, wind, integrator and worker_count; null: defaults.
-/// Its log is not used. docs/friction_fit.md explains how to record. The result goes to out_report.
+/// Its log is not used. docs/theory/friction_fit.md explains how to record. The result goes to out_report.
 /// out_curve is null or holds count doubles: the best curve, starting with value first_compared. Takes
 /// some 20 simulations of the recording for one coefficient, 120 for two. A coefficient that the
 /// recording does not determine is not an error: see status.

@@ -145,7 +145,7 @@ impl shx_hair_type {
     }
 }
 
-/// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes
+/// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/theory/hair_types.md describes
 /// their effects. Fill it with shx_hair_sliders_init.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]

@@ -45,7 +45,7 @@ pub struct shx_settings {
     /// measured scenes. Negative: such hair was not measured.
     pub rms_error: f64,
     /// Processor time per strand and simulated second in the most expensive of those scenes, microseconds, one
-    /// thread, on the machine of docs/tradeoff.md. Negative: not measured.
+    /// thread, on the machine of docs/notebook/tradeoff.md. Negative: not measured.
     pub cost: f64,
     /// Allowed relative error of the integrals along an element.
     pub quadrature_tolerance: f64,
@@ -131,7 +131,7 @@ pub unsafe extern "C" fn shx_settings_from_preset(
 /// Returns the cheapest settings whose measured error was at most target_error in all measured scenes: RMS
 /// position error as a fraction of the strand's length, above zero (divide an error in metres by the
 /// length). Hair and frame_time are as in shx_settings_from_preset. Four types of hair were measured;
-/// docs/tradeoff.md says what the result means for others.
+/// docs/notebook/tradeoff.md says what the result means for others.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (also a target_error
 /// below that of the finest settings, which the message gives, and a curvature above all that were measured).
 /// Threads: any.

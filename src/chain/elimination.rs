@@ -1,4 +1,4 @@
-//! The linear-time solve: elimination from tip to root, then one pass from root to tip (`docs/mathematics.md`; Featherstone's recursion for
+//! The linear-time solve: elimination from tip to root, then one pass from root to tip (`docs/theory/mathematics.md`; Featherstone's recursion for
 //! flexible segments, Bertails 2009).
 //!
 //! Everything of a segment is in the axes of its left end. Symbols: u = (ψ, ρ) rotation and displacement of the left end; δκ; the right

@@ -3,6 +3,11 @@
 //! The search for pairs of pieces (`pieces.rs`, `grid.rs`) finds more than touch now: all that come within a margin of touching. What it found
 //! holds until a piece has moved by more than its margin, and that is asked at every iterate, so that no pair is ever missed. Motion that
 //! all strands share (a head that turns) does not count: it is measured against the motion that the roots share.
+//!
+//! Files:
+//!
+//! - `knots.rs`: Where ties hold strands together hair gives way to hair.
+//! - `memory.rs`: What the search for pairs keeps from step to step, taken out and put back, for images of a scene.
 
 mod knots;
 mod memory;

@@ -3,6 +3,16 @@
 //! A touch has a relative displacement `u` over the step (of the first point less that of its partner, m; between rotations rad) and a
 //! force `λ` that acts as +λ on the first and −λ on the partner (N; N·m). A law says which pairs (u, λ) may be. With implicit Euler's
 //! velocity, displacement over the step's seconds, this is the formulation of Daviet, Bertails-Descoubes and Boissieux (2011).
+//!
+//! Files:
+//!
+//! - `bond.rs`: Bonds: points or rotations held together (pins, clamps, ties).
+//! - `coefficient.rs`: Friction coefficients that depend on the direction of sliding.
+//! - `contact.rs`: Contact with friction: its exact solve for one touch.
+//! - `linear.rs`: The laws as equations F(λ, u) = 0, linearised where (λ, u) is.
+//! - `response.rs`: The normal response: how deep a contact's surfaces go into each other under a normal force.
+//! - `ring.rs`: A ring that a strand slides through, with Coulomb friction.
+//! - `secular.rs`: The root of a function of one variable above zero that falls from positive to negative: Newton's iteration inside a bracket.
 
 pub mod bond;
 pub mod coefficient;

@@ -65,7 +65,7 @@ pub struct ContactOptions {
     /// zero.
     pub separation_speed: f64,
     /// Newton iterations that strands may take together in a step; 1 to 10000. With the penalty models up to ten are a choice, of what to pay for
-    /// a step (`docs/contact.md` has prices of one, two and four): what springs have not pushed out by then they do in the next steps, and
+    /// a step (`docs/notebook/contact.md` has prices of one, two and four): what springs have not pushed out by then they do in the next steps, and
     /// strands that were not at the end of the iteration are told as unconverged. More, and with the other models any, are a limit: what has not
     /// ended by then is taken again, giving way.
     pub max_iterations: u32,

@@ -3,7 +3,7 @@
 //! Read are `BasisCurves` (linear; cubic Bézier, B-spline and Catmull–Rom, open or pinned) and `NurbsCurves`, wherever they stand among the
 //! prims, with widths, velocities, `displayColor`, `displayOpacity` and `st`, their time samples, the `xformOp`s of the prims that they are in,
 //! and what the layer says of units, axes and time. A layer is read by itself: one with sublayers, references, payloads, inherits,
-//! specializes or variant sets is refused. Written is one prim of linear curves. The binary forms (`.usdc`, `.usdz`) are not read: docs/files.md
+//! specializes or variant sets is refused. Written is one prim of linear curves. The binary forms (`.usdc`, `.usdz`) are not read: docs/reference/files.md
 //! says why.
 
 use std::io::Write;

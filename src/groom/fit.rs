@@ -4,8 +4,19 @@
 //! the elements begin and end, and the root's direction, by Levenberg and Marquardt's method. Its linear systems take linear time, as those of
 //! a step do (`fit/linearised.rs`). The length is the curve's, by construction. Several starts are tried until one is good: helices that the
 //! curve's curvature resembles, an element at a time, on nodes where the curvature varies and on others (`fit/start.rs`). Where the largest
-//! distance is still too large, least squares with other weights lower it. `docs/groom_fit.md` has what that leaves on real grooms, beside other
+//! distance is still too large, least squares with other weights lower it. `docs/notebook/groom_fit.md` has what that leaves on real grooms, beside other
 //! methods.
+//!
+//! Files:
+//!
+//! - `bulk.rs`: Many curves at once.
+//! - `linearised.rs`: The least squares of one strand, linearised: residuals at the samples, and the step of Levenberg and Marquardt's method in linear time.
+//! - `measure.rs`: How far a strand is from its samples.
+//! - `samples.rs`: The places of a curve that a strand is fitted to, in units of its length.
+//! - `search.rs`: Levenberg and Marquardt's method on one strand.
+//! - `shape.rs`: The strand that is sought, in units of its length: root at the origin, total length 1.
+//! - `start.rs`: Where the search starts: the curvature of the curve in frames without twist, and the helix that it resembles, an element at a time.
+//! - `target.rs`: What a strand is fitted to: the curve's points, checked, in units of its length, and fewer of them where there are very many.
 
 pub mod bulk;
 mod linearised;

@@ -1,7 +1,18 @@
-//! Strands posed by hand: dragged by a point, brushed, bent and turned element by element, cut, grown, mirrored (`docs/posing.md`).
+//! Strands posed by hand: dragged by a point, brushed, bent and turned element by element, cut, grown, mirrored (`docs/theory/posing.md`).
 //!
 //! A pose is a strand's root, element lengths and curvatures. Whatever is done to it, it stays a Super-Helix: elements do not stretch
 //! unless told to, and frames stay proper.
+//!
+//! Files:
+//!
+//! - `brush.rs`: A brush that takes along what lies in it.
+//! - `drag.rs`: One strand dragged by a point: document 004, section 4.3, with the linear-time Jacobian.
+//! - `element.rs`: One element bent, twisted, lengthened.
+//! - `elimination.rs`: A step of Levenberg and Marquardt's method on one strand's curvatures, in linear time.
+//! - `mirror.rs`: Strands mirrored across a plane.
+//! - `search.rs`: Levenberg and Marquardt's method on a strand's curvatures.
+//! - `springs.rs`: What pulls at places of a strand while it is posed.
+//! - `trim.rs`: Strands cut and grown.
 
 mod brush;
 mod drag;

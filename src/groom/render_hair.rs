@@ -5,8 +5,33 @@
 //! any number of threads, into the caller's memory. A strand's points depend on the map and the pose alone, not on who evaluates them.
 //!
 //! Near the root a strand is mixed from its guides, in positions or in curvatures ([`Space`]); towards the tip it goes over to its wisp, a
-//! line beside its first guide, the more so the curlier the hair. Guides whose tips have parted are not mixed. docs/render_hair.md has the
+//! line beside its first guide, the more so the curlier the hair. Guides whose tips have parted are not mixed. docs/theory/render_hair.md has the
 //! formulas.
+//!
+//! Files:
+//!
+//! - `align.rs`: How guides' bends are brought into step before they are mixed.
+//! - `binding.rs`: Binding: whom each strand follows, where it stands, what is random about it.
+//! - `bodies.rs`: Strands kept out of bodies: points that are too near go out along the distance field.
+//! - `curvature.rs`: Strands mixed from their guides' lengths and bends: worked out from the root to the tip, sixteen strands side by side.
+//! - `evaluate.rs`: The strands' points, in tiles, by many threads.
+//! - `frames.rs`: Material frames along a strand, from its points.
+//! - `guide_samples.rs`: Guides at one moment, as points.
+//! - `image.rs`: A map as bytes, and back.
+//! - `lengths.rs`: Strands kept as long as they are to be: points put anew on their way, as far from the root along it as wanted.
+//! - `phase.rs`: How a guide's curl goes round: the angle by which its bend has turned about the guide from point to point.
+//! - `pose.rs`: Where the guides are at one moment.
+//! - `position.rs`: Strands mixed from their guides' places, and brought to their wisps.
+//! - `profile.rs`: What depends on the place along a strand and not on the guides.
+//! - `quaternion.rs`: Rotations of frames in f32.
+//! - `sections.rs`: How a patch of scalp becomes the section of the hair that stands on it.
+//! - `settings.rs`: What render strands are to look like.
+//! - `shape.rs`: The guides' shapes at one moment, in the form in which strands are mixed from them.
+//! - `silhouette.rs`: Strands of mixed curvatures brought to where mixed positions lead.
+//! - `strand.rs`: A render strand as the map has it: whom it follows, and how.
+//! - `weights.rs`: Which guides a strand follows, and with what weights.
+//! - `wisps.rs`: Wisps: the strands that follow a guide first, shared among middles that lie far from each other.
+//! - `without.rs`: A map that lives on when guides are gone.
 
 mod align;
 mod binding;

@@ -4,6 +4,14 @@
 //! which the texture coordinate u grows. Follicles are scattered evenly ([`Scalp::scatter`]) or put where texture coordinates say
 //! ([`Scalp::follicles_at`]). What moves with the mesh are [`Scalp::frames`]: the roots of guides for
 //! [`Solver::set_root_frames`](crate::solver::Solver::set_root_frames), or of render strands.
+//!
+//! Files:
+//!
+//! - `density.rs`: How densely follicles are to stand.
+//! - `elimination.rs`: Sample elimination (Yuksel, "Sample elimination for generating Poisson disk sample sets", 2015).
+//! - `frames.rs`: Follicles' frames on a scalp as it is at the moment.
+//! - `scatter.rs`: Follicles scattered over a scalp: blue noise, as dense as a map says.
+//! - `texture.rs`: Follicles by texture coordinates.
 
 mod density;
 mod elimination;

@@ -1,6 +1,6 @@
 //! The entire functions of which a helix is made, exact through zero curvature.
 //!
-//! Stumpff's functions cₖ(z) = Σⱼ (−z)ʲ/(2j+k)!, with z = x², x = Ωs the angle turned. In the letters of `docs/mathematics.md`:
+//! Stumpff's functions cₖ(z) = Σⱼ (−z)ʲ/(2j+k)!, with z = x², x = Ωs the angle turned. In the letters of `docs/theory/mathematics.md`:
 //! A = sin x/x = c1, B = (1 − cos x)/x² = c2, C = (x − sin x)/x³ = c3; and from the derivatives 2d/dz of those,
 //! b = (A−2B)/x² = 2c4 − c3, c = (B−3C)/x² = 3c5 − c4, b′ = 2db/dz = c4 − 5c5 + 8c6, c′ = 2dc/dz = c5 − 7c6 + 15c7:
 //! no division and no singular case. The identity behind all of it: cₖ = 1/k! − z cₖ₊₂.

@@ -4,7 +4,7 @@ use super::quadrature_limits::{self, RULES};
 pub use super::quadrature_limits::{LOOSEST, TIGHTEST};
 use crate::error::{Error, Result};
 
-/// What the integrals along an element may err by, relative, unless a host says otherwise (`docs/mathematics.md`).
+/// What the integrals along an element may err by, relative, unless a host says otherwise (`docs/theory/mathematics.md`).
 pub const DEFAULT_TOLERANCE: f64 = 1e-4;
 
 /// Checks a tolerance of quadrature; `argument` is its name in the message.

@@ -1,4 +1,4 @@
-//! Kinematics of one helical segment in the frame of its left end, and its first and second variations (`docs/mathematics.md`;
+//! Kinematics of one helical segment in the frame of its left end, and its first and second variations (`docs/theory/mathematics.md`;
 //! Bertails et al. 2006, appendix A, without the singular case).
 //!
 //! Symbols: κ = (κ0, κ1, κ2) twist and curvatures; s arclength from the left end; θ = sκ; z = θ·θ; e0 the tangent at the left end;

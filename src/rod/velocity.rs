@@ -1,4 +1,4 @@
-//! Velocities and velocity-product accelerations along a strand from the rates of its curvatures (`docs/mathematics.md`).
+//! Velocities and velocity-product accelerations along a strand from the rates of its curvatures (`docs/theory/mathematics.md`).
 
 use super::kinematics::{ElementState, Kinematics};
 use super::segment;

@@ -1,6 +1,14 @@
 //! The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton
 //! iteration. Strands do the two halves of an iteration on any thread, islands solve their contact problems between them; who runs
 //! which changes no result.
+//!
+//! Files:
+//!
+//! - `account.rs`: What a held substep came to: how the strands fared, the list of touches, what bodies and constraints bear.
+//! - `crowd.rs`: How many touches a strand may have.
+//! - `formula.rs`: By which formula held strands take their step.
+//! - `parts.rs`: Strands of islands that have not come to their end take the substep again, in parts.
+//! - `tests.rs`: What a substep promises whose searches are spent before all is found.
 
 mod account;
 mod crowd;

@@ -1,4 +1,45 @@
 //! The scene: strands, their roots, the step, and everything a host reads back.
+//!
+//! Files:
+//!
+//! - `astray.rs`: Strands that a substep did not bring through: left before an iteration, carried over a jump of their root, or rolled back and brought back.
+//! - `bodies.rs`: Bodies: what strands are kept out of.
+//! - `bringing_out.rs`: Curves drawn inside a body of the scene, brought out of it before strands are made of them.
+//! - `bulk_sampling.rs`: Reading many strands at uniform places: packs of them side by side, shared out among the solver's threads.
+//! - `clips.rs`: Clips: strands held where they are in a box, and the box moved.
+//! - `constraints.rs`: Hard constraints: what pins, clamps, ties and rings strands, and what forces that takes.
+//! - `crossing.rs`: Where strands cross a blade or the surface that a tooth sweeps, and where they are in a box.
+//! - `deep_places.rs`: Where strands are in bodies and in each other as they are now, whatever a step makes of it.
+//! - `definition.rs`: What a host says to make a solver; strands: `StrandDef`.
+//! - `editing.rs`: Changing strands from outside: where their roots go, their natural and present shapes, their rest.
+//! - `fast_bodies.rs`: Bodies that go far among strands within a substep, and strands that swing far past thin bodies.
+//! - `freezing.rs`: Strands that stand still: a style that is fixed.
+//! - `heating.rs`: Heat: hair takes on the shape that it has between hot plates or on a hot barrel.
+//! - `holding.rs`: The substep of strands that touches or constraints hold: found, tied into islands, and taken together, Newton iteration by Newton iteration.
+//! - `id.rs`: Identifiers that can be checked: a slot, the generation of what sits in it, and a mark of the solver that gave it out.
+//! - `jumps.rs`: Roots that jump: that go further within a call of `Solver::step` than their strand can follow, as when a head is dragged.
+//! - `level_of_detail.rs`: Living strands on more or fewer elements.
+//! - `materials.rs`: Materials of living strands: read, changed, made as stiff as a shape needs.
+//! - `mirroring.rs`: Images of living strands in a mirror.
+//! - `overlaps.rs`: What strands overlap as they are now, and having it allowed.
+//! - `population.rs`: Which strands there are: adding, removing, listing.
+//! - `posing.rs`: Living strands posed: dragged by a point, brushed, an element changed (`groom/pose.rs`).
+//! - `reading.rs`: What a host reads back of its strands.
+//! - `render_guides.rs`: A solver's strands as the guides of render hair, and its bodies as what that is kept out of.
+//! - `report.rs`: What a step tells afterwards.
+//! - `restyling.rs`: Shapes taken as they are at any moment of a run: as natural shapes, as rest shapes under gravity, as shapes to come back to.
+//! - `sampling.rs`: Reading a strand's material points at any arclength.
+//! - `scissors.rs`: Scissors: strands cut where a blade crosses them.
+//! - `sections.rs`: Sections that strands share: a strand made like one of the last few gets theirs.
+//! - `side_by_side.rs`: Strands of one task through a step: those of a kind side by side in packs, the rest one by one.
+//! - `snapshot.rs`: A solver's state as bytes: little-endian, versioned, checksummed; the same image on every machine.
+//! - `stepping.rs`: Time: all strands through a step, and what came of it.
+//! - `strand.rs`: One strand inside a solver: constants, state, the root's motion, and how the last step went.
+//! - `touch_compliance.rs`: How strands answer to the bodies that touch them.
+//! - `touching.rs`: Who touches whom in a substep: bodies and strands found near held strands, as joints.
+//! - `trial_steps.rs`: Strands that a body is near step as if it were not, side by side with those that nothing is near.
+//! - `trimming.rs`: Living strands cut and grown.
+//! - `workers.rs`: Who runs the strands of a step.
 
 mod astray;
 pub mod bodies;

@@ -4,6 +4,14 @@
 //! the options that act on results, the identifiers, every strand, body and constraint, and what a step in which touches or constraints
 //! hold strands leaves for the next. Workers, logging and callbacks are the host's and stay out, and so does the list of the last
 //! step's contacts, which acts on nothing.
+//!
+//! Files:
+//!
+//! - `bodies.rs`: Bodies: shapes (each once, however many bodies share it), where they are and how they move.
+//! - `bytes.rs`: Numbers into bytes and back: little-endian, every length checked against what is left before memory is taken.
+//! - `constraints.rs`: Constraints: what they ask, where their targets are on their way, what they did last.
+//! - `contact.rs`: What acts on contact beside bodies: options, what strands are to it, and what the last substep left to begin the next with.
+//! - `strands.rs`: Strands: constants and states.
 
 mod bodies;
 mod bytes;

@@ -1,6 +1,11 @@
 //! How strands answer to the bodies that touch them: the touches that there are now and those near by, how far each touched point goes in the coming
 //! seconds if all forces stay as they are, and how a force at one moves the others. It is the coming step's first contact problem, condensed onto the
 //! bodies named: whoever knows where these go can solve it without the strands.
+//!
+//! Files:
+//!
+//! - `near_strand.rs`: A strand near a tool: where things hold it, and how it answers there.
+//! - `search.rs`: Where a strand comes near a tool's bodies: a quick search, for places that may soon be touches.
 
 mod near_strand;
 mod search;

@@ -1,4 +1,9 @@
 //! Who touches whom in a substep: bodies and strands found near held strands, as joints.
+//!
+//! Files:
+//!
+//! - `allowances.rs`: Touches of strands that may overlap what they touch: their surfaces are nearer to their centrelines there.
+//! - `memory.rs`: What is kept of touches from substep to substep, taken out and put back, for images of a scene.
 
 mod allowances;
 mod memory;

@@ -1,4 +1,31 @@
 //! Time integration of one strand.
+//!
+//! Files:
+//!
+//! - `damping.rs`: How strongly Newton's iteration holds the rotations back: Levenberg's and Marquardt's parameter λ, in N·m/rad, and its memory.
+//! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
+//! - `equilibrium.rs`: Static equilibrium: the shape in which a strand rests under gravity, a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
+//! - `held.rs`: The step of a strand that forces from outside hold at stations, one Newton iteration at a time.
+//! - `iterate.rs`: Where Newton's iteration is: a spring at every quadrature point and at every curvature, drawn to its target (`energy`), and the strand between them.
+//! - `linearly_implicit.rs`: The papers' step (Bertails et al. 2006, section 3.4; document 004, section 4.2.8), kept with its second-order terms.
+//! - `local_error.rs`: The error that one step adds to the positions of a strand's points, told from the step itself (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).
+//! - `members.rs`: The strands that take a step side by side, one a lane, and the way of their numbers into the lanes and back.
+//! - `newton.rs`: Newton's iteration on a strand's incremental potential.
+//! - `options.rs`: How a step is taken: which integrator, which linear solve, how far Newton goes.
+//! - `packs.rs`: Which lanes strands go into: by precision, by the instructions at hand, and by how many there are.
+//! - `radau.rs`: Radau IIA of three stages (order 5, L-stable, stiffly accurate) on M(q) q̈ = f(q, q̇, t).
+//! - `reference.rs`: The reference integrator: Radau IIA of order 5 in the curvatures with step doubling.
+//! - `regrid.rs`: A strand taken to other elements while it moves: more of them near the eye, fewer far away.
+//! - `root_path.rs`: The root's smooth way through a step with its velocities and accelerations, from poses alone.
+//! - `root_velocity.rs`: The root's mean velocity over a step.
+//! - `scratch.rs`: The scratch memory of one worker for all that it may be asked to step: one workspace a type of lanes, empty until it is used.
+//! - `single.rs`: One strand at a time: the way of those that no pack takes.
+//! - `stages.rs`: Runge–Kutta steps as minimisations (design, section 5).
+//! - `state.rs`: What a step changes about a strand.
+//! - `subdivision.rs`: Subdivision: a strand whose step does not converge, turns non-finite or errs by more than allowed takes it in parts.
+//! - `tableau.rs`: Singly diagonally implicit Runge–Kutta methods, stiffly accurate and L-stable, that share one Newton.
+//! - `whole.rs`: A step in one piece of strands side by side: taken in the workspace, and made their state only where that is wanted.
+//! - `workspace.rs`: The scratch memory of a step, one a worker, kept between strands and steps so that nothing is allocated once it has grown.
 
 pub mod damping;
 pub mod dynamics;

@@ -9,7 +9,7 @@
 //! Where a pivot is not positive the rotations of all elements are damped (Levenberg and Marquardt's method, measured by rotation) and
 //! the system solved again: a mode of negative curvature is then held back where it is. A direction that turns an element by more than
 //! the limit is shortened, and one that turns it far beyond is damped too. The way is halved until the potential falls enough (Armijo's
-//! condition). The minimum is the step. What each of these brought is in `docs/newton.md`.
+//! condition). The minimum is the step. What each of these brought is in `docs/theory/newton.md`.
 
 use super::StrandOutcome;
 use super::damping::Damping;
@@ -23,7 +23,7 @@ use crate::math::lane::{Lane, MAX_LANES, Precision};
 /// A direction that would turn an element by more than this many limits is damped, not only shortened.
 const SHORTENED_AT_MOST: f64 = 20.0;
 /// An undamped iteration that turned by θ leaves at most about this times θ² to turn: 99 of 100 iterations on shaken and walking heads
-/// (`docs/newton.md`).
+/// (`docs/theory/newton.md`).
 const QUADRATIC: f64 = 50.0;
 /// Where the iterations themselves show a larger constant, this times what they show is taken.
 const QUADRATIC_SAFETY: f64 = 3.0;

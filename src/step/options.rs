@@ -9,7 +9,7 @@ use crate::math::quadrature;
 #[repr(u32)]
 pub enum Integrator {
     /// The papers' step (Bertails et al. 2006, section 3.4): one linear solve, elasticity implicit, gravity, drag, internal
-    /// friction γ and velocity products explicit. For calm scenes only: its limits are measured in `docs/integrators.md`.
+    /// friction γ and velocity products explicit. For calm scenes only: its limits are measured in `docs/theory/integrators.md`.
     LinearlyImplicit = 1,
     /// Implicit Euler: Newton on the incremental potential. First order: it damps, and forgives anything.
     ImplicitEuler = 2,
@@ -65,8 +65,8 @@ pub struct StepOptions {
     /// Newton iterations a solve at most, 1 to 10000. A strand that needs more is reported as unconverged.
     pub max_iterations: u32,
     /// Converged when no element is estimated to be further than this from where the iteration would end, rad; above zero. Newton
-    /// converges quadratically, and the estimate counts on that (`docs/newton.md`). In f32 also where only rounding moves it on; the
-    /// outcome's residual then tells by how much, which may be above the tolerance (`docs/lanes.md`).
+    /// converges quadratically, and the estimate counts on that (`docs/theory/newton.md`). In f32 also where only rounding moves it on; the
+    /// outcome's residual then tells by how much, which may be above the tolerance (`docs/theory/lanes.md`).
     pub tolerance: f64,
     /// Newton's matrix is the exact Hessian (tension included). False: Gauss–Newton, for comparison.
     pub exact_hessian: bool,
@@ -82,10 +82,10 @@ pub struct StepOptions {
     /// suffice the step is taken nevertheless, and [`StrandOutcome::error`](super::StrandOutcome::error) tells.
     pub error_tolerance: f64,
     /// The precision of the step's arithmetic. [`Precision::F32`] is for [`LinearSolver::LinearTime`] and not for
-    /// [`Integrator::Reference`]; what it is good for is in `docs/lanes.md`. States are kept in f64 either way.
+    /// [`Integrator::Reference`]; what it is good for is in `docs/theory/lanes.md`. States are kept in f64 either way.
     pub precision: Precision,
     /// What the integrals along an element (inertia, drag, weight) may err by, relative; 1e-12 to 1e-2. It decides how many quadrature
-    /// points the elements of a strand get, by the most turned of them, and with that time and memory: `docs/mathematics.md` has the
+    /// points the elements of a strand get, by the most turned of them, and with that time and memory: `docs/theory/mathematics.md` has the
     /// table. No rule has more than 128 points: beyond a turn of about 200 rad the tolerance is missed, and
     /// [`Solver::quadrature`](crate::solver::Solver::quadrature) tells by how much. [`Integrator::Reference`] uses finer rules of its own.
     pub quadrature_tolerance: f64,

@@ -1,4 +1,4 @@
-//! A strand taken to other elements while it moves: more of them near the eye, fewer far away (`docs/adaptive.md`).
+//! A strand taken to other elements while it moves: more of them near the eye, fewer far away (`docs/theory/adaptive.md`).
 //!
 //! Where every old border between elements is a new one too, each new element is a piece of an old one: the same helix, the same rates;
 //! curve and velocities stay to rounding. Otherwise curvatures start from the mean strain of the old elements that a new one overlaps and
@@ -33,7 +33,7 @@ const SAME_BORDER: f64 = 1e-9;
 const SAME_CURVATURE: f64 = 1e-12;
 /// s. The fit minimises ½ ρS |r − r_old|²/T² + ½ EI (κ − κ_start)²: distance counts against elastic energy as in a step of T. Without the
 /// latter, elastic energy grew up to tenfold where the distance fell by a few percent, and the strand sprang apart; with 3 ms it grows by a
-/// quarter, and the distance is at most an eighth above the least (measured in `docs/adaptive.md`).
+/// quarter, and the distance is at most an eighth above the least (measured in `docs/theory/adaptive.md`).
 const ELASTIC_TIME: f64 = 3e-3;
 /// Beside it, for strands that are all but limp, both without dimension (lengths in L): what the distance does not see stays.
 const RIDGE: f64 = 1e-9;

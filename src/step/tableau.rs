@@ -28,7 +28,7 @@ const GAMMA_2: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 
 /// Two stages (Alexander 1977), second order on differential equations. A strand's points obey their shape as a constraint (index 3), on
 /// which every method of this kind keeps its order in the position over one step and loses one in the velocity: run for long it is of
-/// first order (measured in `docs/integrators.md`). It is the start of the two-step method, where it has no time to show.
+/// first order (measured in `docs/theory/integrators.md`). It is the start of the two-step method, where it has no time to show.
 pub const TWO_STAGES: Tableau =
     Tableau { stages: 2, gamma: GAMMA_2, times: [GAMMA_2, 1.0], below: [[0.0; MAX_STAGES], [1.0 - GAMMA_2, 0.0]] };
 

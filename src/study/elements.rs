@@ -1,6 +1,6 @@
 //! How many elements a strand needs for a tolerance in metres.
 //!
-//! The error of N elements falls as 1/N² (`docs/validation_physics.md`). It is measured, not bounded: the strand is settled under gravity on N
+//! The error of N elements falls as 1/N² (`docs/theory/validation_physics.md`). It is measured, not bounded: the strand is settled under gravity on N
 //! elements and on at least four times as many, which also hold every element that its natural shape was given with and a quarter of the
 //! boundary layer L/√Γ at the clamp; the largest distance of the two curves at equal arclength is the error at rest. With a motion of the
 //! root the strand is also simulated on N and 2N elements, and the distance of the paths counts. Elements that turn by more than a quarter

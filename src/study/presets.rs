@@ -1,4 +1,4 @@
-//! Settings by name, for those who do not want to choose: `docs/tradeoff.md` says what they were distilled from.
+//! Settings by name, for those who do not want to choose: `docs/notebook/tradeoff.md` says what they were distilled from.
 
 use crate::error::Result;
 use crate::step::options::{Integrator, StepOptions};

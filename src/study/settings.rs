@@ -47,7 +47,7 @@ impl HairShape {
     }
 }
 
-/// How to step and how fine, with what that was measured to err and to cost (`docs/tradeoff.md`).
+/// How to step and how fine, with what that was measured to err and to cost (`docs/notebook/tradeoff.md`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// For [`SolverOptions::step`](crate::solver::definition::SolverOptions::step).
@@ -59,7 +59,7 @@ pub struct Settings {
     /// Root mean square distance of the strand's points from where they should be, in units of its length, over two seconds in the worst of
     /// the measured scenes; `None`: hair of that kind was not measured.
     pub error: Option<f64>,
-    /// Processor time a strand and simulated second in the dearest of them, µs, one thread, on the machine of `docs/tradeoff.md`;
+    /// Processor time a strand and simulated second in the dearest of them, µs, one thread, on the machine of `docs/notebook/tradeoff.md`;
     /// `None`: not measured.
     pub cost: Option<f64>,
 }

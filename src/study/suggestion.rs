@@ -5,7 +5,7 @@ use crate::step::options::{Integrator, StepOptions};
 use crate::study::measured::{self, Price};
 use crate::study::settings::{self, HairShape, Settings};
 
-/// A set of the scenes of `docs/tradeoff.md`: what the hair is to go through.
+/// A set of the scenes of `docs/notebook/tradeoff.md`: what the hair is to go through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Scenes(u32);
 

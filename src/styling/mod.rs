@@ -1,5 +1,10 @@
 //! Styling by hand: the bodies of tools from a few numbers, and combs whose teeth hold the strands that they meet until these are combed. See
-//! `docs/styling_tools.md`. Clips, scissors, hot plates and the freezing of a style are methods of [`Solver`](crate::solver::Solver).
+//! `docs/theory/styling_tools.md`. Clips, scissors, hot plates and the freezing of a style are methods of [`Solver`](crate::solver::Solver).
+//!
+//! Files:
+//!
+//! - `ring_comb.rs`: A comb whose teeth hold the strands that they meet.
+//! - `tools.rs`: The bodies of styling tools, from a few numbers.
 
 pub mod ring_comb;
 pub mod tools;

@@ -9,7 +9,7 @@ fn last_tip(result: &Value) -> Vec<f64> {
 
 #[test]
 fn the_documented_example_runs_as_it_stands() {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scene_format.md")).unwrap();
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/reference/scene_format.md")).unwrap();
     let begin = text.find("```jsonc\n").unwrap() + 9;
     let example = &text[begin..begin + text[begin..].find("```").unwrap()];
     let (output, result) = run_text(&directory("documented"), example);

@@ -1,4 +1,4 @@
-//! A comb that passes right through a tuft, close to the roots, in long steps: what is not solved, by steps and substeps. What docs/contact.md says of
+//! A comb that passes right through a tuft, close to the roots, in long steps: what is not solved, by steps and substeps. What docs/notebook/contact.md says of
 //! it under "Long steps through rooted hair" is this table: `cargo test --test contact comb -- --ignored --nocapture`.
 
 use std::f64::consts::PI;

@@ -1,6 +1,6 @@
 //! Random strands from the whole space of parameters: nothing turns non-finite, nothing hangs, every strand keeps its length and its
 //! frames, energy left alone stays within what the scheme allows, and a step that says it converged did. A short slice here; `make soak` makes the table of
-//! `docs/extremes.md`, a million strand-seconds and more. Environment:
+//! `docs/theory/extremes.md`, a million strand-seconds and more. Environment:
 //!
 //!     EXTREMES_CASES, EXTREMES_LONG   cases of the strata wide and long (160, 4)
 //!     EXTREMES_FIRST                  number of the first case (0); a case is the same wherever it is run

@@ -80,7 +80,7 @@ enum Stretch {
 }
 
 /// The reference is not jerked: a root that is, within a step and 100 g, has it resolve what rings then until its 10⁵ attempts a call are
-/// used up, which takes minutes (`docs/extremes.md`).
+/// used up, which takes minutes (`docs/theory/extremes.md`).
 fn stretch(draw: &mut Draw, integrator: Integrator) -> Stretch {
     let drawn = draw.below(10);
     match drawn {

@@ -85,7 +85,7 @@ impl Table {
         if outcome.dishonesty > HONEST {
             self.fault(case, index, &format!("said converged, {:e} L off", outcome.dishonesty));
         }
-        // What theory bounds them by (`docs/extremes.md`): one step of implicit Euler, and Dahlquist's G-norm of two states.
+        // What theory bounds them by (`docs/theory/extremes.md`): one step of implicit Euler, and Dahlquist's G-norm of two states.
         let most = match case.integrator {
             Integrator::ImplicitEuler => 4.0,
             Integrator::SecondOrder => 10.0,

@@ -238,7 +238,7 @@ fn threads_and_the_way_to_say_where_it_starts_do_not_matter() {
 
 #[test]
 fn simulations_that_blow_up_are_left_out() {
-    // The papers' step does not survive this friction from 5e-12 kg m3/s on (docs/integrators.md).
+    // The papers' step does not survive this friction from 5e-12 kg m3/s on (docs/theory/integrators.md).
     let case = case("curl_shaken_05.csv");
     let mut options = FrictionFitOptions::of(&[InternalFriction]);
     options.solver.step.integrator = Integrator::LinearlyImplicit;

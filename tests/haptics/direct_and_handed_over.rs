@@ -69,7 +69,7 @@ fn a_soft_stroke_feels_the_same_within_five_percent() {
     assert!(off(2)[1] <= 0.05);
 }
 
-/// `cargo test --test haptics table -- --ignored --nocapture`: the table of docs/haptics.md.
+/// `cargo test --test haptics table -- --ignored --nocapture`: the table of docs/notebook/haptics.md.
 #[test]
 #[ignore = "a table, two minutes"]
 fn table() {

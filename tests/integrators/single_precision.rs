@@ -1,5 +1,5 @@
 //! Single precision: how far it goes with double precision, against theory and trajectories of the independent oracle. What it is good
-//! for over all of stiffness, curl, elements and steps is measured by `examples/single_precision` and told in docs/lanes.md.
+//! for over all of stiffness, curl, elements and steps is measured by `examples/single_precision` and told in docs/theory/lanes.md.
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::{UnitQuaternion, Vector3};

@@ -235,7 +235,7 @@ fn the_default_adds_less_than_a_twentieth_of_what_the_elements_err_by() {
         let added = rms(&shaken(count, DEFAULT_TOLERANCE, 0.8).1, &exact);
         let error = rms(&exact, &shaken(60, TIGHTEST, 0.8).1);
         println!("N = {count}: positions {:.1e} of the error, velocities {:.1e}", added.0 / error.0, added.1 / error.1);
-        // Measured over more motions (docs/mathematics.md): 4.6e-6 and 1.7e-2.
+        // Measured over more motions (docs/notebook/quadrature.md): 4.6e-6 and 1.7e-2.
         assert!(added.0 < 1e-4 * error.0 && added.1 < error.1 / 20.0, "N = {count}: {added:?} {error:?}");
     }
 }

@@ -1,5 +1,5 @@
 //! Branches of static equilibria (`study::branch`) against theory: Greenhill's self-buckling, the transition of a hanging curl from bending
-//! to twisting, a turning clamp, a fold. Errors of the elements fall as 1/N² (`docs/validation_physics.md`), so that two numbers of
+//! to twisting, a turning clamp, a fold. Errors of the elements fall as 1/N² (`docs/theory/validation_physics.md`), so that two numbers of
 //! elements extrapolate to the continuous rod.
 
 use crate::rods::*;
@@ -140,7 +140,7 @@ fn a_clamp_that_turns() {
         let reference = reference();
         let row = rows(&reference["cantilever"][key]).iter().find(|row| number(&row["Gamma"]) == 50.0).unwrap().clone();
         let exact = Vector3::new(number(&row["x_tip"]), 0.0, number(&row["z_tip"]));
-        // 5.6e-3 at N = 10 (docs/validation_physics.md), a quarter of it at 20.
+        // 5.6e-3 at N = 10 (docs/theory/validation_physics.md), a quarter of it at 20.
         assert!((point.tip / LENGTH - exact).norm() < 1.6e-3, "{key}: {}", point.tip / LENGTH);
     }
     check_points(&def, &load, &branch.points);

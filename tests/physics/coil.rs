@@ -1,5 +1,5 @@
 //! Coils and twist against theory: a helical spring that its own weight pulls, and twist that relaxes. `--nocapture` prints the rows of
-//! `docs/validation_physics.md`.
+//! `docs/theory/validation_physics.md`.
 
 use crate::rods::GRAVITY;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};

@@ -1,5 +1,5 @@
 //! Motions against independent solutions: of N = 1 element, where only the step is in error, and of the continuous rod, where the
-//! elements are too. `--nocapture` prints the tables of `docs/validation_physics.md`.
+//! elements are too. `--nocapture` prints the tables of `docs/theory/validation_physics.md`.
 
 use crate::rods::judge::record;
 use crate::rods::*;

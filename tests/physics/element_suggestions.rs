@@ -1,5 +1,5 @@
 //! `suggest_elements` against independent solutions of the continuous rod: the estimated error is the error, and the number of elements is
-//! the least that the tables of `docs/validation_physics.md` allow.
+//! the least that the tables of `docs/theory/validation_physics.md` allow.
 
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};

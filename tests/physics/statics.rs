@@ -1,6 +1,6 @@
 //! Static equilibria against independent solutions of the continuous rod: error against the number of elements N, and its order.
 //! Elements of constant curvature are midpoint values of a smooth curvature, so that errors fall as 1/N². `--nocapture` prints the
-//! tables of `docs/validation_physics.md`.
+//! tables of `docs/theory/validation_physics.md`.
 
 use crate::rods::judge::{judge, record, recording};
 use crate::rods::modes::{matrices, modes};

@@ -1,6 +1,6 @@
 //! Small vibrations against independent solutions: rods that hang or stand, droop or are curved, and how they die away. The same
 //! frequencies are the critical rates of whirling shafts (`whirl.rs`). `--nocapture` prints the tables of
-//! `docs/validation_physics.md`.
+//! `docs/theory/validation_physics.md`.
 
 use crate::rods::judge::{judge, record};
 use crate::rods::modes::{matrices, modes};

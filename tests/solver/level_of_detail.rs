@@ -1,4 +1,4 @@
-//! Living strands on more or fewer elements (`docs/adaptive.md`): what is exact, and how near the rest is. `--nocapture` prints the
+//! Living strands on more or fewer elements (`docs/theory/adaptive.md`): what is exact, and how near the rest is. `--nocapture` prints the
 //! numbers of that page.
 
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};

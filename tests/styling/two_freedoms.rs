@@ -1,4 +1,4 @@
-//! Two freedoms an element (twist and the bending about the limp axis) beside three: how far tips are off. docs/hair_types.md has the table:
+//! Two freedoms an element (twist and the bending about the limp axis) beside three: how far tips are off. docs/theory/hair_types.md has the table:
 //! `cargo test --test styling two_freedoms -- --nocapture`.
 
 use std::f64::consts::PI;

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
-PAGES = [ROOT / "docs" / "python.md", ROOT / "bindings" / "python" / "README.md"]
+PAGES = [ROOT / "docs" / "reference" / "python.md", ROOT / "bindings" / "python" / "README.md"]
 NOTEBOOK = ROOT / "bindings" / "python" / "examples" / "first_day.ipynb"
 
 

@@ -18,7 +18,7 @@ use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
 use crate::scene::{self, Scene};
 
-/// Fits friction coefficients to a recorded curve (docs/friction_fit.md): internal friction to the span of a curl shaken up and down,
+/// Fits friction coefficients to a recorded curve (docs/theory/friction_fit.md): internal friction to the span of a curl shaken up and down,
 /// air drag to a pendulum's decay.
 ///
 /// Exit status: 0 when a fit was found, whether or not the curve determines the coefficient (the answer says), 2 for a bad scene,

@@ -1,4 +1,60 @@
 //! The command line: scenes, grooms with head motion, and pictures of what came out.
+//!
+//! Files:
+//!
+//! - `argument_values.rs`: Values of flags, read for clap.
+//! - `atomic_file.rs`: Files that appear whole or not at all.
+//! - `bake.rs`: `superhelix bake`: a mesh into a signed distance grid.
+//! - `baked_body.rs`: A mesh that hair is kept out of, baked into a grid of distances, which is kept beside the mesh for the next time.
+//! - `bench.rs`: `superhelix bench`: what the engine costs on this machine, on one card.
+//! - `cache.rs`: The cache of `superhelix simulate`: a file a frame, or one file with velocities.
+//! - `convert.rs`: `superhelix convert`: a groom, or a cache of frames, in another format.
+//! - `failure.rs`: How a command can fail, and the exit status that says so.
+//! - `film.rs`: The frames of `superhelix simulate` on their way out: to the cache, and some of them to the picture.
+//! - `fit.rs`: `superhelix fit`: strands for the curves of a groom, and how close they come.
+//! - `fit_friction.rs`: `superhelix fit-friction`: friction coefficients from a recorded curve.
+//! - `fit_scene.rs`: Strands as a scene file.
+//! - `groom_statistics.rs`: Numbers about a groom: lengths, turning, what is degenerate, and what its unit may be.
+//! - `groom_strands.rs`: A groom's polylines made into strands: fitted, given a material and a natural shape.
+//! - `guide_frames.rs`: Guides over time: a groom, a directory of frames, or a `.usda` file with time samples.
+//! - `head.rs`: A head that carries roots: a motion laid onto a groom.
+//! - `info.rs`: `superhelix info`: what a groom file holds.
+//! - `interpolate.rs`: `superhelix interpolate`: render strands from the guides of a groom or of a cache.
+//! - `json.rs`: JSON as people write it: comments allowed, and every complaint names the key by its full path, with the value that stands there.
+//! - `lock.rs`: `superhelix lock`: a lock of hair of a kind, as a scene.
+//! - `material_arguments.rs`: The material on the command line: a kind of hair, flags that change single values of it, and sliders.
+//! - `moving_scalp.rs`: A scalp that deforms, and the roots that stand on it.
+//! - `place.rs`: `superhelix place`: follicles scattered over a mesh, or put where texture coordinates say.
+//! - `pose.rs`: `superhelix pose`: a scene whose strands are posed, as a scene.
+//! - `progress.rs`: Progress of long work on standard error: a bar on a terminal, a line now and then where there is none.
+//! - `region.rs`: Where on a mesh follicles stand: meshes as scalps, maps of density, nearness to a groom's roots.
+//! - `render_frames.rs`: Render strands from moments of guides, as curves of files, with velocities where it is known how the guides move.
+//! - `render_output.rs`: Where render strands go: one groom, a directory of frames, or a cache in one file.
+//! - `render_roots.rs`: Where render strands grow: given places, among the guides' roots, or scattered over a scalp, which may deform.
+//! - `render_run.rs`: Render strands of one run: bound to the guides at rest, made from every moment of theirs that is handed over, and written.
+//! - `report.rs`: How the steps of a run went, all together.
+//! - `resolution.rs`: Says when helical elements are too long for the curl that they carry.
+//! - `rest_arguments.rs`: Shapes taken as natural or rest shapes, on the command line.
+//! - `result.rs`: What a run of a scene gives: the document of docs/reference/scene_format.md, section "Result".
+//! - `run.rs`: `superhelix run`: a scene file in, a result file out.
+//! - `run_cache.rs`: The strands of `superhelix run` over time in one `.usda` file, with velocities: to be drawn, or as guides for `superhelix interpolate`.
+//! - `run_files.rs`: What `superhelix run` writes of a scene's strands beside its result: their cache, and render hair.
+//! - `run_render.rs`: The render hair of `superhelix run`: what `superhelix interpolate` would make of the run's cache, to the bit, without the cache.
+//! - `run_snapshot.rs`: Where a run of a scene was left, so that another can go on from there.
+//! - `sampled_frame.rs`: Strands as a solver has them, sampled for files and pictures.
+//! - `settings.rs`: `superhelix settings`: what to set for a preset or for an error that may be made.
+//! - `settled.rs`: `--settle`: strands that start at rest in their static equilibrium under gravity.
+//! - `simulate.rs`: `superhelix simulate`: a groom on a moving head, to a cache and a picture.
+//! - `simulate_body.rs`: `superhelix simulate`: what the hair touches.
+//! - `simulate_report.rs`: What `superhelix simulate` tells afterwards.
+//! - `style.rs`: How a groom's style held: where strands are beside where they were drawn, in the frame of the head that carries them.
+//! - `suggested.rs`: `superhelix info --suggest`: how many elements the strands of a groom need for their shape.
+//! - `surface.rs`: Surfaces of bodies as triangles, for pictures.
+//! - `timeline.rs`: When states are written and which steps lead there.
+//! - `unit.rs`: Metres a unit of a groom: what a flag says, else what the file says; and strands in metres.
+//! - `wisp_arguments.rs`: What a guide of a groom stands for, on the command line.
+//! - `picture/`: `superhelix picture`: contact sheets and animations of simulated frames.
+//! - `scene/`: A scene file: read, checked, and turned into what the solver is made from.
 
 mod argument_values;
 mod atomic_file;

@@ -45,7 +45,7 @@ pub struct MaterialArguments {
     /// Slider -1 to 1: curlier, straight at -1. Of a groom: its strands' own natural curvatures, in proportion.
     #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
     curliness: f64,
-    /// Slider -1 to 1: stiffer than the values above (docs/hair_types.md has what all sliders do).
+    /// Slider -1 to 1: stiffer than the values above (docs/theory/hair_types.md has what all sliders do).
     #[arg(long, value_name = "X", default_value_t = 0.0, allow_negative_numbers = true)]
     stiffness: f64,
     /// Slider -1 to 1: more disciplined, less frizzy.

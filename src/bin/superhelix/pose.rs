@@ -16,7 +16,7 @@ use crate::scene::{self, Scene, SceneStrand, posing};
 /// Poses the strands of a scene: drags, brushes, bends, cuts, grows and mirrors them, changes their material, takes their shapes as natural or
 /// rest shapes; and writes the scene with the strands that came of it.
 ///
-/// The operations are those of the scene's key "posing", then those of --operations (docs/scene_format.md), then those of the flags.
+/// The operations are those of the scene's key "posing", then those of --operations (docs/reference/scene_format.md), then those of the flags.
 /// Exit status: 0 when the scene is written, 2 for a bad scene or bad operations, 1 for anything else.
 #[derive(Debug, Args)]
 pub struct PoseArguments {

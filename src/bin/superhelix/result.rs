@@ -1,4 +1,4 @@
-//! What a run of a scene gives: the document of docs/scene_format.md, section "Result".
+//! What a run of a scene gives: the document of docs/reference/scene_format.md, section "Result".
 
 use std::collections::HashMap;
 

@@ -24,7 +24,7 @@ use crate::scene::{self, Scene};
 use crate::settled;
 use crate::timeline;
 
-/// Runs a scene file (docs/scene_format.md) and writes what happened, and the render hair that the scene asks for.
+/// Runs a scene file (docs/reference/scene_format.md) and writes what happened, and the render hair that the scene asks for.
 ///
 /// Exit status: 0 when the run ended, 2 for a bad scene (nothing is written), 1 for anything else.
 #[derive(Debug, Args)]

@@ -111,7 +111,7 @@ pub struct SimulateArguments {
     /// Linear solver.
     #[arg(long, default_value = "linear_time", value_parser = linear_solver)]
     solver: LinearSolver,
-    /// Precision of the arithmetic: f64 or f32 (docs/lanes.md). Default: f64.
+    /// Precision of the arithmetic: f64 or f32 (docs/theory/lanes.md). Default: f64.
     #[arg(long, value_parser = precision)]
     precision: Option<Precision>,
     /// Newton's tolerance, rad. Default: 1e-4, or the preset's.

@@ -1,4 +1,27 @@
 //! Shapes of bodies, in their own axes: where their surface is nearest to a point, how large they are.
+//!
+//! Files:
+//!
+//! - `bake_open.rs`: Signed distances of a mesh that is not quite closed: the sign is told by winding numbers.
+//! - `bounds.rs`: Boxes along the axes, around what is to be kept apart cheaply.
+//! - `capsule.rs`: Capsule: all points within a radius of a segment.
+//! - `cuboid.rs`: Box about the origin, along the axes.
+//! - `ellipsoid.rs`: Ellipsoid about the origin, along the axes: its exact nearest point.
+//! - `flat_triangle.rs`: A triangle in axes of its own, for many queries of how far points are from it.
+//! - `grid.rs`: Signed distance grid: a closed surface as distances at the nodes of a lattice, cubic in between.
+//! - `half_space.rs`: Half of space, bounded by a plane through the origin.
+//! - `hull.rs`: Convex hull of points, as a closed mesh.
+//! - `lattice.rs`: The nodes at which a distance grid is baked.
+//! - `mesh.rs`: Triangle mesh: its checks, its neighbours, its motion over a step.
+//! - `mesh_normals.rs`: Normals that tell a mesh's sides: of faces, edges and vertices.
+//! - `mesh_patch.rs`: The triangles of a mesh that are near a piece of strand.
+//! - `mesh_query.rs`: Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`mesh_patch.rs`).
+//! - `parts.rs`: A shape taken apart, for images of a scene, and put together again to the bit.
+//! - `planes.rs`: The tangent plane at every node of a distance grid, and how near the surface is at least about it, for look-ups by the hundred thousand.
+//! - `sphere.rs`: Sphere about the origin.
+//! - `surface.rs`: Where a shape's surface is nearest to a point.
+//! - `triangle.rs`: Nearest point of a triangle.
+//! - `winding.rs`: Winding numbers: how often a surface goes around a point, also a surface that is not quite closed.
 
 mod bake_open;
 mod bounds;

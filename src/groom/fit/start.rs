@@ -30,7 +30,7 @@ pub(super) struct Kind {
     pub twisted: bool,
 }
 
-/// The starts, in the order in which they are tried (what they leave on real grooms: `docs/groom_fit.md`).
+/// The starts, in the order in which they are tried (what they leave on real grooms: `docs/notebook/groom_fit.md`).
 pub(super) const KINDS: [Kind; 8] = [
     Kind { nodes: Nodes::Varied, twisted: false },
     Kind { nodes: Nodes::Varied, twisted: true },

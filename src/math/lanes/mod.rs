@@ -3,6 +3,13 @@
 //!
 //! A value of a type here must only come to be on a machine that has its instructions: so the types do not leave the crate, and whoever
 //! uses one goes by [`InstructionSet::detected`].
+//!
+//! Files:
+//!
+//! - `neon.rs`: Packed numbers by NEON, which every AArch64 has.
+//! - `register.rs`: What packed types have in common, whatever the instructions.
+//! - `simd128.rs`: Packed numbers by WebAssembly's 128-bit vectors.
+//! - `x86.rs`: Packed numbers by SSE2, AVX2 and AVX-512.
 
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]
 #[macro_use]

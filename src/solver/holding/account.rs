@@ -23,7 +23,7 @@ pub struct ContactTally {
     pub sweeps: u64,
     /// Islands whose iteration ended elsewhere than it should.
     pub unconverged: u32,
-    /// Largest residual of the laws, relative, see `docs/contact.md`.
+    /// Largest residual of the laws, relative, see `docs/theory/contact.md`.
     pub residual: f64,
     /// How deep surfaces were in each other at the end of a substep at most, m.
     pub penetration: f64,

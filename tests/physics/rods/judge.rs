@@ -1,4 +1,4 @@
-//! Error against the number of elements: printed as a row of `docs/validation_physics.md`, checked, and recorded for the figures.
+//! Error against the number of elements: printed as a row of `docs/theory/validation_physics.md`, checked, and recorded for the figures.
 
 use std::collections::BTreeSet;
 use std::panic::Location;

@@ -1570,7 +1570,7 @@ struct settings : shx_settings {
   }
 
   // Processor time per strand and simulated second in the most expensive of those scenes, microseconds, one thread, on the machine of
-  // docs/tradeoff.md. Negative: not measured.
+  // docs/notebook/tradeoff.md. Negative: not measured.
   settings &with_cost(double value) {
     cost = value;
     return *this;
@@ -2001,7 +2001,7 @@ struct hair_type : shx_hair_type {
   }
 };
 
-// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes their effects. Fill it with
+// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/theory/hair_types.md describes their effects. Fill it with
 // shx_hair_sliders_init.
 struct hair_sliders : shx_hair_sliders {
   hair_sliders() : shx_hair_sliders{} { detail::prepared(shx_hair_sliders_init(this, sizeof(shx_hair_sliders))); }

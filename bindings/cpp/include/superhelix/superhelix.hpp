@@ -1,4 +1,4 @@
-// superhelix for C++17: the whole C interface with owners, views and errors. docs/cpp.md is the guide.
+// superhelix for C++17: the whole C interface with owners, views and errors. docs/guide/cpp.md is the guide.
 //
 // Names are those of superhelix.h without shx_; what its comments say holds here. Link the C library.
 #ifndef SUPERHELIX_HPP

@@ -2,7 +2,7 @@
 
 Units are SI (m, kg, s, N, Pa), curvature and twist in rad/m, axes right-handed. Gravity is (0, 0, -9.81) unless you say otherwise. A frame
 is a row of seven float64: origin, and unit quaternion x, y, z, w (superhelix.frames makes them). Points go in and out as numpy arrays, float32
-or float64, without copies. Errors are SuperhelixError and its subclasses, with the library's text. docs/python.md is the guide.
+or float64, without copies. Errors are SuperhelixError and its subclasses, with the library's text. docs/guide/python.md is the guide.
 """
 
 from __future__ import annotations

@@ -86,8 +86,8 @@ class Precision(IntEnum):
     F32 = 2
     """Single precision: twice as many strands in each vector register. Use it for substeps of 1/240 s or longer and up to 200
     elements per strand. After seconds of walking it stays within 1e-3 of a strand's length of double precision, mostly within 1e-4
-    (docs/lanes.md). Shorter substeps accumulate more rounding error. Requires LinearSolver.LINEAR_TIME; Integrator.REFERENCE does
-    not support it."""
+    (docs/theory/lanes.md). Shorter substeps accumulate more rounding error. Requires LinearSolver.LINEAR_TIME; Integrator.REFERENCE
+    does not support it."""
 
 
 class InstructionSet(IntEnum):

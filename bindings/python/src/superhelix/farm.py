@@ -8,7 +8,7 @@
     outcomes = farm.run(tasks, "/shared/out", client=Client("tcp://scheduler:8786"))
 
 Needs ``pip install superhelix[farm]``. Workers need the ``superhelix`` binary and the output folder, at the same paths (a shared file system, or one
-machine). ``out/NAME/`` has a task's files, ``out/results.json`` all outcomes. See docs/farm.md.
+machine). ``out/NAME/`` has a task's files, ``out/results.json`` all outcomes. See docs/guide/farm.md.
 """
 
 from __future__ import annotations

@@ -69,7 +69,7 @@ class WispMaterial(NamedTuple):
 
 
 def wisp_material(wisp: Wisp | None = None, hair: Material | None = None) -> WispMaterial:
-    """Computes the material of a rod that moves as a wisp of such hairs does. docs/wisps.md has the model."""
+    """Computes the material of a rod that moves as a wisp of such hairs does. docs/theory/wisps.md has the model."""
     chosen, single, material = wisp or Wisp(), hair or Material(), Material()
     radius, margin = ctypes.c_double(), ctypes.c_double()
     check(

@@ -1236,7 +1236,7 @@ class Settings(Record):
     )
     cost = FloatField(
         "Processor time per strand and simulated second in the most expensive of those scenes, microseconds, one thread, on the "
-        "machine of docs/tradeoff.md. Negative: not measured."
+        "machine of docs/notebook/tradeoff.md. Negative: not measured."
     )
     quadrature_tolerance = FloatField("Allowed relative error of the integrals along an element.")
 
@@ -1563,7 +1563,7 @@ class HairType(Record):
 
 
 class HairSliders(Record):
-    """High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes their effects."""
+    """High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/theory/hair_types.md describes their effects."""
 
     __slots__ = ()
     _STRUCT = _capi.shx_hair_sliders

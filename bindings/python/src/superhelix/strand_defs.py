@@ -26,7 +26,7 @@ _ROWS = {"natural_curvatures": 3, "initial_curvatures": 3, "initial_rates": 3, "
 
 class StrandDefs:
     """Definitions of strands. Every keyword is a value for all strands, or an array with a value for each; what is left out has the library's
-    default (see the table in docs/python.md).
+    default (see the table in docs/reference/python.md).
 
     element_count: helical elements, 1 to 100000; taken from the arrays where they say it. length: m. radius: semi-axes of the section along
     n1 and n2, m, two numbers. density: kg/m^3. youngs_modulus: Pa. poisson_ratio. internal_friction: kg m^3/s. viscosity: s. air_drag:

@@ -1,4 +1,24 @@
 //! `superhelix picture`: contact sheets and animations of simulated frames.
+//!
+//! Files:
+//!
+//! - `animation.rs`: Animated PNG: what a browser plays, and what shows its first frame where animation is not known.
+//! - `body.rs`: Bodies beside a cache of frames: a mesh that goes with the roots, or one for each frame.
+//! - `cell.rs`: One view of one moment, in the manner asked for.
+//! - `colour.rs`: Colours of equal weight to the eye, one a root position.
+//! - `facing.rs`: Which way a head faces: by its relief, or, where that does not say, to where it has no hair.
+//! - `footage.rs`: What a picture is made of: frames of a cache or of a scene's result, with bodies and render hair where they are asked for.
+//! - `framing.rs`: What the cells of a picture show: every view at one scale, following the middle of the roots.
+//! - `grown.rs`: Render hair for pictures of guides: as `interpolate` makes it, in wisps.
+//! - `lettering.rs`: Letters as strokes: enough for labels, drawn with the same pen as the strands.
+//! - `moment.rs`: One moment of a motion, as it is drawn.
+//! - `relief.rs`: Which way a head faces by its mesh: where it has relief.
+//! - `replay.rs`: A scene that was run: strands out of its result, bodies out of the scene.
+//! - `sheet.rs`: The contact sheet: moments from left to right, the views one above the other, all at one scale.
+//! - `view.rs`: Views: which axes run right, up and towards the viewer.
+//! - `window.rs`: What part of the world a cell shows.
+//! - `lines/`: Strands as lines that can be told apart.
+//! - `lit/`: Hair as it looks: threads lit by lamps and each other, bodies among them, on a quiet ground.
 
 mod animation;
 mod body;

@@ -1,4 +1,22 @@
-//! A scene file (docs/scene_format.md): read, checked, and turned into what the solver is made from.
+//! A scene file (docs/reference/scene_format.md): read, checked, and turned into what the solver is made from.
+//!
+//! Files:
+//!
+//! - `attachments.rs`: `attachments`: what holds strands, as constraints.
+//! - `colliders.rs`: `colliders`: bodies, how they move, and where their files are.
+//! - `contact.rs`: `contact` and `hair_contact`: how touches are answered, and what strands are to them.
+//! - `deformation.rs`: A mesh whose vertices move: samples in time, straight and even between them, held before the first and after the last.
+//! - `follicles.rs`: `follicles` of a strand: places on a mesh, at each of which one such strand stands.
+//! - `groom.rs`: `groom` of a strand: a file of curves, in whose place stands a strand for each of them, fitted.
+//! - `hair.rs`: `hair` of a strand: a measured kind, sliders and variation, from which what the strand does not say itself is taken.
+//! - `options.rs`: The keys of a scene that say how it is stepped.
+//! - `outputs.rs`: `output`: what a scene asks to be written.
+//! - `pose.rs`: Poses and motions, of roots, colliders and targets.
+//! - `posed.rs`: The operations of `posing` done to a scene's strands.
+//! - `posing.rs`: `posing`: what is done to the strands before a run begins.
+//! - `render_hair.rs`: `render_hair`: strands to be drawn, which follow those of the scene and are written as it runs.
+//! - `strands.rs`: `strands`: what each is made from, and how its root moves.
+//! - `words.rs`: The solver's complaints in the words of a scene.
 
 pub mod attachments;
 pub mod colliders;

@@ -124,9 +124,9 @@ namespace Superhelix
     F64 = 1,
     /// <summary>
     /// Single precision: twice as many strands in each vector register. Use it for substeps of 1/240 s or longer and up to 200 elements per
-    /// strand. After seconds of walking it stays within 1e-3 of a strand's length of double precision, mostly within 1e-4 (docs/lanes.md).
-    /// Shorter substeps accumulate more rounding error. Requires SHX_LINEAR_SOLVER_LINEAR_TIME; SHX_INTEGRATOR_REFERENCE does not support
-    /// it.
+    /// strand. After seconds of walking it stays within 1e-3 of a strand's length of double precision, mostly within 1e-4
+    /// (docs/theory/lanes.md). Shorter substeps accumulate more rounding error. Requires SHX_LINEAR_SOLVER_LINEAR_TIME;
+    /// SHX_INTEGRATOR_REFERENCE does not support it.
     /// </summary>
     F32 = 2,
   }

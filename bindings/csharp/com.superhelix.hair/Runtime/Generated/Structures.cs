@@ -1072,7 +1072,7 @@ namespace Superhelix
     public double RmsError;
     /// <summary>
     /// Processor time per strand and simulated second in the most expensive of those scenes, microseconds, one thread, on the machine of
-    /// docs/tradeoff.md. Negative: not measured.
+    /// docs/notebook/tradeoff.md. Negative: not measured.
     /// </summary>
     public double Cost;
     /// <summary>Allowed relative error of the integrals along an element.</summary>
@@ -1334,7 +1334,7 @@ namespace Superhelix
   }
 
   /// <summary>
-  /// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/hair_types.md describes their effects. Fill it with
+  /// High-level sliders, each from -1 to 1; 0 (default) changes nothing. docs/theory/hair_types.md describes their effects. Fill it with
   /// shx_hair_sliders_init.
   /// </summary>
   [StructLayout(LayoutKind.Sequential)]

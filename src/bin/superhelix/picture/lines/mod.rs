@@ -1,5 +1,9 @@
 //! Strands as lines that can be told apart: coloured by their roots, sorted by depth, dimmer with distance, each with a thin dark edge that
 //! parts it from those behind.
+//!
+//! Files:
+//!
+//! - `cover.rs`: Bodies behind and among the strands: shaded, and hiding what is behind them.
 
 mod cover;
 

@@ -1,5 +1,20 @@
 //! Hair as it looks: threads lit by lamps and each other, bodies among them, on a quiet ground. No GPU; the same bytes for any number of
 //! threads.
+//!
+//! Files:
+//!
+//! - `band.rs`: Some rows of a picture while it is made.
+//! - `depth_map.rs`: Surfaces of bodies as a light sees them (a shadow map, Williams 1978).
+//! - `eyes.rs`: Balls in a head's empty eye sockets, so that it does not look hollow.
+//! - `fibre.rs`: How a hair scatters light: Marschner et al. 2003 ("Light scattering from human hair fibers") in the closed form of Karis 2016 ("Physically based hair shading in Unreal", SIGGRAPH course).
+//! - `hair_colour.rs`: Colours of hair.
+//! - `ribbons.rs`: Threads as ribbons that face the viewer: edges sorted from far to near, each blended by the share of a pixel that it covers.
+//! - `shade_map.rs`: How much of a light reaches a place.
+//! - `skin.rs`: The surface of a body, in a view's axes, with normals that are smooth where the surface is.
+//! - `studio.rs`: The lights of a picture: a key from above the viewer's left shoulder, a rim from behind on the right, and a bright room about them.
+//! - `threads.rs`: The hair of a picture, in a view's axes.
+//! - `tone.rs`: From linear light to a screen.
+//! - `triangle.rs`: The samples of a raster that a triangle covers.
 
 mod band;
 mod depth_map;

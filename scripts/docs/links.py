@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Checks that what the pages and the sources point to is there.
+
+    python3 scripts/docs/links.py
+
+Relative links and anchors of every Markdown page; files of the repository that pages name in code (`tests/...rs`), except in the notebook and the
+changelog, which are history; names of pages (`docs/...md`) in sources, scripts and tests; every page of docs/ is listed in docs/SUMMARY.md. Prints
+what is broken; exit status 1 if anything is.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+from urllib.parse import unquote
+
+from pages import ROOT, anchors, links, prose, tracked
+
+#: What names a page: "docs/theory/contact.md", with or without an anchor.
+NAMED = re.compile(r"(?<![\w./$-])docs/[\w/-]+\.md(?:#[\w-]+)?")
+#: What names a file of the repository in a page's code.
+FILE = re.compile(r"`((?:src|tests|examples|examples_c|examples_wasm|benches|scripts|bindings|abi|packaging|include)/[\w/.-]*\w)`")
+HISTORY = (Path("docs/notebook"), Path("CHANGELOG.md"))
+#: Files that name pages.
+TEXT = {".rs", ".h", ".c", ".hpp", ".cpp", ".cs", ".py", ".sh", ".toml", ".txt", ".json", ".md", ".mjs", ".ipynb", ".cmake", ".js", ".css", ""}
+
+
+class Checker:
+    """Collects what is broken."""
+
+    def __init__(self) -> None:
+        self.broken: list[str] = []
+        self.anchors: dict[Path, set[str]] = {}
+        self.checked = 0
+
+    def target(self, where: str, path: Path, anchor: str, written: str) -> None:
+        """A link from `where` to a file or a folder, and to a heading of it."""
+        self.checked += 1
+        if not path.is_relative_to(ROOT):
+            self.broken.append(f"{where}: {written} leaves the repository")
+        elif not path.exists():
+            self.broken.append(f"{where}: {written}: there is no {path.relative_to(ROOT)}")
+        elif anchor and path.suffix == ".md":
+            if path not in self.anchors:
+                self.anchors[path] = anchors(path.read_text(encoding="utf-8"))
+            if anchor not in self.anchors[path]:
+                self.broken.append(f"{where}: {written}: {path.relative_to(ROOT)} has no heading #{anchor}")
+
+    def page(self, page: Path) -> None:
+        """The links of a page."""
+        text = (ROOT / page).read_text(encoding="utf-8")
+        for line, link in links(text):
+            if re.match(r"[a-z][a-z+.-]*:", link):
+                continue
+            name, _, anchor = unquote(link).partition("#")
+            path = (ROOT / page).parent / name if name else ROOT / page
+            self.target(f"{page}:{line}", path.resolve(), anchor, link)
+        if not any(page.is_relative_to(history) for history in HISTORY):
+            for line, words in prose(text):
+                for found in FILE.finditer(words):
+                    self.file(f"{page}:{line}", found[1])
+
+    def file(self, where: str, name: str) -> None:
+        """A file that a page names; a module may go without its ending."""
+        self.checked += 1
+        if not any((ROOT / (name + ending)).exists() for ending in ("", ".rs")):
+            self.broken.append(f"{where}: there is no {name}")
+
+    def names(self, file: Path) -> None:
+        """The pages that a source names."""
+        try:
+            text = (ROOT / file).read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            return
+        for found in NAMED.finditer(text):
+            name, _, anchor = found[0].partition("#")
+            self.target(f"{file}:{text.count(chr(10), 0, found.start()) + 1}", ROOT / name, anchor, found[0])
+
+    def summary(self) -> None:
+        """The contents of the site are the pages of docs/."""
+        contents = ROOT / "docs" / "SUMMARY.md"
+        listed = [(contents.parent / link).resolve() for _, link in links(contents.read_text(encoding="utf-8"))]
+        there = {(ROOT / page).resolve() for page in tracked("docs/*.md")} - {contents.resolve()}
+        self.broken += [f"docs/SUMMARY.md lists {page.relative_to(ROOT)} twice" for page in set(listed) if listed.count(page) > 1]
+        self.broken += [f"docs/SUMMARY.md does not list {page.relative_to(ROOT)}" for page in sorted(there - set(listed))]
+
+
+def main() -> int:
+    """The command line."""
+    checker = Checker()
+    for page in tracked("*.md"):
+        checker.page(page)
+    for file in tracked():
+        if (file.suffix in TEXT and not file.is_relative_to("tests/data") and not file.is_relative_to("docs/figures")) or file.suffix == ".py":
+            checker.names(file)
+    checker.summary()
+    for line in checker.broken:
+        print(line, file=sys.stderr)
+    print(f"links: {checker.checked} checked, {len(checker.broken)} broken")
+    return int(bool(checker.broken))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
