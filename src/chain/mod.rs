@@ -11,7 +11,7 @@
 //! - `force.rs`: Generalised forces: what forces on the points are to the curvatures, f = Σ Jᵀ f_p, in one pass from tip to root.
 //! - `load.rs`: Forces on material points between the quadrature points, and on points held out from the strand by a rigid lever.
 //! - `pivot.rs`: The small symmetric pivots of the elimination: Cholesky's factorisation, and the repair of one that is not positive definite.
-//! - `response.rs`: The direction that forces at stations lead a strand in whose system is eliminated.
+//! - `response.rs`: The direction that forces at stations lead strands in whose system is eliminated.
 //! - `system.rs`: The quadratic model of one strand that the linear solves share: what pulls at the quadrature points and at the curvatures.
 
 pub(crate) mod axes;

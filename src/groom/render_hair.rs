@@ -24,6 +24,7 @@
 //! - `position.rs`: Strands mixed from their guides' places, and brought to their wisps.
 //! - `profile.rs`: What depends on the place along a strand and not on the guides.
 //! - `quaternion.rs`: Rotations of frames in f32.
+//! - `reach.rs`: How far strands may lie from their first guide without being near a body: most of a groom's points need no other look.
 //! - `sections.rs`: How a patch of scalp becomes the section of the hair that stands on it.
 //! - `settings.rs`: What render strands are to look like.
 //! - `shape.rs`: The guides' shapes at one moment, in the form in which strands are mixed from them.

@@ -7,6 +7,7 @@
 //! - `account.rs`: What a held substep came to: how the strands fared, the list of touches, what bodies and constraints bear.
 //! - `crowd.rs`: How many touches a strand may have.
 //! - `formula.rs`: By which formula held strands take their step.
+//! - `packs.rs`: Held strands side by side: which go together in a pack, and each half of an iteration pack by pack.
 //! - `parts.rs`: Strands of islands that have not come to their end take the substep again, in parts.
 //! - `tests.rs`: What a substep promises whose searches are spent before all is found.
 

@@ -5,7 +5,9 @@
 //! - `damping.rs`: How strongly Newton's iteration holds the rotations back: Levenberg's and Marquardt's parameter λ, in N·m/rad, and its memory.
 //! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
 //! - `equilibrium.rs`: Static equilibrium: the shape in which a strand rests under gravity, a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
-//! - `held.rs`: The step of a strand that forces from outside hold at stations, one Newton iteration at a time.
+//! - `held.rs`: The step of strands that forces from outside hold at stations, one Newton iteration at a time.
+//! - `held_pack.rs`: Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of `super::held`.
+//! - `held_packs.rs`: Packs of strands that forces hold, in registers of any width.
 //! - `iterate.rs`: Where Newton's iteration is: a spring at every quadrature point and at every curvature, drawn to its target (`energy`), and the strand between them.
 //! - `linearly_implicit.rs`: The papers' step (Bertails et al. 2006, section 3.4; document 004, section 4.2.8), kept with its second-order terms.
 //! - `local_error.rs`: The error that one step adds to the positions of a strand's points, told from the step itself (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).

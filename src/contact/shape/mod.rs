@@ -17,7 +17,7 @@
 //! - `mesh_patch.rs`: The triangles of a mesh that are near a piece of strand.
 //! - `mesh_query.rs`: Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`mesh_patch.rs`).
 //! - `parts.rs`: A shape taken apart, for images of a scene, and put together again to the bit.
-//! - `planes.rs`: The tangent plane at every node of a distance grid, and how near the surface is at least about it, for look-ups by the hundred thousand.
+//! - `planes.rs`: The tangent plane at every node of a distance grid, for look-ups by the hundred thousand.
 //! - `sphere.rs`: Sphere about the origin.
 //! - `surface.rs`: Where a shape's surface is nearest to a point.
 //! - `triangle.rs`: Nearest point of a triangle.
