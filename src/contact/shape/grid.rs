@@ -190,7 +190,7 @@ impl DistanceGrid {
     }
 
     /// The field to first order about the nearest node, for very many points: off by what it bends over half a cell. Takes some
-    /// nanoseconds a node, and 9 bytes, when it is first asked for.
+    /// nanoseconds a node, and 8 bytes, when it is first asked for.
     pub(crate) fn planes(&self) -> PlaneField<'_> {
         PlaneField::new(&self.planes, self)
     }

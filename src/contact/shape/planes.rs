@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 
 use super::grid::DistanceGrid;
+use crate::math::prefetch::prefetch;
 
 /// A plane: its distance (m) in the lower half, the field's slopes along x, y and z as signed bytes of 127 above it. One place in memory is
 /// looked at where interpolation looks at 64.
@@ -132,6 +133,17 @@ impl<'a> PlaneField<'a> {
         let away = [0, 1, 2].map(|axis| place[axis] - node[axis] as f32);
         let more = slopes[0] * away[0] + slopes[1] * away[1] + slopes[2] * away[2];
         Some((f32::from_bits(plane as u32) + self.cell * more, slopes))
+    }
+
+    /// Asks memory for what [`PlaneField::at`] looks at.
+    #[inline(always)]
+    pub fn ask_for(&self, place: [f32; 3]) {
+        let node = place.map(|value| value + 0.5);
+        if self.is_inside(node)
+            && let Some(plane) = self.nodes.planes.get(self.bricks.index(node.map(|value| value as u32)) as usize)
+        {
+            prefetch(plane);
+        }
     }
 
     /// How far a place outside the grid is from it at least, in cells; 0 inside.

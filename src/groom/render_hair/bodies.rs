@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::position::STEP;
 use super::reach::beyond;
-use crate::contact::shape::{PlaneField, Shape};
+use crate::contact::shape::{DistanceGrid, PlaneField, Shape};
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
 
@@ -55,8 +55,10 @@ const DEEP: f32 = 4e-3;
 const BESIDE: f32 = 4.0;
 /// A way out is one along which the distance grows by so much a metre at least.
 const STRAIGHT_OUT: f32 = 0.5;
-/// Distances from a grid are told to within so much of its cell.
-const GRID_ERROR: f32 = 1.0;
+/// Distances between a grid's nodes are known to within so much of its cell.
+const GRID_ERROR: f32 = 0.5;
+/// Points that wait for what was asked for them from memory.
+const WAITING: usize = 64;
 /// Beyond this, m, no distance from a shape without a grid is looked up: strands that lie closer to their guide than that need none.
 const FAR: f32 = 0.1;
 /// The steepest that strands leave their root for the surface: so much farther from it for each metre along.
@@ -66,7 +68,7 @@ const RISE: f32 = 0.25;
 #[derive(Debug, Clone, Copy)]
 enum Field<'a> {
     /// Places are in cells from the lowest node.
-    Grid(PlaneField<'a>),
+    Grid(PlaneField<'a>, &'a DistanceGrid),
     /// Places are in m.
     Shape(&'a Shape),
 }
@@ -76,7 +78,7 @@ impl Field<'_> {
     #[inline(always)]
     fn at(&self, place: [f32; 3], within: f32) -> Option<(f32, [f32; 3])> {
         match self {
-            Field::Grid(field) => field.at(place),
+            Field::Grid(field, _) => field.at(place),
             Field::Shape(shape) => {
                 let surface = shape.closest(Vector3::from(place.map(f64::from)), f64::from(within))?;
                 Some((surface.distance as f32, surface.normal.map(|value| value as f32).into()))
@@ -100,7 +102,7 @@ pub(super) struct Placed<'a> {
 impl<'a> Placed<'a> {
     pub fn new(body: &RenderBody<'a>, pose: &Frame, origin: Vector3<f64>) -> Self {
         let (field, low, unit) = match body.shape.grid() {
-            Some(grid) => (Field::Grid(grid.planes()), grid.low(), grid.cell()),
+            Some(grid) => (Field::Grid(grid.planes(), grid), grid.low(), grid.cell()),
             None => (Field::Shape(body.shape), Vector3::zeros(), 1.0),
         };
         let back = pose.rotation.inverse().to_rotation_matrix();
@@ -118,10 +120,14 @@ impl<'a> Placed<'a> {
     pub fn room(&self, point: [f32; 3], clearance: f32) -> f32 {
         let (place, near) = (self.place(point), self.thickness + clearance);
         match &self.field {
-            Field::Grid(field) => match field.at(place) {
-                Some((distance, _)) => distance - near - GRID_ERROR * self.unit,
-                None => field.outside(place) * self.unit,
-            },
+            Field::Grid(field, grid) => {
+                let outside = field.outside(place) * self.unit;
+                let within = || grid.closest(grid.low() + Vector3::from(place.map(f64::from)) * grid.cell());
+                match within().filter(|_| outside == 0.0) {
+                    Some(surface) => surface.distance as f32 - near - GRID_ERROR * self.unit,
+                    None => outside,
+                }
+            }
             Field::Shape(_) => self.field.at(place, near + FAR).map_or(FAR, |(distance, _)| distance - near),
         }
     }
@@ -164,28 +170,42 @@ pub(super) fn keep_out(bodies: &[Placed], clearance: f32, points: &mut Points) {
     // What one body pushes out another may have to push back.
     for _ in 0..bodies.len().min(2) {
         for body in bodies {
+            let mut waiting = [(0, [0.0; 3]); WAITING];
+            let mut count = 0;
             for at in (0..points.stride).step_by(STEP) {
                 let mut near = beyond(points.rows, points.guide, points.guide_root, points.stride, points.reach, at);
                 while near != 0 {
-                    keep_point_out(body, clearance, points, at + near.trailing_zeros() as usize);
+                    let k = at + near.trailing_zeros() as usize;
                     near &= near - 1;
+                    let place = body.place([0, 1, 2].map(|axis| points.rows[axis * points.stride + k]));
+                    if let Field::Grid(field, _) = &body.field {
+                        field.ask_for(place);
+                    }
+                    waiting[count % WAITING] = (k, place);
+                    count += 1;
+                }
+                if count > WAITING - STEP || at + STEP >= points.stride {
+                    for (k, place) in waiting.iter().take(count) {
+                        keep_point_out(body, clearance, points, *k, *place);
+                    }
+                    count = 0;
                 }
             }
         }
     }
 }
 
-/// Keeps point `k` out of a body.
+/// Keeps point `k`, which is at that place of a body's, out of it.
 #[inline(always)]
-fn keep_point_out(body: &Placed, clearance: f32, points: &mut Points, k: usize) {
+fn keep_point_out(body: &Placed, clearance: f32, points: &mut Points, k: usize, place: [f32; 3]) {
     let stride = points.stride;
-    let point = [0, 1, 2].map(|axis| points.rows[axis * stride + k]);
-    let Some((distance, slopes)) = body.field.at(body.place(point), body.thickness + clearance) else { return };
+    let Some((distance, slopes)) = body.field.at(place, body.thickness + clearance) else { return };
     let distance = distance - body.thickness;
     let clearance = clearance.min(RISE * points.length * (k as f32 / (points.count - 1) as f32));
     if distance >= clearance {
         return;
     }
+    let point = [0, 1, 2].map(|axis| points.rows[axis * stride + k]);
     let out = brought_out(body, point, (distance, slopes), clearance, || {
         [0, 1, 2].map(|axis| points.guide_root[axis] + points.guide[axis * stride + k])
     });
