@@ -7,6 +7,7 @@ use superhelix::contact::body::BodyDef;
 use superhelix::contact::options::{ContactModel, Friction, StrandContact};
 use superhelix::contact::shape::Shape;
 use superhelix::math::frame::Frame;
+use superhelix::math::lanes::InstructionSet;
 use superhelix::math::rotation::from_rotation_vector;
 use superhelix::solver::Solver;
 use superhelix::solver::constraints::{ConstraintDef, Hold};
@@ -25,8 +26,13 @@ fn at(x: f64, y: f64, z: f64, turn: f64) -> Frame {
 
 /// Sheaves of four strands that fall across each other over a rod that turns, a box and a ball; one slides through a ring, two are tied. Or so many so close
 /// together that each sheaf lies on the next, and no constraints.
-pub fn course(model: ContactModel, workers: Workers, together: bool) -> (Vec<StepReport>, usize, u64) {
-    let mut options = SolverOptions { workers, ..SolverOptions::default() };
+pub fn course(
+    model: ContactModel,
+    workers: Workers,
+    set: Option<InstructionSet>,
+    together: bool,
+) -> (Vec<StepReport>, usize, u64) {
+    let mut options = SolverOptions { workers, instruction_set: set, ..SolverOptions::default() };
     (options.contact.model, options.contact.hair) = (model, true);
     let mut solver = Solver::new(options).unwrap();
     let (count, apart) = if together { (MANY, 0.0035) } else { (STRANDS, 0.012) };

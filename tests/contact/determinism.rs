@@ -1,7 +1,8 @@
-//! A scene full of contact gives the same bits for any number of threads and on every machine.
+//! A scene full of contact gives the same bits for any number of threads, side by side in registers of any width, and on every machine.
 
 use std::path::Path;
 
+use superhelix::math::lanes::InstructionSet;
 use superhelix::solver::definition::Workers;
 
 use crate::crowded_scene::{GOLDEN, course};
@@ -10,15 +11,20 @@ use crate::crowded_scene::{GOLDEN, course};
 fn any_number_of_threads_and_every_machine_give_the_same_bits() {
     let mut found = Vec::new();
     for (model, together, golden) in GOLDEN {
-        let (reports, touches, hash) = course(model, Workers::Serial, together);
+        let (reports, touches, hash) = course(model, Workers::Serial, None, together);
         println!("(ContactModel::{model:?}, {together}, 0x{hash:016x}), {touches} contacts");
         // The scene has what it is for.
         assert!(touches > 200, "{touches}");
         assert!(reports.iter().all(|report| report.quarantined == 0), "{reports:?}");
         for threads in [2, 3, 8] {
-            let (others, _, other) = course(model, Workers::Pool(threads), together);
+            let (others, _, other) = course(model, Workers::Pool(threads), None, together);
             assert_eq!(others, reports, "{model:?} on {threads} threads");
             assert_eq!(other, hash, "{model:?} on {threads} threads");
+        }
+        let sets = [InstructionSet::Scalar, InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512];
+        for set in sets.into_iter().filter(|set| *set <= InstructionSet::detected()) {
+            let (others, _, other) = course(model, Workers::Serial, Some(set), together);
+            assert_eq!((others, other), (reports.clone(), hash), "{model:?} by {set:?}");
         }
         found.push((model, hash, golden));
     }

@@ -53,7 +53,7 @@ pub extern "C" fn contact_golden(course: u32) -> u64 {
 #[unsafe(no_mangle)]
 pub extern "C" fn contact_found(course: u32) -> u64 {
     let (model, together, _): (ContactModel, bool, u64) = crowded_scene::GOLDEN[course as usize];
-    crowded_scene::course(model, Workers::Serial, together).2
+    crowded_scene::course(model, Workers::Serial, None, together).2
 }
 
 /// Lanes of f64 that the best instructions of this machine have: 1 says that there are none.
