@@ -9,6 +9,7 @@ pub mod files;
 pub mod groom;
 pub mod haptics;
 pub mod math;
+mod memory;
 pub mod meter;
 mod platform;
 pub mod rod;

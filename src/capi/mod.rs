@@ -14,11 +14,13 @@
 #![allow(unsafe_code, non_camel_case_types)]
 #![allow(clippy::missing_safety_doc)] // said once, above
 
+pub mod attachment;
 pub mod bodies;
 pub mod body_def;
 mod buffers;
 pub mod constraints;
 pub mod contact;
+pub mod contact_events;
 pub mod contacts;
 pub mod curve_cache;
 pub mod curve_data;
@@ -37,6 +39,7 @@ pub mod haptic_def;
 pub mod level_of_detail;
 pub mod log;
 pub mod materials;
+mod output_transform;
 pub mod overlaps;
 pub mod parallel;
 pub mod pose_def;
@@ -55,6 +58,7 @@ pub mod settle;
 pub mod shape;
 pub mod solver;
 pub mod solver_def;
+pub mod solver_options;
 pub mod spline;
 pub mod state;
 pub mod step;
@@ -64,6 +68,7 @@ pub mod strands;
 pub mod styling;
 pub mod styling_tool;
 pub mod suggest;
+mod summary;
 mod thread;
 pub mod types;
 pub mod version;

@@ -15,6 +15,7 @@ pub use account::ContactTally;
 use super::bodies::Contact;
 use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
+use super::report::Phases;
 use super::strand::{Holds, Strand};
 use super::touching::{self, TouchMemory, Touching};
 use super::workers::{Crew, Scratch};
@@ -60,6 +61,8 @@ pub(super) struct Holding {
     contacts: Vec<Contact>,
     /// What the last substep took beside its iterations, s.
     beside: Beside,
+    /// Seconds that contact problems took since somebody asked.
+    contact_seconds: f64,
     /// Takes parts of a substep, see `parts.rs`.
     shorter: Option<Box<Holding>>,
     /// How often strands are searched for touches that are missed, if not [`MOST_SEARCHES`] times.
@@ -122,6 +125,16 @@ impl Holding {
     /// What a substep takes beside its iterations, as far as that is known.
     pub fn beside(&self) -> Beside {
         self.beside
+    }
+
+    /// The seconds that searches and contact problems took since this was asked last.
+    pub fn take_phases(&mut self) -> Phases {
+        let (search, contact) = (self.touching.take_seconds(), std::mem::take(&mut self.contact_seconds));
+        let mut phases = Phases { search, contact, strands: 0.0 };
+        if let Some(shorter) = &mut self.shorter {
+            phases.add(&shorter.take_phases());
+        }
+        phases
     }
 
     /// Forgets who touched whom: strands or bodies have other indices now.
@@ -500,7 +513,7 @@ impl Holding {
     /// Newton's iterations of all islands, `most` of them at most.
     fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
         let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
-        let Self { strands, islands, count, island_count, .. } = self;
+        let Self { strands, islands, count, island_count, contact_seconds, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         for _ in 0..most {
             let stopped = scene.meter.stopped();
@@ -537,6 +550,7 @@ impl Holding {
                     meter.spend(held.half_work());
                 }
             });
+            let begins = Instant::now();
             share_out(islands, meter.left());
             // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
             let mut to_solve: Vec<&mut Island> = islands.iter_mut().filter(|island| !island.done).collect();
@@ -560,6 +574,7 @@ impl Holding {
                     solve(island, scratch, &alone);
                 }
             });
+            *contact_seconds += begins.elapsed().as_secs_f64();
             if setting.options.integrator == Integrator::SecondOrder {
                 for island in islands.iter().filter(|island| !island.done && island.iterations < options.max_iterations) {
                     Self::begin_pressed_again(island, strands);

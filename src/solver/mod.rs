@@ -1,11 +1,13 @@
 //! The scene: strands, their roots, the step, and everything a host reads back.
 
 mod astray;
+pub mod attachment;
 pub mod bodies;
 mod bringing_out;
 mod bulk_sampling;
 pub mod clips;
 pub mod constraints;
+pub mod contact_events;
 mod crossing;
 mod deep_places;
 pub mod definition;
@@ -17,6 +19,7 @@ mod holding;
 pub mod id;
 mod jumps;
 mod level_of_detail;
+mod live_options;
 mod materials;
 mod mirroring;
 mod overlaps;
@@ -42,11 +45,12 @@ mod workers;
 use nalgebra::Vector3;
 
 pub use bulk_sampling::{SampleSink, Tile, Wanted};
+pub use live_options::RestoredOptions;
 pub use materials::Stiffening;
 pub use overlaps::Overlap;
 pub use render_guides::SolverGuides;
 pub use sampling::Sample;
-pub use snapshot::SNAPSHOT_VERSION;
+pub use snapshot::{Restoring, SNAPSHOT_VERSION, SnapshotShapes};
 pub use stepping::SHORTEST_STEP;
 
 use crate::error::{Error, Result, check_finite};
@@ -54,6 +58,7 @@ use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
 use bodies::SceneBody;
 use constraints::Constraint;
+use contact_events::ContactEvents;
 use definition::SolverOptions;
 use holding::Holding;
 use id::{BodyId, ConstraintId, SlotMap, StrandId};
@@ -77,6 +82,7 @@ pub struct Solver {
     holding: Box<Holding>,
     body_slots: SlotMap<BodyId>,
     bodies: Vec<SceneBody>,
+    events: Option<Box<ContactEvents>>,
 }
 
 impl std::fmt::Debug for Solver {
@@ -109,41 +115,13 @@ impl Solver {
             holding: Box::default(),
             body_slots: SlotMap::new(mark as u16),
             bodies: Vec::new(),
+            events: None,
         })
-    }
-
-    /// What the solver was made from, with later changes.
-    pub fn options(&self) -> &SolverOptions {
-        &self.options
     }
 
     /// The vector instructions that it uses.
     fn instruction_set(&self) -> InstructionSet {
         self.options.instruction_set.unwrap_or_else(InstructionSet::detected)
-    }
-
-    /// Changes gravity, m/s², from the next step on.
-    ///
-    /// # Errors
-    /// [`Error::InvalidArgument`] for a number that is not finite.
-    pub fn set_gravity(&mut self, gravity: Vector3<f64>) -> Result<()> {
-        check_vector("gravity", gravity)?;
-        self.options.gravity = gravity;
-        let rules = &self.rules;
-        self.crew.for_each(&mut self.strands, |strand, scratch| {
-            strand.update_energies(gravity, rules, &mut scratch.step.one.workspace.iterate.kinematics);
-        });
-        Ok(())
-    }
-
-    /// Changes the uniform wind, m/s, from the next step on.
-    ///
-    /// # Errors
-    /// [`Error::InvalidArgument`] for a number that is not finite.
-    pub fn set_wind(&mut self, wind: Vector3<f64>) -> Result<()> {
-        check_vector("wind", wind)?;
-        self.options.wind = wind;
-        Ok(())
     }
 
     /// Bytes that the solver holds, its strands, bodies and constraints included, as it asked the allocator for them; a shape counts
@@ -160,7 +138,8 @@ impl Solver {
             + self.constraint_slots.heap_bytes()
             + bodies::heap_bytes(&self.bodies)
             + self.bodies.capacity() * size_of::<SceneBody>()
-            + self.constraints.capacity() * size_of::<Constraint>();
+            + self.constraints.capacity() * size_of::<Constraint>()
+            + self.events.as_deref().map_or(0, |events| size_of::<ContactEvents>() + events.heap_bytes());
         (lists as f64 + strands + self.sections.heap_bytes()).round() as u64
     }
 
