@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use superhelix::capi::errors::SHX_OK;
 use superhelix::capi::guard::shx_solver;
-use superhelix::capi::sampling::{shx_sample_def, shx_solver_sample_strands};
+use superhelix::capi::sampling::{shx_sample_def, shx_sample_def_init, shx_solver_sample_strands};
 use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
 use superhelix::capi::solver_def::{shx_solver_def, shx_solver_def_init};
 use superhelix::capi::step::shx_solver_step;

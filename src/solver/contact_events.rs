@@ -87,7 +87,8 @@ impl ContactEvents {
                 (None, None) => break,
             };
             if order.is_eq() {
-                (old.next(), new.next());
+                old.next();
+                new.next();
             } else if order.is_lt() {
                 if let Some((_, event)) = old.next().filter(|(_, event)| lives(&event.contact)) {
                     self.tell(ContactEvent { change: Change::End, ..*event });
