@@ -13,7 +13,7 @@ use superhelix::files::curves::Curves;
 use superhelix::files::obj_mesh;
 use superhelix::groom::fit::{FitOptions, fit_polyline};
 use superhelix::math::frame::Frame;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::solver::definition::{SolverOptions, StrandDef, UsualLimits};
 use superhelix::solver::{SnapshotShapes, Solver};
 
 /// Counts the bytes that are held.
@@ -39,7 +39,8 @@ unsafe impl GlobalAlloc for Counting {
 static COUNTING: Counting = Counting;
 
 const FRAMES: usize = 100;
-const ELEMENTS: usize = 8;
+/// What the header advises for hair of this kind.
+const ELEMENTS: usize = 5;
 /// Metres per unit of the groom and the bust.
 const SCALE: f64 = 0.01;
 
@@ -54,7 +55,10 @@ fn groom() -> Solver {
     let vertices = bust.vertices.iter().map(|v| Vector3::from(*v) * SCALE).collect();
     let mesh = Shape::new_mesh(vertices, bust.triangles, Sides::Front { depth: 0.02 }).unwrap();
     let grid = DistanceGrid::bake(mesh.mesh().unwrap(), 3e-3, 0.02).unwrap();
-    let mut solver = Solver::new(SolverOptions { gravity: Vector3::new(0.0, -9.81, 0.0), ..SolverOptions::default() }).unwrap();
+    // What is kept does not depend on how far the steps are iterated.
+    let limits = UsualLimits { work: Some(20_000), seconds: None };
+    let options = SolverOptions { gravity: Vector3::new(0.0, -9.81, 0.0), limits, ..SolverOptions::default() };
+    let mut solver = Solver::new(options).unwrap();
     let defs: Vec<StrandDef> = (0..curves.strand_count())
         .map(|k| {
             let points: Vec<Vector3<f64>> = curves.strand(k).iter().map(|point| at(*point)).collect();
