@@ -17,7 +17,7 @@ use std::time::Instant;
 
 use superhelix::capi::errors::SHX_OK;
 use superhelix::capi::guard::shx_solver;
-use superhelix::capi::sampling::{shx_sample_def, shx_solver_sample_strands};
+use superhelix::capi::sampling::{shx_sample_def, shx_sample_def_init, shx_solver_sample_strands};
 use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
 use superhelix::capi::solver_def::{shx_solver_def, shx_solver_def_init};
 use superhelix::capi::step::shx_solver_step;
@@ -85,10 +85,11 @@ impl Head {
     }
 
     fn sample(&self, outputs: [Option<shx_output>; 3]) {
-        let def = shx_sample_def {
-            struct_size: size_of::<shx_sample_def>() as u32,
-            points_per_strand: POINTS as u32,
-            origin: [0.0; 3],
+        let mut def = std::mem::MaybeUninit::<shx_sample_def>::uninit();
+        // SAFETY: room for one structure, which the call fills.
+        let def = unsafe {
+            shx_sample_def_init(def.as_mut_ptr(), size_of::<shx_sample_def>());
+            shx_sample_def { points_per_strand: POINTS as u32, ..def.assume_init() }
         };
         let pointers = outputs.each_ref().map(|output| output.as_ref().map_or(null(), std::ptr::from_ref));
         // SAFETY: this head's handle and ids; outputs over memory of the caller.

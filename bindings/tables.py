@@ -42,6 +42,7 @@ ARRAYS: dict[str, dict[str, dict[str, str]]] = {
     "shx_distance_grid_def": {"triangle_count": {"triangles": "triangle"}},
     "shx_push_out_def": {"curve_count": {"point_counts": "uint32_t"}},
     "shx_render_guides": {"guide_count": {"point_counts": "uint32_t"}},
+    "shx_restore_def": {"shapes_size": {"shapes": "uint8_t"}},
 }
 
 # Structures that calls fill in.

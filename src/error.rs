@@ -42,6 +42,8 @@ pub enum Error {
         capacity: usize,
         /// How many are needed.
         needed: usize,
+        /// What is counted: "items" or "bytes".
+        unit: &'static str,
     },
     /// The solver is in use: it was called again from one of its own callbacks.
     Busy,
@@ -157,8 +159,8 @@ impl fmt::Display for Error {
             Error::StructSize { argument, value } => {
                 write!(f, "{argument}.struct_size is {value}; fill the structure with its _init function")
             }
-            Error::BufferTooSmall { argument, capacity, needed } => {
-                write!(f, "{argument} holds {capacity} items; {needed} are needed")
+            Error::BufferTooSmall { argument, capacity, needed, unit } => {
+                write!(f, "{argument} holds {capacity} {unit}; {needed} are needed")
             }
             Error::Busy => write!(f, "the solver is in use: it was called again from one of its own callbacks"),
             Error::Snapshot { reason } => write!(f, "snapshot: {reason}"),

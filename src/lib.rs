@@ -3,6 +3,7 @@
 //! Files:
 //!
 //! - `error.rs`: What can go wrong, said so that the caller can mend it: every error names the argument and the value.
+//! - `memory.rs`: Memory that grows with a host's numbers is asked for before it is needed, so that its want is an error and not the program's end.
 //! - `meter.rs`: What a substep may cost: work, which is counted and the same on every machine; a moment when it is to be over.
 //! - `platform.rs`: What the system beneath has: a clock, threads, numbers of processes.
 //! - `workers.rs`: Running work on many strands: on the calling thread, in a private pool, or by the host's task system.
@@ -29,6 +30,7 @@ pub mod files;
 pub mod groom;
 pub mod haptics;
 pub mod math;
+mod memory;
 pub mod meter;
 mod platform;
 pub mod rod;

@@ -29,6 +29,7 @@ ENUMERATIONS = {
     "SHX_STOP_": "stop_reason",
     "SHX_STIFFEN_": "stiffen_by",
     "SHX_CONTACT_": "contact_model",
+    "SHX_CONTACT_EVENT_": "contact_event_kind",
     "SHX_PARTNER_": "contact_partner",
     "SHX_CONSTRAINT_": "constraint_kind",
     "SHX_FRICTION_": "friction_coefficient",

@@ -33,6 +33,7 @@ ENUMERATIONS = {
     "SHX_STOP_": "StopReason",
     "SHX_STIFFEN_": "StiffenBy",
     "SHX_CONTACT_": "ContactModel",
+    "SHX_CONTACT_EVENT_": "ContactEventKind",
     "SHX_PARTNER_": "ContactPartner",
     "SHX_CONSTRAINT_": "ConstraintKind",
     "SHX_SIDES_": "MeshSides",

@@ -23,6 +23,8 @@ import api as description  # noqa: E402
 from api import Field, Struct, Type  # noqa: E402
 
 WIDTH = 132
+# What the formatter leaves on one line.
+LONGEST = 160
 
 CTYPES = {
     "bool": "ctypes.c_bool",
@@ -45,6 +47,7 @@ ENUM_NAMES = {
     "SHX_LOG_": "LogLevel",
     "SHX_STOP_": "StopReason",
     "SHX_CONTACT_": "ContactModel",
+    "SHX_CONTACT_EVENT_": "ContactEventKind",
     "SHX_CONSTRAINT_": "ConstraintKind",
     "SHX_SPLINE_": "SplineKind",
     "SHX_FRICTION_": "FrictionCoefficient",
@@ -55,7 +58,7 @@ ENUM_NAMES = {
 }
 
 # What functions write many of: a Table.
-TABLES = ("shx_contact", "shx_constraint_state", "shx_fitted_strand", "shx_hair_strand", "shx_follicle")
+TABLES = ("shx_contact", "shx_contact_event", "shx_constraint_state", "shx_fitted_strand", "shx_hair_strand", "shx_follicle")
 
 # Structures that the hand-written layer takes apart itself.
 NOT_RECORDS = (
@@ -77,6 +80,8 @@ NOT_RECORDS = (
     "shx_distance_grid_def",
     "shx_push_out_def",
     "shx_hair_strands_def",
+    "shx_snapshot_def",
+    "shx_restore_def",
 )
 
 # Fields that say how long an array is that another field points to, by structure: set by the layer above together with the array.
@@ -260,7 +265,10 @@ class Generator:
             ctypes = ["ctypes.c_void_p" if parameter.array else self.ctype(parameter.type) for parameter in function.parameters]
             line = f'    "{function.name}": ({result}, [{", ".join(ctypes)}]),'
             if len(line) > WIDTH:
-                line = f'    "{function.name}": (\n        {result},\n        [{", ".join(ctypes)}],\n    ),'
+                listed = f"        [{', '.join(ctypes)}],"
+                if len(listed) > LONGEST:
+                    listed = "\n".join(["        [", *(f"            {each}," for each in ctypes), "        ],"])
+                line = f'    "{function.name}": (\n        {result},\n{listed}\n    ),'
             lines.append(line)
         lines.append("}")
         lines += ["", "#: Each versioned structure's function that fills it with defaults.", "INITIALIZERS: dict[type[ctypes.Structure], str] = {"]

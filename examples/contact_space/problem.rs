@@ -141,7 +141,7 @@ pub fn build(kind: &Kind) -> (ContactSpace, Vec<Vector3<f64>>) {
         let (mut elimination, mut change) = (Elimination::default(), Vec::new());
         let mut operator = Delassus::default();
         elimination.solve_loaded(&strand.kinematics, &system, &loads, &[0, 1, 2], &mut change);
-        operator.update(&elimination, &strand.kinematics, &loads, &[0, 1, 2]);
+        operator.update(&elimination, &strand.kinematics, 0, &loads, &[0, 1, 2]);
         let m = loads.len();
         let matrix = space.add_strand(m);
         for (i, at_i) in order.iter().enumerate() {

@@ -8,6 +8,7 @@ use super::types::{shx_body_id, shx_input, shx_output};
 use super::versioned::definitions;
 use super::wrenches::write_wrenches;
 use crate::error::Error;
+use crate::memory;
 use crate::solver::id::BodyId;
 
 /// The engine's error with the names of the C structure.
@@ -35,10 +36,15 @@ pub unsafe extern "C" fn shx_solver_add_bodies(
     unsafe {
         write("shx_solver_add_bodies", solver, |core, _| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
-            let read = |def: &shx_body_def, argument: &str| def.definition(argument, core);
+            let read = |def: &shx_body_def, argument: &str| Ok((def.definition(argument, core)?, def.user_data));
             let definitions = definitions("shx_body_def", defs, def_stride, count, read)?;
+            let user_data = memory::collected(definitions.iter().map(|(_, user_data)| *user_data))?;
+            let definitions = memory::collected(definitions.into_iter().map(|(definition, _)| definition))?;
             let ids = core.add_bodies(definitions).map_err(in_words_of_c)?;
-            places.write(&ids.iter().map(|id| shx_body_id { bits: id.bits() }).collect::<Vec<_>>())
+            for (id, user_data) in ids.iter().zip(user_data) {
+                core.set_body_user_data(*id, user_data)?;
+            }
+            places.write_all(ids.iter().map(|id| shx_body_id { bits: id.bits() }))
         })
     }
 }
@@ -68,6 +74,25 @@ pub unsafe extern "C" fn shx_solver_has_body(solver: *const shx_solver, id: shx_
     result == SHX_OK && found
 }
 
+/// Returns shx_body_def.user_data of a body.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+/// Threads: shared.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_body_user_data(
+    solver: *const shx_solver,
+    id: shx_body_id,
+    out_user_data: *mut u64,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for one number.
+    unsafe {
+        read("shx_solver_get_body_user_data", solver, |core| {
+            let place = Place::new("out_user_data", out_user_data)?;
+            place.write(core.body_user_data(BodyId::from_bits(id.bits))?);
+            Ok(())
+        })
+    }
+}
+
 /// Returns the number of bodies.
 /// Errors: SHX_ERROR_NULL_ARGUMENT.
 /// Threads: shared.
@@ -95,7 +120,7 @@ pub unsafe extern "C" fn shx_solver_body_ids(
     unsafe {
         read("shx_solver_body_ids", solver, |core| {
             let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
-            places.write(&core.body_ids().iter().map(|id| shx_body_id { bits: id.bits() }).collect::<Vec<_>>())
+            places.write_all(core.body_ids().iter().map(|id| shx_body_id { bits: id.bits() }))
         })
     }
 }

@@ -1,7 +1,7 @@
 //! What a body is made from.
 
 use std::ffi::c_void;
-use std::mem::size_of;
+use std::mem::{offset_of, size_of};
 use std::sync::Arc;
 
 use nalgebra::Vector3;
@@ -15,8 +15,12 @@ use crate::contact::shape::{Shape, Sides};
 use crate::error::{Error, Result, check_finite};
 use crate::files::distance_grid;
 use crate::math::frame::Frame;
+use crate::memory;
 use crate::solver::Solver;
 use crate::solver::id::BodyId;
+
+/// Bytes that a mesh takes for a triangle or a vertex while it is made, at most.
+const BYTES_OF_A_TRIANGLE: usize = 1024;
 
 /// A sphere at the body's origin: radius.
 pub const SHX_SHAPE_SPHERE: u32 = 1;
@@ -103,11 +107,13 @@ pub struct shx_body_def {
     /// Shared: a body from an earlier call. Its pose, surface
     /// and groups are not copied. Default null id: set it.
     pub shape_of: shx_body_id,
+    /// Your own number; the library does not use it. Default 0.
+    pub user_data: u64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
 unsafe impl Versioned for shx_body_def {
-    const FIRST_SIZE: usize = size_of::<Self>();
+    const FIRST_SIZE: usize = offset_of!(Self, user_data);
 
     fn defaults() -> Self {
         let pose = Frame::default();
@@ -135,16 +141,17 @@ unsafe impl Versioned for shx_body_def {
             groups: 1,
             mask: u32::MAX,
             shape_of: shx_body_id { bits: 0 },
+            user_data: 0,
         }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_body_def>() == 312);
-    assert!(std::mem::offset_of!(shx_body_def, radius) == 64 && std::mem::offset_of!(shx_body_def, vertices) == 192);
-    assert!(std::mem::offset_of!(shx_body_def, sides) == 240 && std::mem::offset_of!(shx_body_def, groups) == 296);
-    assert!(std::mem::offset_of!(shx_body_def, shape_of) == 304);
+    assert!(size_of::<shx_body_def>() == 320 && offset_of!(shx_body_def, user_data) == 312);
+    assert!(offset_of!(shx_body_def, radius) == 64 && offset_of!(shx_body_def, vertices) == 192);
+    assert!(offset_of!(shx_body_def, sides) == 240 && offset_of!(shx_body_def, groups) == 296);
+    assert!(offset_of!(shx_body_def, shape_of) == 304);
 };
 
 /// Points of three finite numbers.
@@ -154,7 +161,7 @@ const _: () = {
 pub(super) unsafe fn points(argument: &str, vertices: *const shx_input) -> Result<Vec<Vector3<f64>>> {
     // SAFETY: the same.
     let reader = unsafe { Reader::new(argument, vertices, VECTOR_FORMATS)? };
-    let mut points = Vec::with_capacity(reader.count());
+    let mut points = memory::list(reader.count())?;
     for index in 0..reader.count() {
         let point = reader.point(index);
         for (axis, number) in point.iter().enumerate() {
@@ -170,7 +177,7 @@ pub(super) unsafe fn points(argument: &str, vertices: *const shx_input) -> Resul
 pub(super) unsafe fn corners(within: &str, triangles: *const u32, count: usize) -> Result<Vec<[u32; 3]>> {
     // SAFETY: the same. A triangle is three indices.
     unsafe { array(&format!("{within}triangles"), &format!("{within}triangle_count"), triangles.cast::<[u32; 3]>(), count) }
-        .map(<[_]>::to_vec)
+        .and_then(memory::copied)
 }
 
 impl shx_body_def {
@@ -226,6 +233,8 @@ impl shx_body_def {
                 // SAFETY: the caller's points and indices.
                 let (vertices, triangles) =
                     unsafe { (points("vertices", &raw const self.vertices)?, corners("", self.triangles, self.triangle_count)?) };
+                // A mesh with its normals, its tree and what is worked out of its triangles takes less than this.
+                memory::check_room((vertices.len() + triangles.len()).saturating_mul(BYTES_OF_A_TRIANGLE))?;
                 Shape::new_mesh(vertices, triangles, sides).map_err(|error| error.renamed("sides.depth", "depth"))
             }
             SHX_SHAPE_GRID => {
@@ -234,6 +243,7 @@ impl shx_body_def {
                     let size = self.grid_size.max(usize::from(self.grid.is_null()));
                     array("grid", "grid_size", self.grid.cast::<u8>(), size)?
                 };
+                memory::check_room(bytes.len().saturating_mul(2))?;
                 match distance_grid::read_from_bytes("it", bytes) {
                     Ok(grid) => Ok(Shape::new_grid(grid)),
                     Err(Error::File { reason, .. }) => {

@@ -8,7 +8,7 @@ use super::types::{
 };
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
-use crate::solver::Sample;
+use crate::memory;
 use crate::solver::id::{BodyId, ConstraintId, StrandId};
 
 /// Checks a count and a pointer to packed items.
@@ -58,7 +58,7 @@ pub(crate) unsafe fn frame_from(argument: &str, frame: *const shx_frame) -> Resu
 pub(crate) unsafe fn strand_ids(ids: *const shx_strand_id, count: usize) -> Result<Vec<StrandId>> {
     // SAFETY: the same.
     let ids = unsafe { array("ids", "count", ids, count)? };
-    Ok(ids.iter().map(|id| StrandId::from_bits(id.bits)).collect())
+    memory::collected(ids.iter().map(|id| StrandId::from_bits(id.bits)))
 }
 
 /// The caller's ids.
@@ -68,7 +68,7 @@ pub(crate) unsafe fn strand_ids(ids: *const shx_strand_id, count: usize) -> Resu
 pub(crate) unsafe fn body_ids(ids: *const shx_body_id, count: usize) -> Result<Vec<BodyId>> {
     // SAFETY: the same.
     let ids = unsafe { array("ids", "count", ids, count)? };
-    Ok(ids.iter().map(|id| BodyId::from_bits(id.bits)).collect())
+    memory::collected(ids.iter().map(|id| BodyId::from_bits(id.bits)))
 }
 
 /// The caller's ids.
@@ -78,7 +78,7 @@ pub(crate) unsafe fn body_ids(ids: *const shx_body_id, count: usize) -> Result<V
 pub(crate) unsafe fn constraint_ids(ids: *const shx_constraint_id, count: usize) -> Result<Vec<ConstraintId>> {
     // SAFETY: the same.
     let ids = unsafe { array("ids", "count", ids, count)? };
-    Ok(ids.iter().map(|id| ConstraintId::from_bits(id.bits)).collect())
+    memory::collected(ids.iter().map(|id| ConstraintId::from_bits(id.bits)))
 }
 
 /// One frame for each of the caller's `count` ids.
@@ -91,18 +91,23 @@ pub(crate) unsafe fn frames_of(frames: *const shx_input, count: usize) -> Result
     if reader.count() != count {
         return Err(Error::invalid("frames.count", reader.count(), format!("{count}, one for each id")));
     }
-    (0..count).map(|index| reader.frame("frames", index)).collect()
+    let mut frames = memory::list(count)?;
+    for index in 0..count {
+        frames.push(reader.frame("frames", index)?);
+    }
+    Ok(frames)
 }
 
 /// Something of each of the caller's ids; an error says which of them it is about.
 pub(crate) fn each<I: Copy, T>(ids: &[I], item: impl Fn(I) -> Result<T>) -> Result<Vec<T>> {
-    let named = |(index, id): (usize, &I)| {
-        item(*id).map_err(|error| match error {
+    let mut items = memory::list(ids.len())?;
+    for (index, id) in ids.iter().enumerate() {
+        items.push(item(*id).map_err(|error| match error {
             Error::InvalidId { bits, .. } => Error::InvalidId { argument: format!("ids[{index}]"), bits },
             other => other,
-        })
-    };
-    ids.iter().enumerate().map(named).collect()
+        })?);
+    }
+    Ok(items)
 }
 
 /// Where a function leaves one value; checked at once, written when all went well.
@@ -130,6 +135,23 @@ pub(crate) struct Places<T> {
     argument: &'static str,
     pointer: *mut T,
     capacity: usize,
+    /// What an error calls the values.
+    unit: &'static str,
+}
+
+impl Places<u8> {
+    /// Room for an image, or nothing when the pointer is null and the capacity 0: the host asks for the size.
+    ///
+    /// # Safety
+    /// `pointer` is null or points to room for `capacity` bytes until `write`.
+    pub(crate) unsafe fn image(argument: &'static str, pointer: *mut c_void, capacity: usize) -> Result<Option<Self>> {
+        if pointer.is_null() && capacity == 0 {
+            return Ok(None);
+        }
+        // SAFETY: the same.
+        let places = unsafe { Self::new(argument, "capacity", pointer.cast(), capacity)? };
+        Ok(Some(Self { unit: "bytes", ..places }))
+    }
 }
 
 impl<T: Copy> Places<T> {
@@ -137,7 +159,7 @@ impl<T: Copy> Places<T> {
     /// `pointer` is null or points to room for `capacity` items until `write`.
     pub(crate) unsafe fn new(argument: &'static str, count_argument: &str, pointer: *mut T, capacity: usize) -> Result<Self> {
         check_array(argument, count_argument, pointer.cast_const(), capacity)?;
-        Ok(Self { argument, pointer, capacity })
+        Ok(Self { argument, pointer, capacity, unit: "items" })
     }
 
     /// [`Places::new`], or nothing when the pointer is null: the host does not want these.
@@ -159,7 +181,18 @@ impl<T: Copy> Places<T> {
 
     pub(crate) fn check_room(&self, needed: usize) -> Result<()> {
         if needed > self.capacity {
-            return Err(Error::BufferTooSmall { argument: self.argument.into(), capacity: self.capacity, needed });
+            let Self { argument, capacity, unit, .. } = *self;
+            return Err(Error::BufferTooSmall { argument: argument.into(), capacity, needed, unit });
+        }
+        Ok(())
+    }
+
+    /// Writes what an iterator gives, without a list between.
+    pub(crate) fn write_all(self, values: impl ExactSizeIterator<Item = T>) -> Result<()> {
+        self.check_room(values.len())?;
+        for (index, value) in values.enumerate().take(self.capacity) {
+            // SAFETY: `new` was promised room for `capacity` items.
+            unsafe { self.pointer.add(index).write(value) };
         }
         Ok(())
     }
@@ -211,13 +244,14 @@ impl<T: Copy> Strided<T> {
         Ok(Self { argument, pointer, stride, capacity })
     }
 
-    pub(crate) fn write(self, values: &[T]) -> Result<()> {
+    pub(crate) fn write_all(self, values: impl ExactSizeIterator<Item = T>) -> Result<()> {
         if values.len() > self.capacity {
-            return Err(Error::BufferTooSmall { argument: self.argument.into(), capacity: self.capacity, needed: values.len() });
+            let Self { argument, capacity, .. } = self;
+            return Err(Error::BufferTooSmall { argument: argument.into(), capacity, needed: values.len(), unit: "items" });
         }
-        for (index, value) in values.iter().enumerate() {
+        for (index, value) in values.enumerate().take(self.capacity) {
             // SAFETY: `new` was promised room for `capacity` items, and there are no more than that. Any alignment.
-            unsafe { self.pointer.wrapping_byte_add(index * self.stride).write_unaligned(*value) };
+            unsafe { self.pointer.wrapping_byte_add(index * self.stride).write_unaligned(value) };
         }
         Ok(())
     }
@@ -369,7 +403,7 @@ impl Writer {
         let output = unsafe { array(argument, argument, output, 1)? }[0];
         let stride = check_view(argument, output.data, output.stride, output.count, output.format, output.reserved, allowed)?;
         if needed > output.count {
-            return Err(Error::BufferTooSmall { argument: argument.into(), capacity: output.count, needed });
+            return Err(Error::BufferTooSmall { argument: argument.into(), capacity: output.count, needed, unit: "items" });
         }
         Ok(Some(Self { data: output.data.cast(), stride, needed, format: output.format }))
     }
@@ -411,17 +445,17 @@ impl Writer {
 
     /// A frame, or its quaternion alone where the format has four numbers.
     pub(crate) fn frame(&self, index: usize, frame: &Frame) {
-        let [x, y, z, w] = frame.rotation_xyzw();
-        if self.format == SHX_FORMAT_FRAME {
-            self.numbers(index, &[frame.origin.x, frame.origin.y, frame.origin.z, x, y, z, w]);
-        } else {
-            self.numbers(index, &[x, y, z, w]);
-        }
+        self.pose(index, frame.origin.into(), frame.rotation_xyzw());
     }
 
-    /// The frame of a sample, relative to `origin`.
-    pub(crate) fn sample_frame(&self, index: usize, sample: &Sample, origin: nalgebra::Vector3<f64>) {
-        self.frame(index, &Frame { origin: sample.position - origin, rotation: sample.rotation });
+    /// The same of an origin and a quaternion x, y, z, w.
+    pub(crate) fn pose(&self, index: usize, origin: [f64; 3], [i, j, k, w]: [f64; 4]) {
+        if self.format == SHX_FORMAT_FRAME {
+            let [x, y, z] = origin;
+            self.numbers(index, &[x, y, z, i, j, k, w]);
+        } else {
+            self.numbers(index, &[i, j, k, w]);
+        }
     }
 
     /// Whether items are floats.

@@ -10,6 +10,7 @@ use super::versioned::{Versioned, definitions, initialise};
 use crate::contact::options::Friction;
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
+use crate::memory;
 use crate::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatus, Hold};
 use crate::solver::id::{ConstraintId, StrandId};
 
@@ -61,11 +62,13 @@ pub struct shx_constraint_def {
     pub friction_against: f64,
     /// Displacement of the point per unit of force, m/N; zero or above; must be 0 for rings. Default 0: rigid.
     pub compliance: f64,
+    /// Your own number; the library does not use it. Default 0.
+    pub user_data: u64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
 unsafe impl Versioned for shx_constraint_def {
-    const FIRST_SIZE: usize = size_of::<Self>();
+    const FIRST_SIZE: usize = offset_of!(Self, user_data);
 
     fn defaults() -> Self {
         let target = Frame::default();
@@ -80,6 +83,7 @@ unsafe impl Versioned for shx_constraint_def {
             friction_along: 0.0,
             friction_against: 0.0,
             compliance: 0.0,
+            user_data: 0,
         }
     }
 }
@@ -103,7 +107,7 @@ pub struct shx_constraint_state {
 }
 
 const _: () = {
-    assert!(size_of::<shx_constraint_def>() == 120 && offset_of!(shx_constraint_def, target) == 40);
+    assert!(size_of::<shx_constraint_def>() == 128 && offset_of!(shx_constraint_def, target) == 40);
     assert!(size_of::<shx_constraint_state>() == 72 && offset_of!(shx_constraint_state, force) == 24);
 };
 
@@ -189,9 +193,15 @@ pub unsafe extern "C" fn shx_solver_add_constraints(
     unsafe {
         write("shx_solver_add_constraints", solver, |core, _| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
-            let definitions = definitions("shx_constraint_def", defs, def_stride, count, shx_constraint_def::definition)?;
+            let read = |def: &shx_constraint_def, argument: &str| Ok((def.definition(argument)?, def.user_data));
+            let definitions = definitions("shx_constraint_def", defs, def_stride, count, read)?;
+            let user_data = memory::collected(definitions.iter().map(|(_, user_data)| *user_data))?;
+            let definitions = memory::collected(definitions.into_iter().map(|(definition, _)| definition))?;
             let ids = core.add_constraints(&definitions).map_err(in_words_of_c)?;
-            places.write(&ids.iter().map(|id| shx_constraint_id { bits: id.bits() }).collect::<Vec<_>>())
+            for (id, user_data) in ids.iter().zip(user_data) {
+                core.set_constraint_user_data(*id, user_data)?;
+            }
+            places.write_all(ids.iter().map(|id| shx_constraint_id { bits: id.bits() }))
         })
     }
 }
@@ -226,6 +236,25 @@ pub unsafe extern "C" fn shx_solver_has_constraint(solver: *const shx_solver, id
     result == SHX_OK && found
 }
 
+/// Returns shx_constraint_def.user_data of a constraint.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+/// Threads: shared.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_constraint_user_data(
+    solver: *const shx_solver,
+    id: shx_constraint_id,
+    out_user_data: *mut u64,
+) -> shx_result {
+    // SAFETY: the caller's handle and place for one number.
+    unsafe {
+        read("shx_solver_get_constraint_user_data", solver, |core| {
+            let place = Place::new("out_user_data", out_user_data)?;
+            place.write(core.constraint_user_data(ConstraintId::from_bits(id.bits))?);
+            Ok(())
+        })
+    }
+}
+
 /// Returns the number of constraints.
 /// Errors: SHX_ERROR_NULL_ARGUMENT.
 /// Threads: shared.
@@ -255,7 +284,7 @@ pub unsafe extern "C" fn shx_solver_constraint_ids(
         read("shx_solver_constraint_ids", solver, |core| {
             let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
             let ids = core.constraint_ids();
-            places.write(&ids.iter().map(|id| shx_constraint_id { bits: id.bits() }).collect::<Vec<_>>())
+            places.write_all(ids.iter().map(|id| shx_constraint_id { bits: id.bits() }))
         })
     }
 }
@@ -325,7 +354,7 @@ pub unsafe extern "C" fn shx_solver_constraint_states(
         read("shx_solver_constraint_states", solver, |core| {
             let places = Strided::new("out_states", "count", out_states, stride, count)?;
             let found = each(&constraint_ids(ids, count)?, |id| core.constraint_state(id))?;
-            places.write(&found.iter().map(shx_constraint_state::from).collect::<Vec<_>>())
+            places.write_all(found.iter().map(shx_constraint_state::from))
         })
     }
 }

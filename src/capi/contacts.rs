@@ -109,8 +109,8 @@ pub unsafe extern "C" fn shx_solver_contacts(
         read("shx_solver_contacts", solver, |core| {
             let count = Place::new("out_count", out_count)?;
             let places = Strided::new("out_contacts", "capacity", out_contacts, stride, capacity)?;
-            let found: Vec<shx_contact> = core.contacts().iter().map(shx_contact::from).collect();
-            places.write(&found)?;
+            let found = core.contacts();
+            places.write_all(found.iter().map(shx_contact::from))?;
             count.write(found.len());
             Ok(())
         })

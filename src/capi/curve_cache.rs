@@ -109,7 +109,9 @@ pub unsafe extern "C" fn shx_curve_cache_sample(
 /// Starts to write a cache, a .usda file. first gives the point counts and what does not change over
 /// time (diameters, colours, units, up axis). Its points are not written; if it has velocities, every
 /// frame must have them. Times are stored in units of 1/frames_per_second s; above 0. The file
-/// appears when you finish the cache. You own *out_writer.
+/// appears when you finish the cache. Until then the frames are in hidden files beside it (.name.0.part
+/// and on); if your process is killed they remain, and the next writer of the same path removes them.
+/// You own *out_writer.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
 /// Threads: any.
 #[unsafe(no_mangle)]

@@ -97,9 +97,8 @@ pub unsafe extern "C" fn shx_distance_grid_bake(
         };
         let counts = DistanceGrid::baked_counts(&mesh, def.cell, def.band).map_err(|error| error.inside("def"))?;
         let size = distance_grid::size(counts);
-        if !(out_grid.is_null() && capacity == 0) {
-            // SAFETY: the caller's capacity bytes.
-            let places = unsafe { Places::new("out_grid", "capacity", out_grid.cast::<u8>(), capacity)? };
+        // SAFETY: the caller's capacity bytes.
+        if let Some(places) = unsafe { Places::image("out_grid", out_grid, capacity)? } {
             places.check_room(size)?;
             let grid = DistanceGrid::bake(&mesh, def.cell, def.band)
                 .map_err(|error| error.renamed("mesh", "triangles").inside("def"))?;

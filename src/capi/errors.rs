@@ -28,7 +28,12 @@ pub const SHX_ERROR_BUFFER_TOO_SMALL: i32 = -5;
 pub const SHX_ERROR_BUSY: i32 = -6;
 /// The data is not a snapshot, is truncated or corrupt, or has another version.
 pub const SHX_ERROR_SNAPSHOT: i32 = -7;
-/// Out of memory.
+/// Out of memory. Functions that add strands, bodies and constraints, take and restore snapshots, read,
+/// sample, keep events, and read files ask for the memory that grows with your numbers before they use it: if
+/// there is none, they change nothing. What cannot fail softly, since the program ends where it finds no
+/// memory: blocks below 64 KiB, the working memory of shx_solver_step, shx_solver_settle, posing, fitting and
+/// render hair, which grows with the longest strand and the number of strands in contact, and the memory that
+/// another thread takes between asking and using.
 pub const SHX_ERROR_OUT_OF_MEMORY: i32 = -8;
 /// This version does not support the request. The message says what to use instead.
 pub const SHX_ERROR_UNSUPPORTED: i32 = -9;
@@ -45,7 +50,8 @@ pub const SHX_ERROR_POISONED: i32 = -101;
 /// Bytes kept of an error's text, the closing zero included.
 const CAPACITY: usize = 1024;
 
-/// A text in a buffer without a destructor: a destructor in thread-local storage would pin the library after `dlclose`.
+/// A text in a buffer without a destructor: a destructor in thread-local storage would pin the library after
+/// `dlclose`.
 struct LastError {
     length: Cell<usize>,
     text: [Cell<u8>; CAPACITY],

@@ -434,7 +434,7 @@ pub unsafe extern "C" fn shx_fit_strands(
         }
         lengths.write(&all_lengths)?;
         rows.write(&all_rows)?;
-        fitted.write(&statuses)
+        fitted.write_all(statuses.into_iter())
     };
     call("shx_fit_strands", body)
 }

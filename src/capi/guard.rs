@@ -3,7 +3,7 @@
 use std::cell::UnsafeCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::TryLockError;
-use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicI32, AtomicU64, Ordering};
 
 use super::errors::{SHX_OK, remember, shx_result};
 use super::floating_point::DefaultMode;
@@ -19,6 +19,8 @@ pub struct shx_solver {
     poisoned: AtomicBool,
     core: UnsafeCell<Solver>,
     log: LogSink,
+    /// The host's own number: readable at any time, from callbacks too.
+    pub(crate) user_data: AtomicU64,
 }
 
 const _: () = {
@@ -27,8 +29,14 @@ const _: () = {
 };
 
 impl shx_solver {
-    pub(crate) fn new(core: Solver, log: LogSink) -> Self {
-        Self { users: AtomicI32::new(0), poisoned: AtomicBool::new(false), core: UnsafeCell::new(core), log }
+    pub(crate) fn new(core: Solver, log: LogSink, user_data: u64) -> Self {
+        Self {
+            users: AtomicI32::new(0),
+            poisoned: AtomicBool::new(false),
+            core: UnsafeCell::new(core),
+            log,
+            user_data: AtomicU64::new(user_data),
+        }
     }
 }
 

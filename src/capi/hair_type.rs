@@ -393,6 +393,6 @@ pub unsafe extern "C" fn shx_hair_strands(
             first = end;
         }
         rows.write(&natural)?;
-        made.write(&all)
+        made.write_all(all.into_iter())
     })
 }

@@ -29,7 +29,7 @@ pub unsafe extern "C" fn shx_solver_set_element_count(
             let distances = Places::optional("out_distances", "count", out_distances, count)?;
             let reports = core.set_element_count(&strand_ids(ids, count)?, element_count as usize)?;
             if let Some(distances) = distances {
-                distances.write(&reports.iter().map(|report| report.max_distance).collect::<Vec<_>>())?;
+                distances.write_all(reports.iter().map(|report| report.max_distance))?;
             }
             Ok(())
         })

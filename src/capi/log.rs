@@ -10,9 +10,9 @@ pub const SHX_LOG_ERROR: u32 = 1;
 /// Something needs attention: strands that did not converge or were rolled back, elements
 /// that turn too far, a parallel_for that skipped items.
 pub const SHX_LOG_WARN: u32 = 2;
-/// Rare events: a solver was created.
+/// Rare events, each in one readable line: a solver was created, a snapshot restored.
 pub const SHX_LOG_INFO: u32 = 3;
-/// One line per step.
+/// One line per step, and every option of a solver when it is created.
 pub const SHX_LOG_DEBUG: u32 = 4;
 
 /// Receives log messages of a solver. user is shx_solver_def.log_user, level is one of SHX_LOG_,

@@ -12,11 +12,13 @@
 //!
 //! Files:
 //!
+//! - `attachment.rs`: Strands, bodies and constraints that follow one pose.
 //! - `bodies.rs`: Bodies: what strands are kept out of.
 //! - `body_def.rs`: What a body is made from.
 //! - `buffers.rs`: The caller's memory: arrays, strided inputs and outputs.
 //! - `constraints.rs`: Hard constraints: pins, clamps, ties and rings.
 //! - `contact.rs`: How contact is answered, and what strands are to it.
+//! - `contact_events.rs`: Contacts that begin and end, in a buffer that the host drains.
 //! - `contacts.rs`: The list of contacts: where something met strands at the end of the last substep.
 //! - `curve_cache.rs`: Caches: curves over time with velocities, in one .usda file.
 //! - `curve_data.rs`: All that groom files may say beside the points: out of curves, and into files.
@@ -35,6 +37,7 @@
 //! - `level_of_detail.rs`: Living strands on more or fewer elements.
 //! - `log.rs`: Messages to the host.
 //! - `materials.rs`: Materials of living strands.
+//! - `output_transform.rs`: From the engine's space to the host's: other units, other axes, mirrored.
 //! - `overlaps.rs`: What strands overlap as they are, and having it allowed.
 //! - `parallel.rs`: The host's task system behind the engine's `ParallelFor`.
 //! - `pose_def.rs`: How strands are posed: what the calls of `posing.rs` are told.
@@ -53,6 +56,7 @@
 //! - `shape.rs`: A strand's curvatures: natural ones, present ones, and their rates.
 //! - `solver.rs`: Making, stepping and freeing a solver.
 //! - `solver_def.rs`: What a solver is made from.
+//! - `solver_options.rs`: The options of a living solver.
 //! - `spline.rs`: Cubic curves made into points.
 //! - `state.rs`: The whole state of a solver: images of it, and a hash.
 //! - `step.rs`: Steps, within limits or not, and what they report.
@@ -62,6 +66,7 @@
 //! - `styling.rs`: Styling: clips, scissors, hot plates, and styles that are fixed.
 //! - `styling_tool.rs`: Styling tools: their bodies, from a few numbers.
 //! - `suggest.rs`: How many elements a strand needs.
+//! - `summary.rs`: A solver in one line, for a reader who wants to know once what runs.
 //! - `thread.rs`: Work on a thread of its own.
 //! - `types.rs`: Plain data that crosses the border.
 //! - `version.rs`: Which library this is.
@@ -73,11 +78,13 @@
 #![allow(unsafe_code, non_camel_case_types)]
 #![allow(clippy::missing_safety_doc)] // said once, above
 
+pub mod attachment;
 pub mod bodies;
 pub mod body_def;
 mod buffers;
 pub mod constraints;
 pub mod contact;
+pub mod contact_events;
 pub mod contacts;
 pub mod curve_cache;
 pub mod curve_data;
@@ -96,6 +103,7 @@ pub mod haptic_def;
 pub mod level_of_detail;
 pub mod log;
 pub mod materials;
+mod output_transform;
 pub mod overlaps;
 pub mod parallel;
 pub mod pose_def;
@@ -114,6 +122,7 @@ pub mod settle;
 pub mod shape;
 pub mod solver;
 pub mod solver_def;
+pub mod solver_options;
 pub mod spline;
 pub mod state;
 pub mod step;
@@ -123,6 +132,7 @@ pub mod strands;
 pub mod styling;
 pub mod styling_tool;
 pub mod suggest;
+mod summary;
 mod thread;
 pub mod types;
 pub mod version;

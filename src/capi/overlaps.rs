@@ -46,9 +46,9 @@ pub unsafe extern "C" fn shx_solver_overlaps(
             hair.map_or(Ok(()), |places| places.write(&list(|overlap| overlap.hair)))?;
             depths.map_or(Ok(()), |places| places.write(&list(|overlap| overlap.bodies)))?;
             let of_strands = found.iter().map(|overlap| shx_strand_id { bits: overlap.strand.map_or(0, |id| id.bits()) });
-            strands.map_or(Ok(()), |places| places.write(&of_strands.collect::<Vec<_>>()))?;
+            strands.map_or(Ok(()), |places| places.write_all(of_strands))?;
             let of_bodies = found.iter().map(|overlap| shx_body_id { bits: overlap.body.map_or(0, |id| id.bits()) });
-            bodies.map_or(Ok(()), |places| places.write(&of_bodies.collect::<Vec<_>>()))
+            bodies.map_or(Ok(()), |places| places.write_all(of_bodies))
         })
     }
 }

@@ -47,7 +47,7 @@ pub unsafe extern "C" fn shx_solver_drag_strands(
             let targets: Vec<DragTarget> = arclengths.iter().enumerate().map(target).collect();
             let found = core.drag(&ids, &targets, &read_options(options)?).map_err(of_arclength)?;
             if let Some(distances) = distances {
-                distances.write(&found.iter().map(|found| found.distance).collect::<Vec<_>>())?;
+                distances.write_all(found.iter().map(|found| found.distance))?;
             }
             Ok(())
         })
@@ -98,10 +98,10 @@ pub unsafe extern "C" fn shx_solver_brush_strands(
                 .brush(&ids, &read_brush(brush)?, &read_options(options)?)
                 .map_err(|error| error.with_fields(&[("movement", "displacement")]))?;
             if let Some(touched) = touched {
-                touched.write(&found.iter().map(|found| u8::from(found.touched)).collect::<Vec<_>>())?;
+                touched.write_all(found.iter().map(|found| u8::from(found.touched)))?;
             }
             if let Some(distances) = distances {
-                distances.write(&found.iter().map(|found| found.distance).collect::<Vec<_>>())?;
+                distances.write_all(found.iter().map(|found| found.distance))?;
             }
             Ok(())
         })
@@ -151,9 +151,10 @@ fn of_defs(error: Error) -> Error {
 
 /// Cuts count strands, strand i at arclengths[i] (m from the root, above 0, at most its length), at any time
 /// during a simulation. The rest keeps its shape, natural shape and velocities exactly. The element at the cut
-/// becomes shorter and keeps its helix; elements beyond are removed. Each strand may appear once.
+/// becomes shorter and keeps its helix; elements beyond are removed. Each strand may appear once. All or none:
+/// the message names the index and the id of the strand that cannot be cut.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT
-/// (also a strand with a constraint beyond the cut).
+/// (an arclength beyond the strand's length, a strand with a constraint beyond the cut).
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_solver_cut_strands(
@@ -219,7 +220,7 @@ pub unsafe extern "C" fn shx_solver_mirror_strands(
             let places = Places::new("out_ids", "count", out_ids, count)?;
             let plane = Plane::new(Vector3::from(three("point", point)?), Vector3::from(three("normal", normal)?))?;
             let made = core.add_mirrored(&strand_ids(ids, count)?, &plane)?;
-            places.write(&made.iter().map(|id| shx_strand_id { bits: id.bits() }).collect::<Vec<_>>())
+            places.write_all(made.iter().map(|id| shx_strand_id { bits: id.bits() }))
         })
     }
 }

@@ -116,9 +116,7 @@ pub unsafe extern "C" fn shx_solver_push_out_curves(
             let list = |of: fn(&BroughtOut) -> f64| brought.iter().map(of).collect::<Vec<f64>>();
             depths.map_or(Ok(()), |places| places.write(&list(|brought| brought.deepest)))?;
             displacements.map_or(Ok(()), |places| places.write(&list(|brought| brought.moved)))?;
-            stuck.map_or(Ok(()), |places| {
-                places.write(&brought.iter().map(|brought| u32::from(brought.stuck)).collect::<Vec<_>>())
-            })
+            stuck.map_or(Ok(()), |places| places.write_all(brought.iter().map(|brought| u32::from(brought.stuck))))
         })
     }
 }

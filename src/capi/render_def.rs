@@ -399,11 +399,20 @@ pub struct shx_render_view {
     pub previous_roots: shx_input,
     /// Must be 0.
     pub reserved: [u64; 4],
+    /// What one metre along the world's x axis becomes in the outputs: axes and rules are those of
+    /// shx_sample_def. Default (1, 0, 0).
+    pub x_axis: [f64; 3],
+    /// The same of the y axis. Default (0, 1, 0).
+    pub y_axis: [f64; 3],
+    /// The same of the z axis. Default (0, 0, 1).
+    pub z_axis: [f64; 3],
+    /// Added to positions at last, in your units. Default 0.
+    pub translation: [f64; 3],
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles and pointers only.
 unsafe impl Versioned for shx_render_view {
-    const FIRST_SIZE: usize = size_of::<Self>();
+    const FIRST_SIZE: usize = std::mem::offset_of!(Self, x_axis);
 
     fn defaults() -> Self {
         Self {
@@ -417,15 +426,20 @@ unsafe impl Versioned for shx_render_view {
             roots: NO_INPUT,
             previous_roots: NO_INPUT,
             reserved: [0; 4],
+            x_axis: [1.0, 0.0, 0.0],
+            y_axis: [0.0, 1.0, 0.0],
+            z_axis: [0.0, 0.0, 1.0],
+            translation: [0.0; 3],
         }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_render_view>() == 160 && std::mem::offset_of!(shx_render_view, origin) == 24);
+    assert!(size_of::<shx_render_view>() == 256 && std::mem::offset_of!(shx_render_view, origin) == 24);
     assert!(std::mem::offset_of!(shx_render_view, previous_pose) == 48 && std::mem::offset_of!(shx_render_view, roots) == 64);
     assert!(std::mem::offset_of!(shx_render_view, reserved) == 128);
+    assert!(std::mem::offset_of!(shx_render_view, x_axis) == 160);
 };
 
 /// Fills *view with defaults. size is sizeof(shx_render_view).

@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 use super::buffers::{PLACE_FORMATS, Place, Places, Reader, Writer, array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{call, in_use, read, shx_solver};
+use super::output_transform::OutputTransform;
 use super::render_def::{OwnedGuides, shx_render_guides, shx_render_settings, shx_render_view};
 use super::solver_def::{check_flag, check_reserved};
 use super::thread::on_own_thread;
@@ -156,11 +157,7 @@ pub unsafe extern "C" fn shx_render_hair_save(
     // SAFETY: the caller's handle, place for capacity bytes and for one number.
     call("shx_render_hair_save", || unsafe {
         let (hair, size) = (hair_from(hair)?, Place::new("out_size", out_size)?);
-        let places = if out_image.is_null() && capacity == 0 {
-            None
-        } else {
-            Some(Places::new("out_image", "capacity", out_image.cast::<u8>(), capacity)?)
-        };
+        let places = Places::image("out_image", out_image, capacity)?;
         let bytes = hair.to_bytes();
         if let Some(places) = places {
             places.write(&bytes)?;
@@ -264,10 +261,10 @@ pub unsafe extern "C" fn shx_render_hair_wisps(
         let range = first..first + count;
         if let Some(guides) = guides {
             let first_of = |strand: usize| hair.guides_of(strand).and_then(|mut list| list.next()).map_or(0, |(guide, _)| guide);
-            guides.write(&range.clone().map(first_of).collect::<Vec<_>>())?;
+            guides.write_all(range.clone().map(first_of))?;
         }
         if let Some(wisps) = wisps {
-            wisps.write(&range.map(|strand| hair.wisp_of(strand).unwrap_or_default()).collect::<Vec<_>>())?;
+            wisps.write_all(range.map(|strand| hair.wisp_of(strand).unwrap_or_default()))?;
         }
         Ok(())
     })
@@ -436,6 +433,7 @@ unsafe fn evaluate<'a>(
             points: Writer::optional("points", points, &[SHX_FORMAT_F32X3, SHX_FORMAT_F32X4], needed)?,
             frames: Writer::optional("frames", frames, &[SHX_FORMAT_F32X4], needed)?,
             velocities: Writer::optional("velocities", velocities, &[SHX_FORMAT_F32X3], needed)?,
+            transform: OutputTransform::new("view", [def.x_axis, def.y_axis, def.z_axis], def.translation)?,
         };
         let roots =
             shx_render_view::roots_of("view.roots", &def.roots, count)?.map(|reader| Roots { reader, first: def.first_strand });
@@ -518,6 +516,34 @@ struct Outputs {
     points: Option<Writer>,
     frames: Option<Writer>,
     velocities: Option<Writer>,
+    transform: Option<OutputTransform>,
+}
+
+impl Outputs {
+    /// The same in the host's space.
+    fn take_transformed(&self, strand: &StrandPoints, transform: &OutputTransform) {
+        let (first, count) = ((strand.strand - self.first) * self.per_strand, self.per_strand);
+        let mapped = |[x, y, z]: [&[f32]; 3], k: usize| [x[k], y[k], z[k]].map(f64::from);
+        if let Some(points) = &self.points {
+            let position = |k: usize| transform.point(mapped(strand.positions, k)).map(|x| x as f32);
+            if points.width() == 3 {
+                points.singles(first, count, position);
+            } else {
+                let factor = transform.scale() * f64::from(strand.radius_factor);
+                points.singles(first, count, |k| {
+                    let [x, y, z] = position(k);
+                    [x, y, z, (factor * f64::from(strand.radii[k])) as f32]
+                });
+            }
+        }
+        if let Some(frames) = &self.frames {
+            let [x, y, z, w] = strand.rotations;
+            frames.singles(first, count, |k| transform.quaternion([x[k], y[k], z[k], w[k]].map(f64::from)).map(|x| x as f32));
+        }
+        if let Some(velocities) = &self.velocities {
+            velocities.singles(first, count, |k| transform.vector(mapped(strand.velocities, k)).map(|x| x as f32));
+        }
+    }
 }
 
 // SAFETY: the writers point into memory that is the caller's alone during the call, and every strand comes once.
@@ -526,6 +552,9 @@ unsafe impl Sync for Outputs {}
 impl StrandSink for Outputs {
     #[inline(always)]
     fn take(&self, strand: &StrandPoints) {
+        if let Some(transform) = &self.transform {
+            return self.take_transformed(strand, transform);
+        }
         let (first, count) = ((strand.strand - self.first) * self.per_strand, self.per_strand);
         if let Some(points) = &self.points {
             let [x, y, z] = strand.positions.map(|row| &row[..count]);

@@ -91,7 +91,7 @@ pub unsafe extern "C" fn shx_solver_shape_stability(
         let youngs_scales = found.iter().map(|f| f.youngs_scale(margin)).collect::<Result<Vec<_>>>()?;
         let radius_scales = found.iter().map(|f| f.radius_scale(margin)).collect::<Result<Vec<_>>>()?;
         if let Some(eigenvalues) = eigenvalues {
-            eigenvalues.write(&found.iter().map(|f| f.smallest_eigenvalue).collect::<Vec<_>>())?;
+            eigenvalues.write_all(found.iter().map(|f| f.smallest_eigenvalue))?;
         }
         if let Some(youngs) = youngs {
             youngs.write(&youngs_scales)?;

@@ -3,8 +3,10 @@
 use nalgebra::Vector3;
 
 use super::buffers::{FRAME_FORMATS, POINT_FORMATS, VECTOR_FORMATS, Writer, each};
+use super::output_transform::OutputTransform;
 use super::types::shx_output;
 use crate::error::{Error, Result};
+use crate::math::frame::Frame;
 use crate::rod::uniform_points::{Lanes, Real};
 use crate::solver::id::StrandId;
 use crate::solver::{Sample, SampleSink, Solver, Tile, Wanted};
@@ -14,7 +16,14 @@ pub(crate) struct Outputs {
     points: Option<Writer>,
     frames: Option<Writer>,
     velocities: Option<Writer>,
-    origin: Vector3<f64>,
+    place: OutputPlace,
+}
+
+/// Relative to what outputs are, and in which axes.
+pub(crate) struct OutputPlace {
+    pub origin: Vector3<f64>,
+    /// Nothing: the world's.
+    pub transform: Option<OutputTransform>,
 }
 
 impl Outputs {
@@ -25,7 +34,7 @@ impl Outputs {
         frames: *const shx_output,
         velocities: *const shx_output,
         needed: usize,
-        origin: Vector3<f64>,
+        place: OutputPlace,
     ) -> Result<Self> {
         if points.is_null() && frames.is_null() && velocities.is_null() {
             return Err(Error::NullArgument { argument: "points (and frames, and velocities)".into() });
@@ -36,30 +45,40 @@ impl Outputs {
                 points: Writer::optional("points", points, POINT_FORMATS, needed)?,
                 frames: Writer::optional("frames", frames, FRAME_FORMATS, needed)?,
                 velocities: Writer::optional("velocities", velocities, VECTOR_FORMATS, needed)?,
-                origin,
+                place,
             })
         }
     }
 
     /// Writes one sample.
     pub(crate) fn write(&self, index: usize, sample: &Sample, radius: f64) {
+        let OutputPlace { origin, transform } = &self.place;
+        let frame = Frame { origin: sample.position - origin, rotation: sample.rotation };
+        let (position, velocity) = (frame.origin.into(), sample.velocity.into());
+        let Some(transform) = transform else { return self.put(index, position, radius, frame.rotation_xyzw(), velocity) };
+        let rotation = transform.quaternion(frame.rotation_xyzw());
+        self.put(index, transform.point(position), transform.scale() * radius, rotation, transform.vector(velocity));
+    }
+
+    fn put(&self, index: usize, position: [f64; 3], radius: f64, rotation: [f64; 4], velocity: [f64; 3]) {
         if let Some(points) = &self.points {
-            points.point(index, (sample.position - self.origin).into(), radius);
+            points.point(index, position, radius);
         }
         if let Some(frames) = &self.frames {
-            frames.sample_frame(index, sample, self.origin);
+            frames.pose(index, position, rotation);
         }
         if let Some(velocities) = &self.velocities {
-            velocities.vector(index, sample.velocity.into());
+            velocities.vector(index, velocity);
         }
     }
 
-    /// Samples strands uniformly; item i * `per_strand` + j is point j of strand i. All ids are looked up before anything is written.
+    /// Samples strands uniformly; item i * `per_strand` + j is point j of strand i. All ids are looked up before
+    /// anything is written.
     pub(crate) fn bulk(&self, core: &Solver, ids: &[StrandId], per_strand: usize) -> Result<()> {
         let whole_frames = self.frames.as_ref().is_some_and(|frames| frames.width() == 7);
         let wanted = Wanted {
             points_per_strand: per_strand,
-            origin: self.origin,
+            origin: self.place.origin,
             positions: self.points.is_some() || whole_frames,
             rotations: self.frames.is_some(),
             velocities: self.velocities.is_some(),
@@ -88,6 +107,9 @@ unsafe impl Sync for BulkSink<'_> {}
 
 impl<T: Real> SampleSink<T> for BulkSink<'_> {
     fn take(&self, tile: &Tile<T>) {
+        if let Some(transform) = &self.outputs.place.transform {
+            return self.take_transformed(tile, transform);
+        }
         for (lane, strand) in tile.strands.iter().enumerate() {
             let strand = *strand as usize;
             let (first, count) = (strand * self.per_strand + tile.first, tile.count);
@@ -134,6 +156,52 @@ impl<T: Real> SampleSink<T> for BulkSink<'_> {
                     velocities.singles(first, count, |k| singles(at(k)));
                 } else {
                     velocities.doubles(first, count, |k| doubles(at(k)));
+                }
+            }
+        }
+    }
+}
+
+impl BulkSink<'_> {
+    /// The same in the host's space: what the host would do in a pass of its own.
+    fn take_transformed<T: Real>(&self, tile: &Tile<T>, transform: &OutputTransform) {
+        for (lane, strand) in tile.strands.iter().enumerate() {
+            let strand = *strand as usize;
+            let (first, count) = (strand * self.per_strand + tile.first, tile.count);
+            let position = |k: usize| transform.point(doubles(column(&tile.positions[k], lane)));
+            let rotation = |k: usize| {
+                let [x, y, z, w] = &tile.rotations[k];
+                transform.quaternion([x[lane].into(), y[lane].into(), z[lane].into(), w[lane].into()])
+            };
+            if let Some(points) = &self.outputs.points {
+                let radius = transform.scale() * self.radii.get(strand).copied().unwrap_or_default();
+                let with_radius = |k: usize| {
+                    let [x, y, z] = position(k);
+                    [x, y, z, radius]
+                };
+                match (points.is_single(), points.width()) {
+                    (true, 3) => points.singles(first, count, |k| position(k).map(|x| x as f32)),
+                    (true, _) => points.singles(first, count, |k| with_radius(k).map(|x| x as f32)),
+                    (false, 3) => points.doubles(first, count, position),
+                    (false, _) => points.doubles(first, count, with_radius),
+                }
+            }
+            if let Some(frames) = &self.outputs.frames {
+                match (frames.is_single(), frames.width()) {
+                    (true, _) => frames.singles(first, count, |k| rotation(k).map(|x| x as f32)),
+                    (false, 4) => frames.doubles(first, count, rotation),
+                    (false, _) => frames.doubles(first, count, |k| {
+                        let ([x, y, z], [i, j, k, w]) = (position(k), rotation(k));
+                        [x, y, z, i, j, k, w]
+                    }),
+                }
+            }
+            if let Some(velocities) = &self.outputs.velocities {
+                let velocity = |k: usize| transform.vector(doubles(column(&tile.velocities[k], lane)));
+                if velocities.is_single() {
+                    velocities.singles(first, count, |k| velocity(k).map(|x| x as f32));
+                } else {
+                    velocities.doubles(first, count, velocity);
                 }
             }
         }

@@ -7,11 +7,14 @@ use nalgebra::Vector3;
 use super::buffers::{array, strand_ids};
 use super::errors::shx_result;
 use super::guard::{read, shx_solver};
-use super::sample_outputs::Outputs;
+use super::output_transform::OutputTransform;
+use super::sample_outputs::{OutputPlace, Outputs};
 use super::types::{MAX_COUNT, shx_output, shx_strand_id};
 use super::versioned::{Versioned, initialise, read_versioned};
 use super::wrenches::write_wrenches;
 use crate::error::{Error, Result, check_finite};
+use crate::memory;
+use crate::solver::Solver;
 use crate::solver::id::StrandId;
 
 /// How strands are sampled. Fill it with shx_sample_def_init.
@@ -24,6 +27,19 @@ pub struct shx_sample_def {
     pub points_per_strand: u32,
     /// Subtracted from positions before they are rounded to floats, m. Default 0.
     pub origin: [f64; 3],
+    /// What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The
+    /// three axes must be at right angles and of one length, that of your unit: a rotation with a scale, or a
+    /// reflection with a scale for left-handed hosts. Positions become origin-relative positions times these
+    /// axes, plus translation; velocities the same without translation; radii are scaled; frames turn along.
+    /// Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0).
+    /// Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+    pub x_axis: [f64; 3],
+    /// The same of the y axis. Default (0, 1, 0).
+    pub y_axis: [f64; 3],
+    /// The same of the z axis. Default (0, 0, 1).
+    pub z_axis: [f64; 3],
+    /// Added to positions at last, in your units. Default 0.
+    pub translation: [f64; 3],
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -31,11 +47,19 @@ unsafe impl Versioned for shx_sample_def {
     const FIRST_SIZE: usize = offset_of!(shx_sample_def, origin);
 
     fn defaults() -> Self {
-        Self { struct_size: size_of::<Self>() as u32, points_per_strand: 33, origin: [0.0; 3] }
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            points_per_strand: 33,
+            origin: [0.0; 3],
+            x_axis: [1.0, 0.0, 0.0],
+            y_axis: [0.0, 1.0, 0.0],
+            z_axis: [0.0, 0.0, 1.0],
+            translation: [0.0; 3],
+        }
     }
 }
 
-const _: () = assert!(size_of::<shx_sample_def>() == 32 && offset_of!(shx_sample_def, origin) == 8);
+const _: () = assert!(size_of::<shx_sample_def>() == 128 && offset_of!(shx_sample_def, x_axis) == 32);
 
 /// Fills *def with defaults. size is sizeof(shx_sample_def).
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
@@ -81,11 +105,20 @@ pub unsafe extern "C" fn shx_solver_sample_strands(
                 .checked_mul(count)
                 .filter(|needed| *needed <= MAX_COUNT)
                 .ok_or_else(|| Error::invalid("def.points_per_strand", per_strand, "fewer points per call"))?;
-            let origin = origin("def.origin", def.origin)?;
-            let outputs = Outputs::new(points, frames, velocities, needed, origin)?;
+            let place = def.place("def")?;
+            let outputs = Outputs::new(points, frames, velocities, needed, place)?;
             // All ids are looked up before the first point is written.
             outputs.bulk(core, &ids, per_strand)
         })
+    }
+}
+
+impl shx_sample_def {
+    /// Where outputs are, checked.
+    fn place(&self, argument: &str) -> Result<OutputPlace> {
+        let origin = origin(&format!("{argument}.origin"), self.origin)?;
+        let transform = OutputTransform::new(argument, [self.x_axis, self.y_axis, self.z_axis], self.translation)?;
+        Ok(OutputPlace { origin, transform })
     }
 }
 
@@ -125,15 +158,45 @@ pub unsafe extern "C" fn shx_solver_sample_at(
                 let numbers = array("origin", "origin", origin, 3)?;
                 self::origin("origin", [numbers[0], numbers[1], numbers[2]])?
             };
-            let outputs = Outputs::new(points, frames, velocities, count, origin)?;
-            let radius = core.radius(id)?;
-            // Collected first: an arclength that is out of range must leave the outputs as they were.
-            let mut samples = Vec::with_capacity(count);
-            core.sample_at(id, arclengths, |index, sample| samples.push((index, *sample)))?;
-            for (index, sample) in &samples {
-                outputs.write(*index, sample, radius);
-            }
-            Ok(())
+            let outputs = Outputs::new(points, frames, velocities, count, OutputPlace { origin, transform: None })?;
+            sample(core, id, arclengths, &outputs)
+        })
+    }
+}
+
+fn sample(core: &Solver, id: StrandId, arclengths: &[f64], outputs: &Outputs) -> Result<()> {
+    let radius = core.radius(id)?;
+    // Collected first: an arclength that is out of range must leave the outputs as they were.
+    let mut samples = memory::list(arclengths.len())?;
+    core.sample_at(id, arclengths, |index, sample| samples.push((index, *sample)))?;
+    for (index, sample) in &samples {
+        outputs.write(*index, sample, radius);
+    }
+    Ok(())
+}
+
+/// Does the same as shx_solver_sample_at, with the origin and the axes of def; its points_per_strand is
+/// ignored.
+/// Errors: as shx_solver_sample_at; SHX_ERROR_STRUCT_SIZE.
+/// Threads: shared.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_sample_at_with(
+    solver: *const shx_solver,
+    id: shx_strand_id,
+    arclengths: *const f64,
+    count: usize,
+    def: *const shx_sample_def,
+    points: *const shx_output,
+    frames: *const shx_output,
+    velocities: *const shx_output,
+) -> shx_result {
+    // SAFETY: the caller's handle, arclengths, structure and memory for the outputs.
+    unsafe {
+        read("shx_solver_sample_at_with", solver, |core| {
+            let arclengths = array("arclengths", "count", arclengths, count)?;
+            let place = read_versioned("def", def)?.place("def")?;
+            let outputs = Outputs::new(points, frames, velocities, count, place)?;
+            sample(core, StrandId::from_bits(id.bits), arclengths, &outputs)
         })
     }
 }

@@ -276,7 +276,7 @@ pub unsafe extern "C" fn shx_scalp_scatter(
         let made =
             scalp.scatter(&options).map_err(|error| error.with_fields(&[("within", "max_guide_distance")]).inside("def"))?;
         if let Some(places) = follicles {
-            places.write(&made.follicles.iter().map(shx_follicle::new).collect::<Vec<_>>())?;
+            places.write_all(made.follicles.iter().map(shx_follicle::new))?;
         }
         if let Some(distance) = distance {
             distance.write(&[made.least_distance])?;
@@ -333,7 +333,7 @@ pub unsafe extern "C" fn shx_scalp_follicles_at_uvs(
         let uvs: &[[f64; 2]] = array("uvs", "count", uvs.cast::<[f64; 2]>(), count)?;
         let places = Places::new("out_follicles", "count", out_follicles, count)?;
         let follicles = scalp.follicles_at(uvs, Jitter { amplitude: jitter, seed })?;
-        places.write(&follicles.iter().map(shx_follicle::new).collect::<Vec<_>>())
+        places.write_all(follicles.iter().map(shx_follicle::new))
     })
 }
 

@@ -226,10 +226,10 @@ pub unsafe extern "C" fn shx_solver_settle(
             )?;
         }
         if let Some(eigenvalues) = eigenvalues {
-            eigenvalues.write(&found.iter().map(|f| f.smallest_eigenvalue.unwrap_or(f64::NAN)).collect::<Vec<_>>())?;
+            eigenvalues.write_all(found.iter().map(|f| f.smallest_eigenvalue.unwrap_or(f64::NAN)))?;
         }
         if let Some(residuals) = residuals {
-            residuals.write(&found.iter().map(|f| f.residual).collect::<Vec<_>>())?;
+            residuals.write_all(found.iter().map(|f| f.residual))?;
         }
         if let Some(output) = output {
             output.write(&told);

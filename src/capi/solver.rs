@@ -1,15 +1,18 @@
 //! Making, stepping and freeing a solver.
 
+use std::sync::atomic::Ordering;
+
 use nalgebra::Vector3;
 
 use super::buffers::{Place, array};
 use super::errors::shx_result;
 use super::guard::{call, destroy, read, shx_solver, write};
-use super::log::SHX_LOG_INFO;
+use super::log::{SHX_LOG_DEBUG, SHX_LOG_INFO};
 use super::solver_def::shx_solver_def;
+use super::summary::Summary;
 use super::thread::on_own_thread;
 use super::versioned::{Versioned, read_versioned};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::solver::Solver;
 use crate::solver::definition::Workers;
 
@@ -37,8 +40,9 @@ pub unsafe extern "C" fn shx_solver_create(def: *const shx_solver_def, out_solve
             Workers::Pool(_) => on_own_thread(|| Solver::new(options))?,
             _ => Solver::new(options)?,
         };
-        log.message(SHX_LOG_INFO, format_args!("shx_solver_create: {:?}", core.options()));
-        place.write(Box::into_raw(Box::new(shx_solver::new(core, log))));
+        log.message(SHX_LOG_INFO, format_args!("shx_solver_create: {}", Summary(core.options())));
+        log.message(SHX_LOG_DEBUG, format_args!("shx_solver_create: {:?}", core.options()));
+        place.write(Box::into_raw(Box::new(shx_solver::new(core, log, def.user_data))));
         Ok(())
     })
 }
@@ -50,6 +54,34 @@ pub unsafe extern "C" fn shx_solver_create(def: *const shx_solver_def, out_solve
 pub unsafe extern "C" fn shx_solver_destroy(solver: *mut shx_solver) {
     // SAFETY: the caller's handle, null or alive.
     unsafe { destroy("shx_solver_destroy", solver) };
+}
+
+/// Returns the number that shx_solver_def.user_data or shx_solver_set_own_user_data gave the solver. Snapshots
+/// do not contain it.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: shared; also in callbacks of the solver and while it steps.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_get_own_user_data(solver: *const shx_solver, out_user_data: *mut u64) -> shx_result {
+    call("shx_solver_get_own_user_data", || {
+        // SAFETY: the caller's handle, null or alive, and place for one number.
+        let (solver, place) = unsafe { (solver.as_ref(), Place::new("out_user_data", out_user_data)?) };
+        let solver = solver.ok_or_else(|| Error::NullArgument { argument: "solver".into() })?;
+        place.write(solver.user_data.load(Ordering::Relaxed));
+        Ok(())
+    })
+}
+
+/// Changes the number that shx_solver_get_own_user_data returns.
+/// Errors: SHX_ERROR_NULL_ARGUMENT.
+/// Threads: exclusive for this number alone: also in callbacks of the solver and while it steps.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_set_own_user_data(solver: *mut shx_solver, user_data: u64) -> shx_result {
+    call("shx_solver_set_own_user_data", || {
+        // SAFETY: the caller's handle, null or alive.
+        let solver = unsafe { solver.as_ref() }.ok_or_else(|| Error::NullArgument { argument: "solver".into() })?;
+        solver.user_data.store(user_data, Ordering::Relaxed);
+        Ok(())
+    })
 }
 
 fn vector(argument: &str, numbers: *const f64) -> Result<Vector3<f64>> {

@@ -13,7 +13,7 @@ use crate::contact::options::ContactOptions;
 use crate::error::{Error, Result};
 use crate::math::lane::Precision;
 use crate::math::lanes::InstructionSet;
-use crate::solver::definition::SolverOptions;
+use crate::solver::definition::{SolverOptions, UsualLimits};
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
 
 /// Linearly implicit step (Bertails et al. 2006): one linear solve per step; gravity, drag and velocity
@@ -123,6 +123,9 @@ pub struct shx_solver_def {
     pub jump_acceleration: f64,
     /// Must be 0.
     pub reserved: [u64; 2],
+    /// Your own number, for example a pointer; the library does not use it. Default 0.
+    /// shx_solver_set_own_user_data changes it.
+    pub user_data: u64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers, doubles, pointers and nullable functions only.
@@ -154,13 +157,14 @@ unsafe impl Versioned for shx_solver_def {
             quadrature_tolerance: options.step.quadrature_tolerance,
             jump_acceleration: options.jump_acceleration,
             reserved: [0; 2],
+            user_data: 0,
         }
     }
 }
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_solver_def>() == 176);
+    assert!(size_of::<shx_solver_def>() == 184 && offset_of!(shx_solver_def, user_data) == 176);
     assert!(offset_of!(shx_solver_def, parallel_for) == 56 && offset_of!(shx_solver_def, log_level) == 88);
     assert!(offset_of!(shx_solver_def, linear_solver) == 96 && offset_of!(shx_solver_def, tolerance) == 112);
 };
@@ -172,6 +176,32 @@ pub(super) fn check_flag(argument: &str, value: u32) -> Result<bool> {
         1 => Ok(true),
         _ => Err(Error::invalid(argument, value, "0 or 1")),
     }
+}
+
+pub(super) fn integrator_from(argument: &str, value: u32) -> Result<Integrator> {
+    Integrator::from_u32(value).ok_or_else(|| Error::invalid(format!("{argument}.integrator"), value, "one of SHX_INTEGRATOR_"))
+}
+
+pub(super) fn linear_solver_from(argument: &str, value: u32) -> Result<LinearSolver> {
+    LinearSolver::from_u32(value)
+        .ok_or_else(|| Error::invalid(format!("{argument}.linear_solver"), value, "one of SHX_LINEAR_SOLVER_"))
+}
+
+pub(super) fn precision_from(argument: &str, value: u32) -> Result<Precision> {
+    match value {
+        SHX_PRECISION_F64 => Ok(Precision::F64),
+        SHX_PRECISION_F32 => Ok(Precision::F32),
+        other => Err(Error::invalid(format!("{argument}.precision"), other, "one of SHX_PRECISION_")),
+    }
+}
+
+/// Nothing: the best that the machine has.
+pub(super) fn instruction_set_from(argument: &str, value: u32) -> Result<Option<InstructionSet>> {
+    if value == SHX_INSTRUCTION_SET_BEST {
+        return Ok(None);
+    }
+    let unknown = || Error::invalid(format!("{argument}.instruction_set"), value, "one of SHX_INSTRUCTION_SET_");
+    InstructionSet::from_u32(value).map(Some).ok_or_else(unknown)
 }
 
 /// Reserved room must be zero, so that a later version can give it a meaning.
@@ -186,22 +216,10 @@ impl shx_solver_def {
     /// The engine's own options.
     pub(super) fn options(&self) -> Result<SolverOptions> {
         let workers = workers("def", self.worker_count, self.parallel_for, self.parallel_for_user)?;
-        let integrator = Integrator::from_u32(self.integrator)
-            .ok_or_else(|| Error::invalid("def.integrator", self.integrator, "one of SHX_INTEGRATOR_"))?;
-        let linear_solver = LinearSolver::from_u32(self.linear_solver)
-            .ok_or_else(|| Error::invalid("def.linear_solver", self.linear_solver, "one of SHX_LINEAR_SOLVER_"))?;
-        let precision = match self.precision {
-            SHX_PRECISION_F64 => Precision::F64,
-            SHX_PRECISION_F32 => Precision::F32,
-            other => return Err(Error::invalid("def.precision", other, "one of SHX_PRECISION_")),
-        };
-        let instruction_set = match self.instruction_set {
-            0 => None,
-            other => Some(
-                InstructionSet::from_u32(other)
-                    .ok_or_else(|| Error::invalid("def.instruction_set", other, "one of SHX_INSTRUCTION_SET_"))?,
-            ),
-        };
+        let integrator = integrator_from("def", self.integrator)?;
+        let linear_solver = linear_solver_from("def", self.linear_solver)?;
+        let precision = precision_from("def", self.precision)?;
+        let instruction_set = instruction_set_from("def", self.instruction_set)?;
         check_reserved("def", &self.reserved)?;
         let options = SolverOptions {
             gravity: Vector3::from(self.gravity),
@@ -222,6 +240,7 @@ impl shx_solver_def {
             instruction_set,
             contact: ContactOptions::default(),
             jump_acceleration: self.jump_acceleration,
+            limits: UsualLimits::default(),
         };
         options.check("def")?;
         Ok(options)

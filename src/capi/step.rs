@@ -85,6 +85,13 @@ pub struct shx_step_report {
     /// Number of contacts whose reported force was capped at what hair can exert: what moves the strand by its
     /// own length within the substep and bends its elements by a radian; twice that where all contact laws hold.
     pub capped_contact_forces: u64,
+    /// Time spent on the search for contacts, s. The three phases sum up to less than seconds; 0 where there is
+    /// no clock.
+    pub search_seconds: f64,
+    /// Time spent on the equations of motion of strands, s.
+    pub strand_seconds: f64,
+    /// Time spent on the contact problems of islands, s. Sampling is not part of a step: time it yourself.
+    pub contact_seconds: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -97,7 +104,7 @@ unsafe impl Versioned for shx_step_report {
 }
 
 const _: () = {
-    assert!(size_of::<shx_step_report>() == 176 && offset_of!(shx_step_report, max_residual) == 16);
+    assert!(size_of::<shx_step_report>() == 200 && offset_of!(shx_step_report, max_residual) == 16);
     assert!(offset_of!(shx_step_report, substeps) == 56 && offset_of!(shx_step_report, contacts) == 88);
 };
 
@@ -133,6 +140,9 @@ impl shx_step_report {
             jumped_roots: report.carried,
             fast_body_pieces: report.parts,
             capped_contact_forces: u64::from(report.contact.capped),
+            search_seconds: report.phases.search,
+            strand_seconds: report.phases.strands,
+            contact_seconds: report.phases.contact,
         }
     }
 }
@@ -194,8 +204,14 @@ fn tell(log: &LogSink, report: &StepReport) {
     log.message(
         SHX_LOG_DEBUG,
         format_args!(
-            "shx_solver_step: {} substeps, {:.2} iterations (most {}), {:.6} s",
-            report.substeps, report.mean_iterations, report.max_iterations, report.seconds
+            "shx_solver_step: {} substeps, {:.2} iterations (most {}), {:.6} s (search {:.6}, strands {:.6}, contact {:.6})",
+            report.substeps,
+            report.mean_iterations,
+            report.max_iterations,
+            report.seconds,
+            report.phases.search,
+            report.phases.strands,
+            report.phases.contact
         ),
     );
 }
@@ -203,7 +219,8 @@ fn tell(log: &LogSink, report: &StepReport) {
 /// Advances time by dt seconds (above zero) in the given number of equal substeps (at least 1); each is a full
 /// solve. report may be null. A strand whose state becomes non-finite, or that contacts or constraints make
 /// diverge, is rolled back and quarantined; the other strands go on, and the report and
-/// shx_solver_strand_status say so. The same input gives the same bits for any number of threads.
+/// shx_solver_strand_status say so. The same input gives the same bits for any number of threads. Limits of
+/// the call are those of shx_solver_options.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps),
 /// SHX_ERROR_UNSUPPORTED (SHX_INTEGRATOR_REFERENCE with contact or constraints: it steps free strands only).
 /// Threads: exclusive.

@@ -27,12 +27,13 @@ pub struct shx_step_limits {
     pub reserved0: u32,
     /// Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of
     /// one core. Work is counted, not timed, so results are identical to the bit on every machine and for any
-    /// number of threads. 0 (default): a limit that keeps an application responsive, about a quarter of a second
-    /// of one core for up to 2280 elements and proportionally more beyond.
+    /// number of threads. 0 (default): shx_solver_options.max_work, or where that is 0 too a limit that keeps an
+    /// application responsive, about a quarter of a second of one core for up to 2280 elements and
+    /// proportionally more beyond.
     pub max_work: u64,
-    /// Maximum duration of the call, s. Results then depend on the clock. 0 (default): no
-    /// limit. A step needs some time to finish after its last iteration; the solver
-    /// learns how much from earlier steps and reserves it.
+    /// Maximum duration of the call, s. Results then depend on the clock. 0 (default):
+    /// shx_solver_options.max_seconds, or where that is 0 too no limit. A step needs some time to finish after
+    /// its last iteration; the solver learns how much from earlier steps and reserves it.
     pub max_seconds: f64,
     /// Null (default), or a flag that another thread sets to a non-zero value to cancel
     /// the step. It is polled many times per millisecond.
@@ -56,8 +57,8 @@ const _: () = {
 impl shx_step_limits {
     /// The engine's own limits.
     ///
-    /// # Safety
-    /// `cancel` is null or lives as long as what is made of the limits, and whoever writes to it does so in one piece.
+    /// # Safety `cancel` is null or lives as long as what is made of the limits, and whoever writes to it does
+    /// so in one piece.
     pub(super) unsafe fn limits<'a>(&self) -> Result<StepLimits<'a>> {
         if self.reserved0 != 0 {
             return Err(crate::error::Error::invalid("limits.reserved0", self.reserved0, "0"));

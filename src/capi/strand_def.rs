@@ -11,6 +11,7 @@ use super::types::shx_frame;
 use super::versioned::{Versioned, initialise};
 use crate::error::{Error, Result};
 use crate::math::frame::Frame;
+use crate::memory::{self, BLOCK};
 use crate::rod::freedoms::Freedoms;
 use crate::rod::material::Material;
 use crate::solver::definition::{MAX_ELEMENTS, StrandDef};
@@ -139,7 +140,7 @@ unsafe fn optional_rows(argument: &str, rows: *const f64, count: usize) -> Resul
         return Ok(None);
     }
     // SAFETY: the same. A row is three doubles.
-    unsafe { array(argument, argument, rows.cast::<[f64; 3]>(), count) }.map(|rows| Some(rows.to_vec()))
+    unsafe { array(argument, argument, rows.cast::<[f64; 3]>(), count) }.and_then(|rows| memory::copied(rows).map(Some))
 }
 
 impl shx_strand_def {
@@ -148,10 +149,7 @@ impl shx_strand_def {
     /// # Safety
     /// The arrays that it points to hold what `element_count` says.
     pub(super) unsafe fn definition(&self, argument: &str) -> Result<StrandDef> {
-        let count = self.element_count as usize;
-        if count == 0 || count > MAX_ELEMENTS {
-            return Err(Error::invalid(format!("{argument}.element_count"), count, format!("1 to {MAX_ELEMENTS}")));
-        }
+        let count = self.count(argument)?;
         if self.reserved0 != 0 {
             return Err(Error::invalid(format!("{argument}.reserved0"), self.reserved0, "0"));
         }
@@ -160,7 +158,10 @@ impl shx_strand_def {
             // SAFETY: the caller's rows.
             named(argument, field, |name| unsafe { optional_rows(name, rows, count) })
         };
-        let natural = rows("natural_curvatures", self.natural_curvatures)?.unwrap_or_else(|| vec![[0.0; 3]; count]);
+        let natural = match rows("natural_curvatures", self.natural_curvatures)? {
+            Some(rows) => rows,
+            None => memory::repeated([0.0; 3], count)?,
+        };
         let definition = StrandDef {
             // SAFETY: the caller's lengths.
             element_lengths: unsafe { self.element_lengths(argument, count)? },
@@ -186,6 +187,20 @@ impl shx_strand_def {
         Ok(definition)
     }
 
+    fn count(&self, argument: &str) -> Result<usize> {
+        let count = self.element_count as usize;
+        if count == 0 || count > MAX_ELEMENTS {
+            return Err(Error::invalid(format!("{argument}.element_count"), count, format!("1 to {MAX_ELEMENTS}")));
+        }
+        Ok(count)
+    }
+
+    /// Bytes that the engine's own definition takes beside itself, at most.
+    pub(super) fn bytes(&self, argument: &str) -> Result<usize> {
+        let row = size_of::<f64>() + 3 * size_of::<[f64; 3]>();
+        Ok(self.count(argument)? * row + 4 * BLOCK)
+    }
+
     /// # Safety
     /// `element_lengths` is null or points to `count` lengths.
     unsafe fn element_lengths(&self, argument: &str, count: usize) -> Result<Vec<f64>> {
@@ -193,11 +208,11 @@ impl shx_strand_def {
             if !(self.length.is_finite() && self.length > 0.0) {
                 return Err(Error::invalid(format!("{argument}.length"), self.length, "a finite number above zero (m)"));
             }
-            return Ok(vec![self.length / count as f64; count]);
+            return memory::repeated(self.length / count as f64, count);
         }
         let lengths_argument = format!("{argument}.element_lengths");
         // SAFETY: the same.
-        let lengths = unsafe { array(&lengths_argument, &lengths_argument, self.element_lengths, count)? }.to_vec();
+        let lengths = memory::copied(unsafe { array(&lengths_argument, &lengths_argument, self.element_lengths, count)? })?;
         for (element, length) in lengths.iter().enumerate() {
             if !(length.is_finite() && *length > 0.0) {
                 let expected = "a finite number above zero (m)";

@@ -1,5 +1,7 @@
 //! Adding, removing and listing strands, and what can be asked of each.
 
+use std::cell::Cell;
+
 use super::buffers::{Place, Places, each, strand_ids};
 use super::errors::{SHX_OK, shx_result};
 use super::guard::{read, shx_solver, write};
@@ -7,6 +9,7 @@ use super::log::{LogSink, SHX_LOG_WARN};
 use super::strand_def::shx_strand_def;
 use super::types::shx_strand_id;
 use super::versioned::definitions;
+use crate::memory;
 use crate::rod::turning::{Shapes, coarse_strands};
 use crate::solver::definition::StrandDef;
 use crate::solver::id::StrandId;
@@ -51,11 +54,19 @@ pub unsafe extern "C" fn shx_solver_add_strands(
     unsafe {
         write("shx_solver_add_strands", solver, |core, log| {
             let places = Places::new("out_ids", "count", out_ids, count)?;
+            // All that they take is asked for at once: a hundred thousand small lists are no list that could be asked for.
+            let bytes = Cell::new(0_usize);
+            let count_bytes = |def: &shx_strand_def, argument: &str| {
+                bytes.set(bytes.get().saturating_add(def.bytes(argument)?));
+                Ok(())
+            };
+            definitions("shx_strand_def", defs, def_stride, count, count_bytes)?;
+            memory::check_room(bytes.get())?;
             let read = |def: &shx_strand_def, argument: &str| def.definition(argument);
             let definitions = definitions("shx_strand_def", defs, def_stride, count, read)?;
             let ids = core.add_strands(&definitions)?;
             warn_of_coarse(log, &definitions);
-            places.write(&ids.iter().map(|id| shx_strand_id { bits: id.bits() }).collect::<Vec<_>>())
+            places.write_all(ids.iter().map(|id| shx_strand_id { bits: id.bits() }))
         })
     }
 }
@@ -117,7 +128,7 @@ pub unsafe extern "C" fn shx_solver_strand_ids(
         read("shx_solver_strand_ids", solver, |core| {
             let places = Places::new("out_ids", "capacity", out_ids, capacity)?;
             places.check_room(core.strand_count())?;
-            places.write(&core.strand_ids().iter().map(|id| shx_strand_id { bits: id.bits() }).collect::<Vec<_>>())
+            places.write_all(core.strand_ids().iter().map(|id| shx_strand_id { bits: id.bits() }))
         })
     }
 }
@@ -157,6 +168,25 @@ pub unsafe extern "C" fn shx_solver_get_element_lengths(
         read("shx_solver_get_element_lengths", solver, |core| {
             let places = Places::new("out_lengths", "capacity", out_lengths, capacity)?;
             places.write(core.element_lengths(StrandId::from_bits(id.bits))?)
+        })
+    }
+}
+
+/// Writes the lengths of count strands, m, to out_lengths, which holds count numbers.
+/// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+/// Threads: shared.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shx_solver_strand_lengths(
+    solver: *const shx_solver,
+    ids: *const shx_strand_id,
+    count: usize,
+    out_lengths: *mut f64,
+) -> shx_result {
+    // SAFETY: the caller's handle, count ids and place for count numbers.
+    unsafe {
+        read("shx_solver_strand_lengths", solver, |core| {
+            let places = Places::new("out_lengths", "count", out_lengths, count)?;
+            places.write(&each(&strand_ids(ids, count)?, |id| core.length(id))?)
         })
     }
 }
@@ -259,8 +289,8 @@ pub unsafe extern "C" fn shx_solver_strand_quadrature(
             let points = Places::new("out_points", "count", out_points, count)?;
             let errors = Places::new("out_errors", "count", out_errors, count)?;
             let found = each(&strand_ids(ids, count)?, |id| core.quadrature(id))?;
-            points.write(&found.iter().map(|quadrature| quadrature.points).collect::<Vec<_>>())?;
-            errors.write(&found.iter().map(|quadrature| quadrature.error).collect::<Vec<_>>())
+            points.write_all(found.iter().map(|quadrature| quadrature.points))?;
+            errors.write_all(found.iter().map(|quadrature| quadrature.error))
         })
     }
 }

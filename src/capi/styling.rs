@@ -102,7 +102,7 @@ pub unsafe extern "C" fn shx_solver_clip_strands(
                 .map_err(|error| error.renamed("clip", "def").renamed("def.frame", "def.pose"))?;
             places.check_room(defs.len())?;
             let ids = core.add_constraints(&defs)?;
-            places.write(&ids.iter().map(|id| shx_constraint_id { bits: id.bits() }).collect::<Vec<_>>())?;
+            places.write_all(ids.iter().map(|id| shx_constraint_id { bits: id.bits() }))?;
             made.write(ids.len());
             Ok(())
         })
@@ -319,7 +319,7 @@ pub unsafe extern "C" fn shx_solver_frozen_strands(
         read("shx_solver_frozen_strands", solver, |core| {
             let places = Places::new("out_frozen", "count", out_frozen, count)?;
             let frozen = core.are_frozen(&strand_ids(ids, count)?)?;
-            places.write(&frozen.into_iter().map(u8::from).collect::<Vec<_>>())
+            places.write_all(frozen.into_iter().map(u8::from))
         })
     }
 }

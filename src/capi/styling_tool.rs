@@ -152,7 +152,7 @@ pub unsafe extern "C" fn shx_tool_frames(
         };
         let frames = def.tool()?.frames(&frame, opening)?;
         if let Some(places) = places {
-            places.write(&frames.iter().map(shx_frame::from).collect::<Vec<_>>())?;
+            places.write_all(frames.iter().map(shx_frame::from))?;
         }
         count.write(frames.len());
         Ok(())
@@ -205,7 +205,7 @@ pub unsafe extern "C" fn shx_solver_add_tool(
             let (tool, frame) = (read_versioned("def", def)?.tool()?, frame_from("frame", frame)?);
             places.check_room(tool.body_count())?;
             let ids = core.add_bodies(tool.bodies(&frame, opening)?)?;
-            places.write(&ids.iter().map(|id| shx_body_id { bits: id.bits() }).collect::<Vec<_>>())?;
+            places.write_all(ids.iter().map(|id| shx_body_id { bits: id.bits() }))?;
             count.write(ids.len());
             Ok(())
         })

@@ -7,6 +7,7 @@ use super::errors::shx_result;
 use super::guard::call;
 use super::types::MAX_COUNT;
 use crate::error::{Error, Result};
+use crate::memory;
 
 /// More than any version of any structure will have: a larger number is memory that was never initialised.
 const LARGEST: usize = 4096;
@@ -100,7 +101,7 @@ pub(crate) unsafe fn definitions<T: Versioned, D>(
         }
         read(&def, argument)
     };
-    let mut definitions = Vec::new();
+    let mut definitions = memory::list(count)?;
     for index in 0..count {
         // Named only where it is wrong.
         definitions.push(one(index, "defs").or_else(|_| one(index, &format!("defs[{index}]")))?);

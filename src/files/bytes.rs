@@ -2,11 +2,11 @@
 
 use std::fs::{self, File};
 use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::path::Path;
 
+use super::part_file::PartFile;
 use crate::error::{Error, Result};
-use crate::platform::process_id;
+pub(super) use crate::memory::{list, reserve};
 
 /// The most that is read from something without a size of its own (a pipe): 1 GiB.
 const PIPE_LIMIT: u64 = 1 << 30;
@@ -60,7 +60,7 @@ fn is_pipe(_kind: &fs::FileType) -> bool {
     false
 }
 
-/// Writes a whole file: to a neighbour first, which then takes the name, so that no reader ever sees half a file. What is there
+/// Writes a whole file: to a hidden part beside it first, which then takes the name, so that no reader ever sees half a file. What is there
 /// and is no regular file (a pipe, a device, a link) is written to directly.
 pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
     let cannot = |error: std::io::Error| Error::file(path, format_args!("cannot be written: {error}"));
@@ -68,39 +68,9 @@ pub(super) fn write_file(path: &Path, bytes: &[u8]) -> Result<()> {
         let mut file = File::options().write(true).truncate(true).open(path).map_err(cannot)?;
         return file.write_all(bytes).and_then(|()| file.flush()).map_err(cannot);
     }
-    let Some(neighbour) = neighbour(path) else { return Err(Error::file(path, "cannot be written: it has no file name")) };
-    let written = File::options()
-        .write(true)
-        .create_new(true)
-        .open(&neighbour)
-        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.flush()))
-        .and_then(|()| fs::rename(&neighbour, path));
-    written.map_err(|error| {
-        // The error is about the file that was asked for; the neighbour is best forgotten, and may not even be there.
-        let _ = fs::remove_file(&neighbour);
-        cannot(error)
-    })
-}
-
-/// A name beside `path` that no other process or thread writes to.
-pub(super) fn neighbour(path: &Path) -> Option<PathBuf> {
-    static NEXT: AtomicU64 = AtomicU64::new(0);
-    let mut name = std::ffi::OsString::from(".");
-    name.push(path.file_name()?);
-    name.push(format!(".{}-{}.part", process_id(), NEXT.fetch_add(1, Ordering::Relaxed)));
-    Some(path.with_file_name(name))
-}
-
-/// Makes room for exactly `count` more items, or says that there is none.
-pub(super) fn reserve<T>(list: &mut Vec<T>, count: usize) -> Result<()> {
-    list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) })
-}
-
-/// A list with exactly this much room, or the error that there is none.
-pub(super) fn list<T>(capacity: usize) -> Result<Vec<T>> {
-    let mut list = Vec::new();
-    reserve(&mut list, capacity)?;
-    Ok(list)
+    let mut part = PartFile::create(path)?;
+    part.file.write_all(bytes).and_then(|()| part.file.flush()).map_err(cannot)?;
+    part.take_name(path).map_err(cannot)
 }
 
 /// A part of a binary file, known to lie inside it.

@@ -1,12 +1,12 @@
 //! A cache in one file: curves over time, with velocities, as time samples of a `.usda` file.
 
-use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use crate::error::{Error, Result, check_finite, check_positive};
 use crate::files::bytes;
 use crate::files::curves::{Curves, Extras};
+use crate::files::part_file::PartFile;
 use crate::files::usd_curves;
 use crate::files::usda::{self, LayerHead, Vector};
 use crate::files::usda_layer::Wanted;
@@ -81,7 +81,8 @@ pub fn time_as_read(time: f64, time_codes_per_second: f64) -> f64 {
 }
 
 /// Writes curves over time into one `.usda` file, a frame a call. Memory does not grow with the frames but for 32 bytes each. The file
-/// appears when it is finished; dropped before that, nothing is left.
+/// appears when it is finished; dropped before that, nothing is left. A killed process leaves hidden files (`.name.0.part` and on) beside it, which the
+/// next writer of the same path removes.
 #[derive(Debug)]
 pub struct CurveCacheWriter {
     path: PathBuf,
@@ -93,21 +94,15 @@ pub struct CurveCacheWriter {
     extents: Vec<(f64, [f32; 3], [f32; 3])>,
 }
 
-/// A file beside the target that is deleted when dropped.
+/// Text beside the target that is deleted when dropped.
 #[derive(Debug)]
 struct Spool {
-    path: PathBuf,
-    writer: BufWriter<File>,
+    writer: BufWriter<PartFile>,
 }
 
 impl Spool {
     fn create(target: &Path) -> Result<Self> {
-        let Some(path) = bytes::neighbour(target) else {
-            return Err(Error::file(target, "cannot be written: it has no file name"));
-        };
-        let file = File::options().read(true).write(true).create_new(true).open(&path);
-        let file = file.map_err(|error| Error::file(target, format_args!("cannot be written: {error}")))?;
-        Ok(Self { path, writer: BufWriter::new(file) })
+        Ok(Self { writer: BufWriter::new(PartFile::create(target)?) })
     }
 
     fn sample(&mut self, code: f64, vectors: &[[f32; 3]]) -> std::io::Result<()> {
@@ -118,7 +113,7 @@ impl Spool {
 
     fn copy_to(&mut self, out: &mut impl Write) -> std::io::Result<()> {
         self.writer.flush()?;
-        let file = self.writer.get_mut();
+        let file = &mut self.writer.get_mut().file;
         file.seek(SeekFrom::Start(0))?;
         let mut reader = BufReader::new(file);
         let mut chunk = vec![0; 1 << 16];
@@ -128,13 +123,6 @@ impl Spool {
                 read => out.write_all(&chunk[..read])?,
             }
         }
-    }
-}
-
-impl Drop for Spool {
-    fn drop(&mut self) {
-        // Nothing can be done about a failure here, and nothing depends on it.
-        let _ = fs::remove_file(&self.path);
     }
 }
 
@@ -252,6 +240,7 @@ impl CurveCacheWriter {
             out.flush()
         };
         write().map_err(failed)?;
-        fs::rename(&whole.path, &self.path).map_err(failed)
+        let part = whole.writer.into_inner().map_err(|error| failed(error.into_error()))?;
+        part.take_name(&self.path).map_err(failed)
     }
 }

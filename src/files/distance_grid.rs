@@ -79,18 +79,27 @@ pub fn size(counts: [u32; 3]) -> usize {
 /// [`Error::OutOfMemory`].
 pub fn write_to_bytes(grid: &DistanceGrid) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    reserve(&mut bytes, HEADER + 4 * grid.values().len())?;
-    bytes.extend_from_slice(MAGIC);
-    bytes.extend_from_slice(&VERSION.to_le_bytes());
+    reserve(&mut bytes, size(grid.counts()))?;
+    write_in_pieces(grid, |piece| bytes.extend_from_slice(piece));
+    Ok(bytes)
+}
+
+/// The bytes of a grid, a piece after the other.
+pub(crate) fn write_in_pieces(grid: &DistanceGrid, mut put: impl FnMut(&[u8])) {
+    put(MAGIC);
+    put(&VERSION.to_le_bytes());
     for count in grid.counts() {
-        bytes.extend_from_slice(&count.to_le_bytes());
+        put(&count.to_le_bytes());
     }
     let low = grid.low();
     for number in [low.x, low.y, low.z, grid.cell(), grid.band()] {
-        bytes.extend_from_slice(&number.to_le_bytes());
+        put(&number.to_le_bytes());
     }
-    for value in grid.values() {
-        bytes.extend_from_slice(&value.to_le_bytes());
+    let mut piece = [0; 1024];
+    for values in grid.values().chunks(piece.len() / 4) {
+        for (place, value) in piece.chunks_exact_mut(4).zip(values) {
+            place.copy_from_slice(&value.to_le_bytes());
+        }
+        put(&piece[..4 * values.len()]);
     }
-    Ok(bytes)
 }

@@ -21,6 +21,7 @@
 //! - `obj.rs`: Wavefront OBJ with polylines: `v x y z` for each point, `l a b c ...` for each strand.
 //! - `obj_lines.rs`: What the readers of Wavefront OBJ share: curves and meshes.
 //! - `obj_mesh.rs`: Wavefront OBJ with faces: `v x y z` for each vertex, `f a b c ...` for each triangle or polygon.
+//! - `part_file.rs`: Files that are written beside the one that they will become.
 //! - `polygon.rs`: Polygons in space cut into triangles, ear by ear (Meisters 1975), as seen along the normal of their area (Newell).
 //! - `recorded_curve.rs`: A recorded curve as a table: `time_s`, one column that is measured, and where the root was, if that was recorded.
 //! - `sequence.rs`: A cache: simulated frames as a sequence of files, `stem.0001.obj`, `stem.0002.obj` and so on.
@@ -50,6 +51,7 @@ mod motion_csv;
 pub mod obj;
 mod obj_lines;
 pub mod obj_mesh;
+mod part_file;
 mod polygon;
 pub mod recorded_curve;
 pub mod sequence;

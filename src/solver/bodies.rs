@@ -1,6 +1,6 @@
 //! Bodies: what strands are kept out of.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::Vector3;
 
@@ -12,6 +12,7 @@ use crate::contact::options::{ContactOptions, StrandContact};
 use crate::contact::shape::Shape;
 use crate::error::{Error, Result, check_not_negative};
 use crate::math::frame::Frame;
+use crate::memory;
 
 /// A body and all that the solver keeps about it.
 #[derive(Debug, Clone)]
@@ -20,6 +21,18 @@ pub(super) struct SceneBody {
     pub body: Body,
     /// What strands did to it in the last substep.
     pub wrench: Wrench,
+    /// The host's own number.
+    pub user_data: u64,
+    /// Whether its vertices were ever sent elsewhere: its shape is its own and changes.
+    pub deforms: bool,
+    /// Hash of a shape that stays as it is, where somebody asked for it.
+    pub content: OnceLock<u128>,
+}
+
+impl SceneBody {
+    pub fn new(id: BodyId, body: Body) -> Self {
+        Self { id, body, wrench: Wrench::default(), user_data: 0, deforms: false, content: OnceLock::new() }
+    }
 }
 
 /// Where something met a strand at the end of the last substep.
@@ -87,13 +100,15 @@ impl Solver {
         let made =
             bodies.into_iter().enumerate().map(|(k, def)| Body::new(def).map_err(|error| error.inside(&format!("bodies[{k}]"))));
         let made = made.collect::<Result<Vec<Body>>>()?;
-        let mut ids = Vec::with_capacity(made.len());
+        self.body_slots.reserve(made.len())?;
+        memory::grow(&mut self.bodies, made.len())?;
+        let mut ids = memory::list(made.len())?;
         for body in made {
             let Some(id) = self.body_slots.insert(self.bodies.len()) else {
                 self.remove_bodies(&ids)?;
                 return Err(Error::OutOfMemory { bytes: size_of::<SceneBody>() });
             };
-            self.bodies.push(SceneBody { id, body, wrench: Wrench::default() });
+            self.bodies.push(SceneBody::new(id, body));
             ids.push(id);
         }
         Ok(ids)
@@ -174,7 +189,11 @@ impl Solver {
     pub fn set_body_vertices(&mut self, id: BodyId, vertices: &[Vector3<f64>], over_seconds: f64) -> Result<()> {
         let index = self.body_index(|| "id".into(), id)?;
         check_not_negative(|| "over_seconds".into(), over_seconds)?;
-        self.bodies[index].body.set_vertices(vertices, over_seconds)
+        let body = &mut self.bodies[index];
+        body.body.set_vertices(vertices, over_seconds)?;
+        body.deforms = true;
+        body.content = OnceLock::new();
+        Ok(())
     }
 
     /// Changes a body's thickness (m) and its factors of friction.
@@ -193,6 +212,24 @@ impl Solver {
     pub fn set_body_filter(&mut self, id: BodyId, group: u32, mask: u32) -> Result<()> {
         let index = self.body_index(|| "id".into(), id)?;
         self.bodies[index].body.set_filter(group, mask);
+        Ok(())
+    }
+
+    /// The host's own number for a body; 0 until it is set.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn body_user_data(&self, id: BodyId) -> Result<u64> {
+        Ok(self.bodies[self.body_index(|| "id".into(), id)?].user_data)
+    }
+
+    /// Sets the host's own number for a body. No step depends on it.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn set_body_user_data(&mut self, id: BodyId, user_data: u64) -> Result<()> {
+        let index = self.body_index(|| "id".into(), id)?;
+        self.bodies[index].user_data = user_data;
         Ok(())
     }
 

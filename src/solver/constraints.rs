@@ -13,6 +13,7 @@ use crate::contact::touch::StrandCurve;
 use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
 use crate::math::way::Way;
+use crate::memory;
 use crate::rod::strand::StrandModel;
 
 /// How a constraint holds.
@@ -101,6 +102,8 @@ pub(super) struct Constraint {
     /// How many parts the report has so far, and where the strand is held.
     pub parts: usize,
     pub held_at: Vector3<f64>,
+    /// The host's own number.
+    pub user_data: u64,
 }
 
 impl Constraint {
@@ -239,7 +242,9 @@ impl Solver {
         if self.constraints.len() + constraints.len() > id::MAX_SLOTS {
             return Err(Error::OutOfMemory { bytes: constraints.len().saturating_mul(size_of::<Constraint>()) });
         }
-        let mut ids = Vec::with_capacity(constraints.len());
+        self.constraint_slots.reserve(constraints.len())?;
+        memory::grow(&mut self.constraints, constraints.len())?;
+        let mut ids = memory::list(constraints.len())?;
         for def in constraints {
             let Some(id) = self.constraint_slots.insert(self.constraints.len()) else {
                 self.remove_constraints(&ids)?;
@@ -254,6 +259,7 @@ impl Solver {
                 forces: [Vector3::zeros(); 3],
                 parts: 0,
                 held_at: Vector3::zeros(),
+                user_data: 0,
             });
             ids.push(id);
         }
@@ -356,6 +362,24 @@ impl Solver {
     /// [`Error::InvalidId`].
     pub fn constraint_state(&self, id: ConstraintId) -> Result<ConstraintState> {
         Ok(self.constraints[self.constraint_index(|| "id".into(), id)?].state)
+    }
+
+    /// The host's own number for a constraint; 0 until it is set.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn constraint_user_data(&self, id: ConstraintId) -> Result<u64> {
+        Ok(self.constraints[self.constraint_index(|| "id".into(), id)?].user_data)
+    }
+
+    /// Sets the host's own number for a constraint. No step depends on it.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn set_constraint_user_data(&mut self, id: ConstraintId, user_data: u64) -> Result<()> {
+        let index = self.constraint_index(|| "id".into(), id)?;
+        self.constraints[index].user_data = user_data;
+        Ok(())
     }
 
     /// What a constraint is made from; its target is where it is now.

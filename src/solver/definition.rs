@@ -3,8 +3,9 @@
 use nalgebra::Vector3;
 
 use crate::contact::options::ContactOptions;
-use crate::error::{Error, Result, check_finite};
+use crate::error::{Error, Result, check_finite, check_positive};
 use crate::math::lanes::InstructionSet;
+use crate::platform::HAS_CLOCK;
 pub use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
 use crate::step::options::StepOptions;
 pub use crate::workers::{ParallelFor, Workers};
@@ -28,6 +29,17 @@ pub struct SolverOptions {
     /// length, *jumps*: hair could not follow. Its strand goes along with it as it is, in one step, and swings from there. Above zero; infinite:
     /// no root does. Default 200, twenty times what weighs on hair at rest: heads do less.
     pub jump_acceleration: f64,
+    /// What a step may cost where its call does not say.
+    pub limits: UsualLimits,
+}
+
+/// Limits of the steps that do not come with their own, see [`StepLimits`](crate::meter::StepLimits).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct UsualLimits {
+    /// Most work a substep; above zero. None: [`usual_work`](crate::meter::usual_work).
+    pub work: Option<u64>,
+    /// Seconds a call; above zero. None: any.
+    pub seconds: Option<f64>,
 }
 
 impl Default for SolverOptions {
@@ -40,6 +52,7 @@ impl Default for SolverOptions {
             instruction_set: None,
             contact: ContactOptions::default(),
             jump_acceleration: 200.0,
+            limits: UsualLimits::default(),
         }
     }
 }
@@ -58,6 +71,7 @@ impl SolverOptions {
         self.contact.check(&format!("{argument}.contact"))?;
         self.workers.check(argument)?;
         check_jump_acceleration(&format!("{argument}.jump_acceleration"), self.jump_acceleration)?;
+        self.limits.check(&format!("{argument}.limits"))?;
         if let Some(set) = self.instruction_set
             && set > InstructionSet::detected()
         {
@@ -66,6 +80,21 @@ impl SolverOptions {
                 value: set.name().into(),
                 hint: format!("this machine has {}", InstructionSet::detected().name()),
             });
+        }
+        Ok(())
+    }
+}
+
+impl UsualLimits {
+    pub(super) fn check(&self, argument: &str) -> Result<()> {
+        if self.work == Some(0) {
+            return Err(Error::invalid(format!("{argument}.work"), 0, "1 or more"));
+        }
+        let Some(seconds) = self.seconds else { return Ok(()) };
+        check_positive(|| format!("{argument}.seconds"), seconds)?;
+        if !HAS_CLOCK {
+            let hint = "there is no clock on this platform; limit the work".into();
+            return Err(Error::Unsupported { argument: format!("{argument}.seconds"), value: seconds.to_string(), hint });
         }
         Ok(())
     }

@@ -25,6 +25,7 @@ pub use account::ContactTally;
 use super::bodies::Contact;
 use super::constraints::{Constraint, ConstraintStatus};
 use super::id::{BodyId, SlotMap, StrandId};
+use super::report::Phases;
 use super::strand::{Holds, Strand};
 use super::touching::{self, TouchMemory, Touching};
 use super::workers::{Crew, Scratch};
@@ -74,6 +75,8 @@ pub(super) struct Holding {
     contacts: Vec<Contact>,
     /// What the last substep took beside its iterations, s.
     beside: Beside,
+    /// Seconds that contact problems took since somebody asked.
+    contact_seconds: f64,
     /// Takes parts of a substep, see `parts.rs`.
     shorter: Option<Box<Holding>>,
     /// How often strands are searched for touches that are missed, if not [`MOST_SEARCHES`] times.
@@ -138,6 +141,16 @@ impl Holding {
     /// What a substep takes beside its iterations, as far as that is known.
     pub fn beside(&self) -> Beside {
         self.beside
+    }
+
+    /// The seconds that searches and contact problems took since this was asked last.
+    pub fn take_phases(&mut self) -> Phases {
+        let (search, contact) = (self.touching.take_seconds(), std::mem::take(&mut self.contact_seconds));
+        let mut phases = Phases { search, contact, strands: 0.0 };
+        if let Some(shorter) = &mut self.shorter {
+            phases.add(&shorter.take_phases());
+        }
+        phases
     }
 
     /// Forgets who touched whom: strands or bodies have other indices now.
@@ -515,7 +528,7 @@ impl Holding {
     /// Newton's iterations of all islands, `most` of them at most.
     fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
         let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
-        let Self { strands, islands, packs, count, island_count, .. } = self;
+        let Self { strands, islands, packs, count, island_count, contact_seconds, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         for _ in 0..most {
             let stopped = scene.meter.stopped();
@@ -549,6 +562,7 @@ impl Holding {
                 }
             });
             packs.linearise(strands, islands, scene.crew, meter, |held| !islands[held.island as usize].done);
+            let begins = Instant::now();
             share_out(islands, meter.left());
             // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
             let mut to_solve: Vec<&mut Island> = islands.iter_mut().filter(|island| !island.done).collect();
@@ -572,6 +586,7 @@ impl Holding {
                     solve(island, scratch, &alone);
                 }
             });
+            *contact_seconds += begins.elapsed().as_secs_f64();
             if setting.options.integrator == Integrator::SecondOrder {
                 for island in islands.iter().filter(|island| !island.done && island.iterations < options.max_iterations) {
                     Self::begin_pressed_again(island, strands);

@@ -2,6 +2,9 @@
 
 use std::marker::PhantomData;
 
+use crate::error::Result;
+use crate::memory;
+
 /// An identifier as bits.
 pub trait Identifier: Copy {
     /// Sixteen bits that tell this sort of identifiers from the others.
@@ -86,6 +89,11 @@ pub(super) struct Slot {
 impl<I: Identifier> SlotMap<I> {
     pub fn new(mark: u16) -> Self {
         Self { mark, slots: Vec::new(), free: Vec::new(), sort: PhantomData }
+    }
+
+    /// Room for so many more identifiers.
+    pub fn reserve(&mut self, count: usize) -> Result<()> {
+        memory::grow(&mut self.slots, count.saturating_sub(self.free.len()))
     }
 
     /// A new identifier for the strand at `index`, or `None` when all slots are taken.

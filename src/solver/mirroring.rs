@@ -31,7 +31,7 @@ impl Solver {
             made.push(image(&self.strands[index], id, plane));
         }
         let (gravity, mut kinematics) = (self.options.gravity, Kinematics::default());
-        self.make_room(made.len());
+        self.make_room(made.len())?;
         let mut out = Vec::with_capacity(made.len());
         for mut strand in made {
             strand.update_energies(gravity, &self.rules, &mut kinematics);

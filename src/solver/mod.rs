@@ -3,11 +3,13 @@
 //! Files:
 //!
 //! - `astray.rs`: Strands that a substep did not bring through: left before an iteration, carried over a jump of their root, or rolled back and brought back.
+//! - `attachment.rs`: Strands, bodies and targets of constraints that go along with one pose: a head with all that is on it.
 //! - `bodies.rs`: Bodies: what strands are kept out of.
 //! - `bringing_out.rs`: Curves drawn inside a body of the scene, brought out of it before strands are made of them.
 //! - `bulk_sampling.rs`: Reading many strands at uniform places: packs of them side by side, shared out among the solver's threads.
 //! - `clips.rs`: Clips: strands held where they are in a box, and the box moved.
 //! - `constraints.rs`: Hard constraints: what pins, clamps, ties and rings strands, and what forces that takes.
+//! - `contact_events.rs`: Contacts that begin and end, kept for a host that drains them: between which strand and what, where.
 //! - `crossing.rs`: Where strands cross a blade or the surface that a tooth sweeps, and where they are in a box.
 //! - `deep_places.rs`: Where strands are in bodies and in each other as they are now, whatever a step makes of it.
 //! - `definition.rs`: What a host says to make a solver; strands: `StrandDef`.
@@ -19,6 +21,7 @@
 //! - `id.rs`: Identifiers that can be checked: a slot, the generation of what sits in it, and a mark of the solver that gave it out.
 //! - `jumps.rs`: Roots that jump: that go further within a call of `Solver::step` than their strand can follow, as when a head is dragged.
 //! - `level_of_detail.rs`: Living strands on more or fewer elements.
+//! - `live_options.rs`: Options of a living solver: read, changed, and which of two sets a restored solver has.
 //! - `materials.rs`: Materials of living strands: read, changed, made as stiff as a shape needs.
 //! - `mirroring.rs`: Images of living strands in a mirror.
 //! - `overlaps.rs`: What strands overlap as they are now, and having it allowed.
@@ -42,11 +45,13 @@
 //! - `workers.rs`: Who runs the strands of a step.
 
 mod astray;
+pub mod attachment;
 pub mod bodies;
 mod bringing_out;
 mod bulk_sampling;
 pub mod clips;
 pub mod constraints;
+pub mod contact_events;
 mod crossing;
 mod deep_places;
 pub mod definition;
@@ -58,6 +63,7 @@ mod holding;
 pub mod id;
 mod jumps;
 mod level_of_detail;
+mod live_options;
 mod materials;
 mod mirroring;
 mod overlaps;
@@ -83,11 +89,12 @@ mod workers;
 use nalgebra::Vector3;
 
 pub use bulk_sampling::{SampleSink, Tile, Wanted};
+pub use live_options::RestoredOptions;
 pub use materials::Stiffening;
 pub use overlaps::Overlap;
 pub use render_guides::SolverGuides;
 pub use sampling::Sample;
-pub use snapshot::SNAPSHOT_VERSION;
+pub use snapshot::{Restoring, SNAPSHOT_VERSION, SnapshotShapes};
 pub use stepping::SHORTEST_STEP;
 
 use crate::error::{Error, Result, check_finite};
@@ -95,6 +102,7 @@ use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
 use bodies::SceneBody;
 use constraints::Constraint;
+use contact_events::ContactEvents;
 use definition::SolverOptions;
 use holding::Holding;
 use id::{BodyId, ConstraintId, SlotMap, StrandId};
@@ -118,6 +126,7 @@ pub struct Solver {
     holding: Box<Holding>,
     body_slots: SlotMap<BodyId>,
     bodies: Vec<SceneBody>,
+    events: Option<Box<ContactEvents>>,
 }
 
 impl std::fmt::Debug for Solver {
@@ -150,41 +159,13 @@ impl Solver {
             holding: Box::default(),
             body_slots: SlotMap::new(mark as u16),
             bodies: Vec::new(),
+            events: None,
         })
-    }
-
-    /// What the solver was made from, with later changes.
-    pub fn options(&self) -> &SolverOptions {
-        &self.options
     }
 
     /// The vector instructions that it uses.
     fn instruction_set(&self) -> InstructionSet {
         self.options.instruction_set.unwrap_or_else(InstructionSet::detected)
-    }
-
-    /// Changes gravity, m/s², from the next step on.
-    ///
-    /// # Errors
-    /// [`Error::InvalidArgument`] for a number that is not finite.
-    pub fn set_gravity(&mut self, gravity: Vector3<f64>) -> Result<()> {
-        check_vector("gravity", gravity)?;
-        self.options.gravity = gravity;
-        let rules = &self.rules;
-        self.crew.for_each(&mut self.strands, |strand, scratch| {
-            strand.update_energies(gravity, rules, &mut scratch.step.one.workspace.iterate.kinematics);
-        });
-        Ok(())
-    }
-
-    /// Changes the uniform wind, m/s, from the next step on.
-    ///
-    /// # Errors
-    /// [`Error::InvalidArgument`] for a number that is not finite.
-    pub fn set_wind(&mut self, wind: Vector3<f64>) -> Result<()> {
-        check_vector("wind", wind)?;
-        self.options.wind = wind;
-        Ok(())
     }
 
     /// Bytes that the solver holds, its strands, bodies and constraints included, as it asked the allocator for them; a shape counts
@@ -201,7 +182,8 @@ impl Solver {
             + self.constraint_slots.heap_bytes()
             + bodies::heap_bytes(&self.bodies)
             + self.bodies.capacity() * size_of::<SceneBody>()
-            + self.constraints.capacity() * size_of::<Constraint>();
+            + self.constraints.capacity() * size_of::<Constraint>()
+            + self.events.as_deref().map_or(0, |events| size_of::<ContactEvents>() + events.heap_bytes());
         (lists as f64 + strands + self.sections.heap_bytes()).round() as u64
     }
 

@@ -3,11 +3,15 @@
 use std::sync::Arc;
 
 use super::Solver;
-use super::definition::StrandDef;
+use super::definition::{StrandDef, Workers};
 use super::id::{self, StrandId};
 use super::strand::Strand;
 use crate::error::{Error, Result};
+use crate::memory;
 use crate::rod::section::Section;
+
+/// Bytes that a worker takes for an element of the longest strand while it is made, at most.
+const SCRATCH_OF_AN_ELEMENT: usize = 8192;
 
 /// A strand on its way into the solver.
 struct Made<'a> {
@@ -21,7 +25,7 @@ impl Solver {
     /// Adds strands, all or none; their identifiers come in the order of the definitions.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] naming `strands[i].field`; [`Error::OutOfMemory`] when all identifiers are in use.
+    /// [`Error::InvalidArgument`] naming `strands[i].field`; [`Error::OutOfMemory`] when all identifiers are in use, or there is no room for the strands.
     pub fn add_strands(&mut self, strands: &[StrandDef]) -> Result<Vec<StrandId>> {
         for (index, def) in strands.iter().enumerate() {
             // Named only where it is wrong: a name for each would cost more than the checks.
@@ -30,7 +34,15 @@ impl Solver {
         if self.strands.len() + strands.len() > id::MAX_SLOTS {
             return Err(Error::OutOfMemory { bytes: strands.len().saturating_mul(size_of::<Strand>()) });
         }
-        let mut made: Vec<Made> = Vec::with_capacity(strands.len());
+        let bytes = strands.iter().map(|def| Strand::bytes_of(def, &self.rules)).fold(0, usize::saturating_add);
+        let threads = if let Workers::Pool(threads) = self.options.workers { threads } else { 1 };
+        let longest = strands.iter().map(|def| def.element_lengths.len()).max().unwrap_or(0);
+        let bytes = bytes.saturating_add(longest.saturating_mul(SCRATCH_OF_AN_ELEMENT).saturating_mul(threads));
+        self.slots.reserve(strands.len())?;
+        self.make_room(strands.len())?;
+        let mut ids = memory::list(strands.len())?;
+        let mut made: Vec<Made> = memory::list(strands.len())?;
+        memory::check_room(bytes)?;
         for def in strands {
             let Some(id) = self.slots.insert(self.strands.len() + made.len()) else {
                 // Only retired slots can bring us here; what was given out is taken back.
@@ -44,19 +56,19 @@ impl Solver {
             let strand = strand.insert(Strand::new(*id, def, section.clone(), rules));
             strand.update_energies(gravity, rules, &mut workspace.step.one.workspace.iterate.kinematics);
         });
-        let ids = made.iter().map(|made| made.id).collect();
-        self.make_room(strands.len());
+        ids.extend(made.iter().map(|made| made.id));
         self.strands.extend(made.into_iter().filter_map(|made| made.strand));
         Ok(ids)
     }
 
     /// Room for as many more strands. Grows by an eighth at least, so that adding one by one is not slow; not by the double, as a list of
     /// its own would: most of a solver's memory is here.
-    pub(super) fn make_room(&mut self, more: usize) {
+    pub(super) fn make_room(&mut self, more: usize) -> Result<()> {
         let (length, capacity) = (self.strands.len(), self.strands.capacity());
         if length + more > capacity {
-            self.strands.reserve_exact((length + more).max(capacity + capacity / 8) - length);
+            memory::reserve(&mut self.strands, (length + more).max(capacity + capacity / 8) - length)?;
         }
+        Ok(())
     }
 
     /// Removes strands, all or none, and the constraints on them. The others keep their identifiers and their order.

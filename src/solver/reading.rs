@@ -43,6 +43,14 @@ impl Solver {
         Ok(self.strand("id", id)?.model.material.mean_radius())
     }
 
+    /// Length of a strand, m.
+    ///
+    /// # Errors
+    /// [`Error::InvalidId`].
+    pub fn length(&self, id: StrandId) -> Result<f64> {
+        Ok(self.strand("id", id)?.model.length())
+    }
+
     /// Mass of a strand, kg.
     ///
     /// # Errors

@@ -44,6 +44,27 @@ pub struct StepReport {
     pub parts: u32,
     /// Wall-clock time of the call, s.
     pub seconds: f64,
+    /// What the call spent it on.
+    pub phases: Phases,
+}
+
+/// What a step spent its time on, s. The sum is at most [`StepReport::seconds`]; the rest is what surrounds these.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Phases {
+    /// The search for contacts between strands and with bodies.
+    pub search: f64,
+    /// The equations of motion of single strands.
+    pub strands: f64,
+    /// The contact problems of islands.
+    pub contact: f64,
+}
+
+impl Phases {
+    pub(super) fn add(&mut self, other: &Self) {
+        self.search += other.search;
+        self.strands += other.strands;
+        self.contact += other.contact;
+    }
 }
 
 /// How the elements of a strand are integrated.

@@ -1,7 +1,7 @@
 //! A solver's state as bytes: little-endian, versioned, checksummed; the same image on every machine.
 //!
-//! Layout: "SHXSNAP\0", format version (u32), length of the body (u64), the body, FNV-1a hash of the body (u64). The body holds
-//! the options that act on results, the identifiers, every strand, body and constraint, and what a step in which touches or constraints
+//! Layout: "SHXSNAP\0", format version (u32), length of the body (u64), the body, FNV-1a hash of the body (u64). Shapes that stay as they
+//! are may be kept beside any number of images (`shapes.rs`); an image then has their contents' hashes. The body holds the options that act on results, the identifiers, every strand, body and constraint, and what a step in which touches or constraints
 //! hold strands leaves for the next. Workers, logging and callbacks are the host's and stay out, and so does the list of the last
 //! step's contacts, which acts on nothing.
 //!
@@ -11,35 +11,42 @@
 //! - `bytes.rs`: Numbers into bytes and back: little-endian, every length checked against what is left before memory is taken.
 //! - `constraints.rs`: Constraints: what they ask, where their targets are on their way, what they did last.
 //! - `contact.rs`: What acts on contact beside bodies: options, what strands are to it, and what the last substep left to begin the next with.
+//! - `shapes.rs`: Shapes that stay as they are, kept once beside any number of snapshots, each under its content's hash.
 //! - `strands.rs`: Strands: constants and states.
 
 mod bodies;
 mod bytes;
 mod constraints;
 mod contact;
+mod shapes;
 mod strands;
+
+use std::sync::Arc;
 
 use nalgebra::Vector3;
 
 use super::Solver;
 use super::bodies::SceneBody;
 use super::constraints::Constraint;
-use super::definition::{SolverOptions, check_jump_acceleration};
+use super::definition::{SolverOptions, UsualLimits, check_jump_acceleration};
 use super::holding::Holding;
 use super::id::{BodyId, ConstraintId, SlotMap, StrandId};
+use super::live_options::RestoredOptions;
 use super::sections::Sections;
 use super::strand::Strand;
 use crate::contact::options::ContactOptions;
+use crate::contact::shape::Shape;
 #[cfg(doc)]
 use crate::error::Error;
 use crate::error::Result;
 use crate::math::lane::Precision;
 use crate::math::quadrature::Rules;
+use crate::memory;
 use crate::step::options::{Integrator, LinearSolver, StepOptions};
-use bytes::{Reader, Writer, bad, of_part};
+use bytes::{FNV_START, Reader, Writer, bad, fnv1a, of_part};
 
 /// Changes whenever an image of an older version could not be read.
-pub const SNAPSHOT_VERSION: u32 = 6;
+pub const SNAPSHOT_VERSION: u32 = 7;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -49,6 +56,7 @@ struct Image {
     wind: Vector3<f64>,
     step: StepOptions,
     jump_acceleration: f64,
+    limits: UsualLimits,
     contact: ContactOptions,
     slots: SlotMap<StrandId>,
     body_slots: SlotMap<BodyId>,
@@ -60,20 +68,23 @@ struct Image {
     holding: Holding,
 }
 
-/// FNV-1a, 64 bits.
-fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
+/// What a snapshot has of shapes that stay as they are: meshes, hulls and grids that never deformed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SnapshotShapes {
+    /// All of each: the snapshot is enough by itself.
+    #[default]
+    Included,
+    /// The hashes of their contents. They are found in the solver that is restored, or in an image of [`Solver::snapshot_shapes`].
+    Referenced,
 }
 
-/// Wraps a body into an image.
-fn wrap(body: &[u8]) -> Vec<u8> {
-    let mut image = Vec::with_capacity(HEAD + body.len() + 8);
-    image.extend_from_slice(MAGIC);
-    image.extend_from_slice(&SNAPSHOT_VERSION.to_le_bytes());
-    image.extend_from_slice(&(body.len() as u64).to_le_bytes());
-    image.extend_from_slice(body);
-    image.extend_from_slice(&fnv1a(body).to_le_bytes());
-    image
+/// How a snapshot is restored.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Restoring<'a> {
+    /// Whose options the solver has then.
+    pub options: RestoredOptions,
+    /// An image of [`Solver::snapshot_shapes`], for shapes that the snapshot refers to and the solver does not have.
+    pub shapes: Option<&'a [u8]>,
 }
 
 /// The body of an image, checked.
@@ -93,7 +104,7 @@ fn unwrap(image: &[u8]) -> Result<&[u8]> {
         return Err(bad(format!("it states a body of {length} bytes and holds {}", image.len() - HEAD - 8)));
     }
     let (body, checksum) = image[HEAD..].split_at(image.len() - HEAD - 8);
-    if u64::from_le_bytes(checksum.try_into().unwrap_or_default()) != fnv1a(body) {
+    if u64::from_le_bytes(checksum.try_into().unwrap_or_default()) != fnv1a(FNV_START, body) {
         return Err(bad("its checksum is wrong"));
     }
     Ok(body)
@@ -120,6 +131,20 @@ impl Writer {
         self.f64(step.quadrature_tolerance);
         self.f64(*jump_acceleration);
     }
+
+    fn limits(&mut self, limits: &UsualLimits) {
+        self.u64(limits.work.unwrap_or(0));
+        self.f64(limits.seconds.unwrap_or(0.0));
+    }
+}
+
+impl Reader<'_> {
+    fn limits(&mut self) -> Result<UsualLimits> {
+        let (work, seconds) = (self.u64()?, self.f64()?);
+        let limits = UsualLimits { work: (work > 0).then_some(work), seconds: (seconds != 0.0).then_some(seconds) };
+        limits.check("limits").map_err(|error| of_part("its options", &error))?;
+        Ok(limits)
+    }
 }
 
 fn precision_from(value: u32) -> Result<Precision> {
@@ -131,7 +156,7 @@ fn precision_from(value: u32) -> Result<Precision> {
 }
 
 /// Reads an image back.
-fn read(image: &[u8], rules: &Rules) -> Result<Image> {
+fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) -> Result<Image> {
     let mut reader = Reader { left: unwrap(image)? };
     let gravity = reader.vector()?;
     let wind = reader.vector()?;
@@ -153,6 +178,7 @@ fn read(image: &[u8], rules: &Rules) -> Result<Image> {
     step.check("step").map_err(|error| of_part("its options", &error))?;
     let jump_acceleration = reader.f64()?;
     check_jump_acceleration("jump_acceleration", jump_acceleration).map_err(|error| of_part("its options", &error))?;
+    let limits = reader.limits()?;
     let contact = reader.contact_options()?;
     let slots: SlotMap<StrandId> = reader.slots()?;
     let (body_slots, constraint_slots) = (reader.slots()?, reader.slots()?);
@@ -167,7 +193,7 @@ fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         strand.allowance = reader.allowance()?;
         strands.push(strand);
     }
-    let bodies = reader.bodies(&body_slots)?;
+    let bodies = reader.bodies(&body_slots, find)?;
     let constraints = reader.constraints(&constraint_slots, &strands)?;
     let elements = |index: u32| strands.get(index as usize).map(|strand: &Strand| &*strand.model.lengths);
     let holding = Holding::taken_up(reader.touches()?, elements, bodies.len())
@@ -183,6 +209,7 @@ fn read(image: &[u8], rules: &Rules) -> Result<Image> {
         wind,
         step,
         jump_acceleration,
+        limits,
         contact,
         slots,
         body_slots,
@@ -209,10 +236,44 @@ fn take_up<I: super::id::Identifier>(slots: &mut SlotMap<I>, image: SlotMap<I>) 
 
 impl Solver {
     /// The whole state as bytes, to be given to [`Solver::restore`]: options that act on results, identifiers, strands, bodies,
-    /// constraints. Shapes are in it whole: with large meshes or grids it is as large as they are.
+    /// constraints. Shapes are in it whole: with large meshes or grids it is as large as they are; see [`Solver::snapshot_with`].
     pub fn snapshot(&self) -> Vec<u8> {
-        let mut writer = Writer::default();
+        let shapes = SnapshotShapes::Included;
+        self.write_image(shapes, Vec::with_capacity(self.snapshot_size(shapes)))
+    }
+
+    /// [`Solver::snapshot`], with a choice of what it has of shapes.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`].
+    pub fn snapshot_with(&self, shapes: SnapshotShapes) -> Result<Vec<u8>> {
+        Ok(self.write_image(shapes, memory::list(self.snapshot_size(shapes))?))
+    }
+
+    /// The size of a snapshot, bytes. Nothing is written for it.
+    pub fn snapshot_size(&self, shapes: SnapshotShapes) -> usize {
+        let mut writer = Writer::counting();
+        self.write_body(&mut writer, shapes);
+        HEAD + writer.size() + 8
+    }
+
+    fn write_image(&self, shapes: SnapshotShapes, room: Vec<u8>) -> Vec<u8> {
+        let mut writer = Writer::into(room);
+        writer.bytes(MAGIC);
+        writer.u32(SNAPSHOT_VERSION);
+        writer.u64(0);
+        self.write_body(&mut writer, shapes);
+        let mut image = writer.finished();
+        let length = (image.len() - HEAD) as u64;
+        image[HEAD - 8..HEAD].copy_from_slice(&length.to_le_bytes());
+        let hash = fnv1a(FNV_START, &image[HEAD..]);
+        image.extend_from_slice(&hash.to_le_bytes());
+        image
+    }
+
+    fn write_body(&self, writer: &mut Writer, shapes: SnapshotShapes) {
         writer.options(&self.options);
+        writer.limits(&self.options.limits);
         writer.contact_options(&self.options.contact);
         writer.slots(&self.slots);
         writer.slots(&self.body_slots);
@@ -226,10 +287,16 @@ impl Solver {
             writer.flag(strand.touched);
             writer.allowance(strand.allowance.as_deref());
         }
-        writer.bodies(&self.bodies, |writer, body| writer.u64(body.id.bits()));
-        writer.constraints(&self.constraints, &self.slots, |writer, constraint| writer.u64(constraint.id.bits()));
+        writer.bodies(&self.bodies, shapes, |writer, body| {
+            writer.u64(body.id.bits());
+            writer.flag(body.deforms);
+            writer.u64(body.user_data);
+        });
+        writer.constraints(&self.constraints, &self.slots, |writer, constraint| {
+            writer.u64(constraint.id.bits());
+            writer.u64(constraint.user_data);
+        });
         writer.touches(&self.holding.memory());
-        wrap(&writer.0)
     }
 
     /// Goes back to a snapshot, of this solver or another: strands, bodies, constraints, identifiers and options become those of the
@@ -238,26 +305,57 @@ impl Solver {
     /// # Errors
     /// [`Error::Snapshot`] for an image that is truncated, damaged or of another version.
     pub fn restore(&mut self, image: &[u8]) -> Result<()> {
-        let image = read(image, &self.rules)?;
-        self.options.gravity = image.gravity;
-        self.options.jump_acceleration = image.jump_acceleration;
-        self.options.wind = image.wind;
-        self.options.step = image.step;
-        self.options.contact = image.contact;
-        self.rules.set_tolerance(image.step.quadrature_tolerance);
+        self.restore_with(image, &Restoring::default())
+    }
+
+    /// [`Solver::restore`], with choices.
+    ///
+    /// # Errors
+    /// As [`Solver::restore`]; [`Error::Snapshot`] also for a shape that is nowhere to be found.
+    pub fn restore_with(&mut self, image: &[u8], restoring: &Restoring) -> Result<()> {
+        // Strands in memory take less than twice their bytes in an image, and shapes with what is made for their searches four times.
+        memory::check_room(image.len().saturating_mul(4))?;
+        let find = |content: u128| {
+            if let Some(shape) = self.own_shape(content) {
+                return Ok(shape);
+            }
+            let kept = restoring.shapes.map_or(Ok(None), |shapes| shapes::find(shapes, content))?;
+            kept.ok_or_else(|| {
+                bad(format!("shape {content:032x}, which it refers to, is neither in the solver nor in the shapes given"))
+            })
+        };
+        let image = read(image, &self.rules, &find)?;
         take_up(&mut self.slots, image.slots);
         take_up(&mut self.body_slots, image.body_slots);
         take_up(&mut self.constraint_slots, image.constraint_slots);
         (self.strands, self.sections) = (image.strands, image.sections);
         (self.bodies, self.constraints) = (image.bodies, image.constraints);
         *self.holding = image.holding;
+        self.forget_contact_events();
+        let own = self.options.clone();
+        self.options = SolverOptions {
+            gravity: image.gravity,
+            wind: image.wind,
+            step: image.step,
+            jump_acceleration: image.jump_acceleration,
+            contact: image.contact,
+            limits: image.limits,
+            ..own.clone()
+        };
+        match restoring.options {
+            RestoredOptions::Snapshot => self.rules.set_tolerance(image.step.quadrature_tolerance),
+            RestoredOptions::Own => {
+                let of_image = std::mem::replace(&mut self.options, own);
+                self.options_changed(&of_image);
+            }
+        }
         Ok(())
     }
 
     /// A number that differs when the state differs: options that act on results, every strand, body and constraint, not the
     /// identifiers. The same on every machine and for any number of workers.
     pub fn state_hash(&self) -> u64 {
-        let mut writer = Writer::default();
+        let mut writer = Writer::hashing();
         writer.options(&self.options);
         for strand in &self.strands {
             writer.strand(strand);
@@ -271,7 +369,7 @@ impl Solver {
                 writer.strand_contact(strand.contact.as_deref());
                 writer.flag(strand.touched);
             }
-            writer.bodies(&self.bodies, |_, _| ());
+            writer.bodies(&self.bodies, SnapshotShapes::Included, |_, _| ());
             writer.constraints(&self.constraints, &self.slots, |_, _| ());
             writer.touches(&self.holding.memory());
         }
@@ -281,6 +379,10 @@ impl Solver {
                 writer.allowance(strand.allowance.as_deref());
             }
         }
-        fnv1a(&writer.0)
+        // Nor did the golden hashes know of limits.
+        if self.options.limits != UsualLimits::default() {
+            writer.limits(&self.options.limits);
+        }
+        writer.hash()
     }
 }

@@ -8,7 +8,7 @@ use super::Solver;
 use super::constraints::ConstraintStatus;
 use super::holding::{Account, Beside, ContactTally, Holding, Scene};
 use super::id::BodyId;
-use super::report::{StepReport, Wrench};
+use super::report::{Phases, StepReport, Wrench};
 use super::side_by_side::{self, TrialTally};
 use super::strand::{Holds, Tally};
 use crate::contact::body::{Body, BodyAt};
@@ -98,6 +98,7 @@ struct Spent {
     stopped: Stopped,
     /// The most parts that a substep was taken in.
     parts: u32,
+    phases: Phases,
 }
 
 impl Spent {
@@ -133,6 +134,9 @@ impl Solver {
     /// is no clock (`wasm32-unknown-unknown`).
     pub fn step_within(&mut self, dt: f64, substeps: u32, limits: &StepLimits) -> Result<StepReport> {
         let started = Instant::now();
+        let usual = self.options.limits;
+        let limits =
+            &StepLimits { work: limits.work.or(usual.work), seconds: limits.seconds.or(usual.seconds), cancel: limits.cancel };
         if let Some(seconds) = limits.seconds {
             check_positive(|| "limits.seconds".into(), seconds)?;
             if !HAS_CLOCK {
@@ -160,8 +164,10 @@ impl Solver {
             (ContactTally::default(), self.step_free(h, &clock, &total))
         };
         let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let Spent { work, stopped, parts } = spent;
-        Ok(StepReport { contact, work, stopped, carried: jumped, parts: parts.max(1), ..self.report(&total, substeps, started) })
+        let Spent { work, stopped, parts, phases } = spent;
+        self.note_contacts();
+        let report = self.report(&total, substeps, started);
+        Ok(StepReport { contact, work, stopped, carried: jumped, parts: parts.max(1), phases, ..report })
     }
 
     /// The substeps of a scene in which nothing can hold strands: each task takes its own through all of them.
@@ -171,6 +177,7 @@ impl Solver {
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
         let meter = clock.meter(&Left { work: clock.work(), parts: 1.0, all_parts: 1.0, substeps: 0.0 }, 0.0);
+        let begins = Instant::now();
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
             for substep in 0..clock.substeps {
@@ -186,7 +193,8 @@ impl Solver {
         });
         // What was done in time does not tell that time was up afterwards.
         let late = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
-        Spent { stopped: if late { meter.stopped() } else { Stopped::No }, ..Spent::default() }
+        let phases = Phases { strands: begins.elapsed().as_secs_f64(), ..Phases::default() };
+        Spent { stopped: if late { meter.stopped() } else { Stopped::No }, phases, ..Spent::default() }
     }
 
     /// Whether something may hold strands. Bodies and constraints are on their ways whether they do or not.
@@ -241,13 +249,15 @@ impl Solver {
                     // There is nothing more to be done in any of them: all go along with their roots, at once.
                     let rest = h * (substeps - 1.0 + to_do / all_parts);
                     self.ready_ways(rest);
-                    self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false });
+                    let phases = self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false });
+                    spent.phases.add(&phases);
                     spent.add(&meter, true);
                     break 'substeps;
                 }
                 let is_last = substep + 1 == clock.substeps && part + 1 == parts;
                 let place = Place { is_last, is_fast: parts > 1 };
-                self.take_substep(h / all_parts, &meter, &mut contact, total, place);
+                let phases = self.take_substep(h / all_parts, &meter, &mut contact, total, place);
+                spent.phases.add(&phases);
                 let left = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
                 spent.add(&meter, left);
                 work = work.saturating_sub(meter.units());
@@ -260,8 +270,8 @@ impl Solver {
         (contact, spent)
     }
 
-    /// A substep of `h` seconds, or a part of one.
-    fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, place: Place) {
+    /// A substep of `h` seconds, or a part of one. Gives what it spent its time on.
+    fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, place: Place) -> Phases {
         let Place { is_last, is_fast } = place;
         for scene_body in &mut self.bodies {
             scene_body.body.begin(h);
@@ -291,6 +301,7 @@ impl Solver {
             is_fast,
             is_part: false,
         };
+        let begins = Instant::now();
         let (are_near, tolerance) = (Holding::mark(&mut scene, h), scene.options.tolerance);
         self.crew.for_each_task(scene.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
@@ -307,11 +318,15 @@ impl Solver {
         let mut tally = Tally::default();
         let account = Account { tally: &mut tally, contact, wrenches: &mut wrenches };
         self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), account);
+        let taken = begins.elapsed().as_secs_f64();
         total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         for (body, wrench) in self.bodies.iter_mut().zip(wrenches) {
             body.wrench = wrench;
             body.body.finish(h);
         }
+        // Strands are what is neither searching nor contact: who takes them does so between the two.
+        let Phases { search, contact, .. } = self.holding.take_phases();
+        Phases { search, contact, strands: (taken - search - contact).max(0.0) }
     }
 
     fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {

@@ -17,13 +17,14 @@ use crate::contact::shape::Bounds;
 use crate::math::frame::Frame;
 use crate::math::quadrature::Rules;
 use crate::math::rotation::PoseMove;
+use crate::memory::BLOCK;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::section::Section;
 use crate::rod::strand::StrandModel;
 use crate::step::members::One;
 use crate::step::options::Integrator;
 use crate::step::scratch::Scratch;
-use crate::step::state::{StrandState, rotation_matrix};
+use crate::step::state::{Earlier, StrandState, rotation_matrix};
 use crate::step::{Setting, StrandOutcome};
 
 /// A strand and all that the solver keeps about it.
@@ -306,6 +307,19 @@ impl Strand {
             energies.gravity -= mass * gravity.dot(&(self.state.root.origin + Vector3::from(point.position)));
         }
         self.energies = energies;
+    }
+
+    /// Bytes that a strand of a definition will take, at most: its lists, with what an allocator adds, and the step before once it has one.
+    pub fn bytes_of(def: &StrandDef, rules: &Rules) -> usize {
+        let elements = def.element_lengths.len();
+        let shape = def.initial.as_ref().unwrap_or(&def.natural);
+        let turn = |(row, length): (&[f64; 3], &f64)| Vector3::from(*row).norm() * length;
+        let angle = shape.iter().zip(&def.element_lengths).map(turn).fold(0.0, f64::max);
+        let points = elements.saturating_mul(rules.rule(rules.next_for_angle(0, angle)).len());
+        let row = size_of::<[f64; 3]>();
+        let rows = elements.saturating_mul(3 * row + size_of::<f64>()).saturating_add(points.saturating_mul(row));
+        let pieces = 8 * BLOCK + size_of::<Section>() + size_of::<Earlier>();
+        rows.saturating_add(elements.saturating_add(points).saturating_mul(row)).saturating_add(pieces)
     }
 
     /// Gives back the room that lists have beyond their length.

@@ -26,6 +26,7 @@ use crate::contact::options::ContactOptions;
 use crate::contact::pieces::Wisp;
 use crate::contact::touch::{Partner, Place, StrandPath, Touch};
 use crate::contact::touches::TouchScratch;
+use crate::platform::Instant;
 
 /// Surfaces nearer than this at the present iterate are touches, m; nearer than this share of the largest wisp's radius for strands.
 pub(super) const NEAR: f64 = 1e-3;
@@ -94,9 +95,16 @@ pub(super) struct Touching {
     /// Some of the strands may overlap others or bodies.
     allows: bool,
     remembered: Vec<Remembered>,
+    /// Seconds that searches took since somebody asked.
+    seconds: f64,
 }
 
 impl Touching {
+    /// The seconds that searches took since this was asked last.
+    pub fn take_seconds(&mut self) -> f64 {
+        std::mem::take(&mut self.seconds)
+    }
+
     /// Forgets the last substep's touches and pairs.
     pub fn forget(&mut self) {
         self.remembered.clear();
@@ -122,6 +130,12 @@ impl Touching {
     /// other is known. At a substep's start also those that may come to touch, later only what is in each other. Where the meter halts it some are
     /// missing, and these strands have still moved.
     pub fn find(&mut self, scene: &Scene, strands: &mut [HeldStrand], at_start: bool) {
+        let begins = Instant::now();
+        self.search(scene, strands, at_start);
+        self.seconds += begins.elapsed().as_secs_f64();
+    }
+
+    fn search(&mut self, scene: &Scene, strands: &mut [HeldStrand], at_start: bool) {
         self.hair.clear();
         if at_start {
             self.allows = scene.strands.iter().any(|strand| strand.allowance.is_some());

@@ -39,7 +39,7 @@ impl Solver {
         for (k, (index, arclength)) in indices.into_iter().zip(arclengths).enumerate() {
             let name = format!("arclengths[{k}]");
             let strand = &self.strands[index];
-            check_cut(&name, *arclength, strand.model.length())?;
+            check_cut(&name, *arclength, strand.model.length(), format_args!("ids[{k}], 0x{:016x}", strand.id.bits()))?;
             let lengths = cut_lengths(&strand.model.lengths, *arclength);
             if *lengths == *strand.model.lengths {
                 continue;
@@ -95,7 +95,9 @@ impl Solver {
             let at = |strand: StrandId, arclength: f64| (strand == id).then_some(arclength);
             let ends = [at(constraint.def.strand, constraint.state.arclength), constraint.tied(id)];
             if let Some(held) = ends.into_iter().flatten().find(|held| *held > length * (1.0 + 1e-9)) {
-                let what = format!("a change to the length {length} m of a strand that a constraint holds at {held} m");
+                let bits = id.bits();
+                let what =
+                    format!("a change to the length {length} m of strand 0x{bits:016x}, which a constraint holds at {held} m");
                 return Err(Error::invalid(
                     argument,
                     what,

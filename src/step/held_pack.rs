@@ -428,7 +428,7 @@ impl<T: Lane> HeldPack<T> {
         let iterate = &mut self.bench.workspace.iterate;
         std::mem::swap(&mut iterate.system.point_tension, &mut iterate.spare_tension);
         foresee(iterate, &axes[..self.freedoms.count()], part);
-        let others = (1_u32 << T::LANES) - 1 & !moved;
+        let others = ((1_u32 << T::LANES) - 1) & !moved;
         if others != 0 {
             let moved = T::mask(moved);
             if self.exact == 0 {

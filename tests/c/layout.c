@@ -8,7 +8,7 @@
 #define SIZE(type, size) ASSERT(sizeof(type) == (size))
 #define AT(type, field, offset) ASSERT(offsetof(type, field) == (offset))
 
-SIZE(shx_solver_def, 176);
+SIZE(shx_solver_def, 184);
 AT(shx_solver_def, struct_size, 0);
 AT(shx_solver_def, worker_count, 4);
 AT(shx_solver_def, gravity, 8);
@@ -31,6 +31,38 @@ AT(shx_solver_def, reference_tolerance, 136);
 AT(shx_solver_def, quadrature_tolerance, 144);
 AT(shx_solver_def, jump_acceleration, 152);
 AT(shx_solver_def, reserved, 160);
+AT(shx_solver_def, user_data, 176);
+
+SIZE(shx_solver_options, 144);
+AT(shx_solver_options, struct_size, 0);
+AT(shx_solver_options, integrator, 4);
+AT(shx_solver_options, linear_solver, 8);
+AT(shx_solver_options, precision, 12);
+AT(shx_solver_options, max_iterations, 16);
+AT(shx_solver_options, exact_hessian, 20);
+AT(shx_solver_options, max_subdivisions, 24);
+AT(shx_solver_options, instruction_set, 28);
+AT(shx_solver_options, gravity, 32);
+AT(shx_solver_options, wind, 56);
+AT(shx_solver_options, tolerance, 80);
+AT(shx_solver_options, error_tolerance, 88);
+AT(shx_solver_options, reference_tolerance, 96);
+AT(shx_solver_options, quadrature_tolerance, 104);
+AT(shx_solver_options, jump_acceleration, 112);
+AT(shx_solver_options, max_work, 120);
+AT(shx_solver_options, max_seconds, 128);
+AT(shx_solver_options, worker_count, 136);
+AT(shx_solver_options, reserved0, 140);
+
+SIZE(shx_restore_def, 24);
+AT(shx_restore_def, struct_size, 0);
+AT(shx_restore_def, options, 4);
+AT(shx_restore_def, shapes, 8);
+AT(shx_restore_def, shapes_size, 16);
+
+SIZE(shx_snapshot_def, 8);
+AT(shx_snapshot_def, struct_size, 0);
+AT(shx_snapshot_def, shapes, 4);
 
 SIZE(shx_frame, 56);
 AT(shx_frame, origin, 0);
@@ -59,7 +91,7 @@ AT(shx_strand_def, root_velocity, 184);
 AT(shx_strand_def, root_angular_velocity, 208);
 AT(shx_strand_def, reserved, 232);
 
-SIZE(shx_step_report, 176);
+SIZE(shx_step_report, 200);
 AT(shx_step_report, struct_size, 0);
 AT(shx_step_report, quarantined, 4);
 AT(shx_step_report, unconverged, 8);
@@ -89,6 +121,9 @@ AT(shx_step_report, work, 152);
 AT(shx_step_report, jumped_roots, 160);
 AT(shx_step_report, fast_body_pieces, 164);
 AT(shx_step_report, capped_contact_forces, 168);
+AT(shx_step_report, search_seconds, 176);
+AT(shx_step_report, strand_seconds, 184);
+AT(shx_step_report, contact_seconds, 192);
 
 SIZE(shx_step_limits, 32);
 AT(shx_step_limits, struct_size, 0);
@@ -114,10 +149,14 @@ AT(shx_output, count, 16);
 AT(shx_output, format, 24);
 AT(shx_output, reserved, 28);
 
-SIZE(shx_sample_def, 32);
+SIZE(shx_sample_def, 128);
 AT(shx_sample_def, struct_size, 0);
 AT(shx_sample_def, points_per_strand, 4);
 AT(shx_sample_def, origin, 8);
+AT(shx_sample_def, x_axis, 32);
+AT(shx_sample_def, y_axis, 56);
+AT(shx_sample_def, z_axis, 80);
+AT(shx_sample_def, translation, 104);
 
 SIZE(shx_settings, 64);
 AT(shx_settings, struct_size, 0);
@@ -273,7 +312,7 @@ AT(shx_body_id, bits, 0);
 SIZE(shx_constraint_id, 8);
 AT(shx_constraint_id, bits, 0);
 
-SIZE(shx_body_def, 312);
+SIZE(shx_body_def, 320);
 AT(shx_body_def, struct_size, 0);
 AT(shx_body_def, shape, 4);
 AT(shx_body_def, pose, 8);
@@ -297,6 +336,7 @@ AT(shx_body_def, viscous_friction_scale, 288);
 AT(shx_body_def, groups, 296);
 AT(shx_body_def, mask, 300);
 AT(shx_body_def, shape_of, 304);
+AT(shx_body_def, user_data, 312);
 
 SIZE(shx_contact_options, 72);
 AT(shx_contact_options, struct_size, 0);
@@ -341,7 +381,21 @@ AT(shx_contact, force, 96);
 AT(shx_contact, slip, 120);
 AT(shx_contact, gap, 144);
 
-SIZE(shx_constraint_def, 120);
+SIZE(shx_contact_event, 128);
+AT(shx_contact_event, event, 0);
+AT(shx_contact_event, partner, 4);
+AT(shx_contact_event, strand, 8);
+AT(shx_contact_event, arclength, 16);
+AT(shx_contact_event, element, 24);
+AT(shx_contact_event, triangle, 28);
+AT(shx_contact_event, body, 32);
+AT(shx_contact_event, other_strand, 40);
+AT(shx_contact_event, other_arclength, 48);
+AT(shx_contact_event, position, 56);
+AT(shx_contact_event, normal, 80);
+AT(shx_contact_event, force, 104);
+
+SIZE(shx_constraint_def, 128);
 AT(shx_constraint_def, struct_size, 0);
 AT(shx_constraint_def, kind, 4);
 AT(shx_constraint_def, strand, 8);
@@ -352,6 +406,7 @@ AT(shx_constraint_def, target, 40);
 AT(shx_constraint_def, friction_along, 96);
 AT(shx_constraint_def, friction_against, 104);
 AT(shx_constraint_def, compliance, 112);
+AT(shx_constraint_def, user_data, 120);
 
 SIZE(shx_constraint_state, 72);
 AT(shx_constraint_state, status, 0);
@@ -512,7 +567,7 @@ AT(shx_render_guides, velocities, 88);
 AT(shx_render_guides, root_angular_velocities, 120);
 AT(shx_render_guides, reserved, 152);
 
-SIZE(shx_render_view, 160);
+SIZE(shx_render_view, 256);
 AT(shx_render_view, struct_size, 0);
 AT(shx_render_view, reserved0, 4);
 AT(shx_render_view, first_strand, 8);
@@ -523,6 +578,10 @@ AT(shx_render_view, interval, 56);
 AT(shx_render_view, roots, 64);
 AT(shx_render_view, previous_roots, 96);
 AT(shx_render_view, reserved, 128);
+AT(shx_render_view, x_axis, 160);
+AT(shx_render_view, y_axis, 184);
+AT(shx_render_view, z_axis, 208);
+AT(shx_render_view, translation, 232);
 
 SIZE(shx_follicle, 24);
 AT(shx_follicle, triangle, 0);

@@ -8,8 +8,10 @@ use std::ptr::{null, null_mut};
 use superhelix::capi::errors::*;
 use superhelix::capi::guard::{panic_inside, shx_solver};
 use superhelix::capi::log::*;
+use superhelix::capi::posing::shx_solver_cut_strands;
 use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
+use superhelix::capi::state::{shx_solver_snapshot, shx_solver_state_hash};
 use superhelix::capi::step::*;
 use superhelix::capi::strand_def::*;
 use superhelix::capi::strands::*;
@@ -154,8 +156,15 @@ fn messages_reach_the_host_of_their_solver() {
         shx_solver_destroy(handle);
     }
     let levels: Vec<u32> = messages.iter().map(|(level, _)| *level).collect();
-    assert_eq!(levels, [SHX_LOG_INFO, SHX_LOG_DEBUG, SHX_LOG_ERROR], "{messages:?}");
-    assert!(messages[2].1.contains("dt is NaN"), "{messages:?}");
+    assert_eq!(levels, [SHX_LOG_INFO, SHX_LOG_DEBUG, SHX_LOG_DEBUG, SHX_LOG_ERROR], "{messages:?}");
+    // One line for a reader; what only helps debugging comes at its own level.
+    let summary = &messages[0].1;
+    assert!(summary.len() < 160 && !summary.contains(['{', '\n']), "{summary}");
+    for part in ["second order", "double precision", "1 thread", "gravity (0, 0, -9.81) m/s^2"] {
+        assert!(summary.contains(part), "{summary}");
+    }
+    assert!(messages[1].1.contains("tolerance"), "{messages:?}");
+    assert!(messages[3].1.contains("dt is NaN"), "{messages:?}");
 }
 
 #[test]
@@ -199,6 +208,44 @@ fn rule_2_a_removed_strands_id_never_names_another() {
             assert!(seen.iter().all(|bits| !shx_solver_has_strand(handle, shx_strand_id { bits: *bits })));
         }
         assert!(shx_solver_has_strand(handle, first));
+        shx_solver_destroy(handle);
+    }
+}
+
+/// Images are counted in bytes, everything else in items.
+#[test]
+fn a_buffer_that_is_too_small_is_measured_in_its_own_unit() {
+    let handle = solver(None, null_mut());
+    let id = add(handle, |_| ());
+    add(handle, |_| ());
+    let (mut image, mut size, mut ids) = ([0_u8; 10], 0, [id]);
+    // SAFETY: a living handle, room for ten bytes, a number and an id.
+    unsafe {
+        let result = shx_solver_snapshot(handle, image.as_mut_ptr().cast(), image.len(), &raw mut size);
+        assert_eq!(result, SHX_ERROR_BUFFER_TOO_SMALL);
+        let message = text();
+        assert!(message.contains("out_image holds 10 bytes; ") && !message.contains("items"), "{message}");
+        assert_eq!(shx_solver_strand_ids(handle, ids.as_mut_ptr(), 1), SHX_ERROR_BUFFER_TOO_SMALL);
+        assert!(text().contains("out_ids holds 1 items; 2 are needed"), "{}", text());
+        shx_solver_destroy(handle);
+    }
+}
+
+#[test]
+fn a_batch_of_cuts_says_which_strand_cannot_be_cut_and_cuts_none() {
+    let handle = solver(None, null_mut());
+    let ids = [add(handle, |_| ()), add(handle, |_| ()), add(handle, |_| ())];
+    let (mut before, mut after) = (0, 0);
+    // SAFETY: a living handle, three ids and numbers, room for hashes.
+    unsafe {
+        assert_eq!(shx_solver_state_hash(handle, &raw mut before), SHX_OK);
+        assert_eq!(shx_solver_cut_strands(handle, ids.as_ptr(), 3, [0.05, 0.05, 0.3].as_ptr()), SHX_ERROR_INVALID_ARGUMENT);
+        let message = text();
+        let named =
+            format!("arclengths[2] is 0.3; expected above zero, at most 0.1 m, the length of ids[2], 0x{:016x}", ids[2].bits);
+        assert!(message.contains(&named), "{message}");
+        assert_eq!(shx_solver_state_hash(handle, &raw mut after), SHX_OK);
+        assert_eq!(before, after);
         shx_solver_destroy(handle);
     }
 }

@@ -4,13 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The subjects of the header in its order: a title, and the sources whose items stand under it, each in the order of its source.
-const SUBJECTS: [(&str, &[&str]); 32] = [
+const SUBJECTS: [(&str, &[&str]); 33] = [
     ("Version", &["version"]),
     ("Results and errors", &["errors"]),
     (HANDLES, &["guard"]),
     ("Ids, frames, inputs and outputs", &["types"]),
     ("Messages and threads", &["log", "parallel"]),
-    ("Solver", &["solver_def", "solver"]),
+    ("Solver", &["solver_def", "solver", "solver_options"]),
     ("Stepping", &["step_limits", "step"]),
     ("Strands", &["strand_def", "strands"]),
     ("Roots", &["roots"]),
@@ -22,9 +22,10 @@ const SUBJECTS: [(&str, &[&str]); 32] = [
     ("Posing by hand", &["pose_def", "posing"]),
     ("Sampling", &["sampling"]),
     ("Bodies", &["body_def", "bodies", "distance_grid"]),
-    ("Contact", &["contact", "contacts"]),
+    ("Contact", &["contact", "contacts", "contact_events"]),
     ("Overlaps", &["overlaps", "push_out"]),
     ("Constraints", &["constraints"]),
+    ("Rigid attachments", &["attachment"]),
     ("Haptics", &["haptic_def", "haptic"]),
     ("Styling tools", &["styling_tool", "styling", "ring_comb"]),
     ("Snapshots", &["state"]),

@@ -8,6 +8,7 @@ use superhelix::capi::{
     body_def::shx_body_def,
     constraints::{shx_constraint_def, shx_constraint_state},
     contact::{shx_contact_options, shx_strand_contact},
+    contact_events::shx_contact_event,
     contacts::shx_contact,
     curve_data::shx_curve_data,
     distance_grid::shx_distance_grid_def,
@@ -27,7 +28,9 @@ use superhelix::capi::{
     settings::shx_settings,
     settle::{shx_settle_def, shx_settle_report},
     solver_def::shx_solver_def,
+    solver_options::shx_solver_options,
     spline::shx_spline_def,
+    state::{shx_restore_def, shx_snapshot_def},
     step::shx_step_report,
     step_limits::shx_step_limits,
     strand_def::shx_strand_def,
@@ -57,15 +60,18 @@ macro_rules! layouts {
 #[test]
 fn every_size_and_offset_is_as_published() {
     let expected = layouts! {
-        shx_solver_def: 176 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reference_tolerance: 136, quadrature_tolerance: 144, jump_acceleration: 152, reserved: 160 }
+        shx_solver_def: 184 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reference_tolerance: 136, quadrature_tolerance: 144, jump_acceleration: 152, reserved: 160, user_data: 176 }
+        shx_solver_options: 144 { struct_size: 0, integrator: 4, linear_solver: 8, precision: 12, max_iterations: 16, exact_hessian: 20, max_subdivisions: 24, instruction_set: 28, gravity: 32, wind: 56, tolerance: 80, error_tolerance: 88, reference_tolerance: 96, quadrature_tolerance: 104, jump_acceleration: 112, max_work: 120, max_seconds: 128, worker_count: 136, reserved0: 140 }
+        shx_restore_def: 24 { struct_size: 0, options: 4, shapes: 8, shapes_size: 16 }
+        shx_snapshot_def: 8 { struct_size: 0, shapes: 4 }
         shx_frame: 56 { origin: 0, rotation: 24 }
         shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, dofs: 88, reserved0: 92, root: 96, natural_curvatures: 152, user_data: 160, initial_curvatures: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
-        shx_step_report: 176 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_local_error: 80, contacts: 88, contact_searches: 92, max_contact_iterations: 96, unconverged_islands: 100, contact_sweeps: 104, max_contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside_bodies: 136, stop_reason: 144, unfinished: 148, work: 152, jumped_roots: 160, fast_body_pieces: 164, capped_contact_forces: 168 }
+        shx_step_report: 200 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_local_error: 80, contacts: 88, contact_searches: 92, max_contact_iterations: 96, unconverged_islands: 100, contact_sweeps: 104, max_contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside_bodies: 136, stop_reason: 144, unfinished: 148, work: 152, jumped_roots: 160, fast_body_pieces: 164, capped_contact_forces: 168, search_seconds: 176, strand_seconds: 184, contact_seconds: 192 }
         shx_step_limits: 32 { struct_size: 0, reserved0: 4, max_work: 8, max_seconds: 16, cancel: 24 }
         shx_strand_id: 8 { bits: 0 }
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
         shx_output: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }
-        shx_sample_def: 32 { struct_size: 0, points_per_strand: 4, origin: 8 }
+        shx_sample_def: 128 { struct_size: 0, points_per_strand: 4, origin: 8, x_axis: 32, y_axis: 56, z_axis: 80, translation: 104 }
         shx_settings: 64 { struct_size: 0, integrator: 4, max_iterations: 8, substeps: 12, element_count: 16, max_subdivisions: 20, tolerance: 24, error_tolerance: 32, rms_error: 40, cost: 48, quadrature_tolerance: 56 }
         shx_settle_def: 24 { struct_size: 0, max_steps: 4, tolerance: 8, check_stability: 16, reserved: 20 }
         shx_settle_report: 48 { struct_size: 0, unconverged: 4, unstable: 8, saddles: 12, iterations: 16, max_residual: 24, smallest_eigenvalue: 32, seconds: 40 }
@@ -80,11 +86,12 @@ fn every_size_and_offset_is_as_published() {
         shx_friction_fit_report: 200 { struct_size: 0, converged: 4, internal_friction: 8, viscosity: 56, air_drag: 104, rms_residual: 152, noise: 160, residual_correlation: 168, offset: 176, simulations: 184, unconverged: 188, first_compared: 192, compared: 196 }
         shx_body_id: 8 { bits: 0 }
         shx_constraint_id: 8 { bits: 0 }
-        shx_body_def: 312 { struct_size: 0, shape: 4, pose: 8, radius: 64, a: 72, b: 96, semi_axes: 120, half_extents: 144, normal: 168, vertices: 192, triangles: 224, triangle_count: 232, sides: 240, reserved0: 244, depth: 248, grid: 256, grid_size: 264, thickness: 272, friction_scale: 280, viscous_friction_scale: 288, groups: 296, mask: 300, shape_of: 304 }
+        shx_body_def: 320 { struct_size: 0, shape: 4, pose: 8, radius: 64, a: 72, b: 96, semi_axes: 120, half_extents: 144, normal: 168, vertices: 192, triangles: 224, triangle_count: 232, sides: 240, reserved0: 244, depth: 248, grid: 256, grid_size: 264, thickness: 272, friction_scale: 280, viscous_friction_scale: 288, groups: 296, mask: 300, shape_of: 304, user_data: 312 }
         shx_contact_options: 72 { struct_size: 0, model: 4, hair_contact: 8, max_iterations: 12, max_sweeps: 16, reserved0: 20, stiffness: 24, damping: 32, regularisation_depth: 40, tolerance: 48, residual: 56, separation_speed: 64 }
         shx_strand_contact: 88 { struct_size: 0, groups: 4, mask: 8, reserved0: 12, radius: 16, wisp_radius: 24, friction_along: 32, friction_against: 40, hair_friction_along: 48, hair_friction_against: 56, viscous_friction_along: 64, viscous_friction_against: 72, exempt_length: 80 }
         shx_contact: 152 { strand: 0, arclength: 8, partner: 16, triangle: 20, body: 24, other_strand: 32, other_arclength: 40, position: 48, normal: 72, force: 96, slip: 120, gap: 144 }
-        shx_constraint_def: 120 { struct_size: 0, kind: 4, strand: 8, arclength: 16, other_strand: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112 }
+        shx_contact_event: 128 { event: 0, partner: 4, strand: 8, arclength: 16, element: 24, triangle: 28, body: 32, other_strand: 40, other_arclength: 48, position: 56, normal: 80, force: 104 }
+        shx_constraint_def: 128 { struct_size: 0, kind: 4, strand: 8, arclength: 16, other_strand: 24, other_arclength: 32, target: 40, friction_along: 96, friction_against: 104, compliance: 112, user_data: 120 }
         shx_constraint_state: 72 { status: 0, reserved: 4, arclength: 8, error: 16, force: 24, torque: 48 }
         shx_hair_type: 176 { struct_size: 0, curl: 4, mean_radius: 8, ellipticity: 16, helix_radius: 24, helix_pitch: 32, youngs_modulus: 40, poisson_ratio: 48, density: 56, internal_friction: 64, air_drag: 72, friction: 80, variation_between: 88, variation_along: 96, variation_thickness: 104, frizz: 112, variation_period: 120, root_turn: 128, seed: 136, reserved: 144 }
         shx_hair_sliders: 64 { struct_size: 0, reserved0: 4, curliness: 8, stiffness: 16, discipline: 24, weight: 32, combing_ease: 40, reserved: 48 }
@@ -97,7 +104,7 @@ fn every_size_and_offset_is_as_published() {
         shx_wisp: 24 { struct_size: 0, reserved0: 4, hairs: 8, hold: 16 }
         shx_render_settings: 248 { struct_size: 0, points_per_strand: 4, interpolation: 8, guides_per_strand: 12, curliness: 16, measure_curliness: 24, wisps_per_guide: 28, max_tip_distance: 32, max_tip_ratio: 40, wisp_profile: 48, wisp_flatness: 72, wisp_noise: 80, wisp_noise_waves: 88, frizz: 96, frizz_waves: 104, flyaway_fraction: 112, flyaway_distance: 120, length_variation: 128, radius: 136, tip_radius: 144, taper_start: 152, taper_shape: 160, radius_variation: 168, body_clearance: 176, seed: 184, preserve_length: 192, worker_count: 196, parallel_for: 200, parallel_for_user: 208, reserved: 216 }
         shx_render_guides: 184 { struct_size: 0, reserved0: 4, guide_count: 8, points: 16, point_counts: 48, roots: 56, velocities: 88, root_angular_velocities: 120, reserved: 152 }
-        shx_render_view: 160 { struct_size: 0, reserved0: 4, first_strand: 8, strand_count: 16, origin: 24, previous_pose: 48, interval: 56, roots: 64, previous_roots: 96, reserved: 128 }
+        shx_render_view: 256 { struct_size: 0, reserved0: 4, first_strand: 8, strand_count: 16, origin: 24, previous_pose: 48, interval: 56, roots: 64, previous_roots: 96, reserved: 128, x_axis: 160, y_axis: 184, z_axis: 208, translation: 232 }
         shx_follicle: 24 { triangle: 0, reserved: 4, barycentric: 8 }
         shx_scalp_def: 120 { struct_size: 0, reserved0: 4, vertices: 8, triangles: 40, triangle_count: 48, uvs: 56, reference_axis: 64, reserved: 88 }
         shx_scatter_def: 128 { struct_size: 0, reserved0: 4, count: 8, spacing: 16, density: 24, density_width: 32, density_height: 40, seed: 48, guide_roots: 56, max_guide_distance: 88, reserved: 96 }

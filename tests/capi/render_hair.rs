@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use superhelix::capi::bodies::shx_solver_add_bodies;
 use superhelix::capi::body_def::{SHX_SHAPE_SPHERE, shx_body_def, shx_body_def_init};
-use superhelix::capi::errors::SHX_OK;
+use superhelix::capi::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
 use superhelix::capi::guard::shx_solver;
 use superhelix::capi::parallel::shx_range_fn;
 use superhelix::capi::render_def::*;
@@ -423,5 +423,54 @@ fn hair_is_saved_and_outlives_a_guide() {
         for (root, strand) in roots.iter().zip(found.chunks(POINTS)) {
             assert!((0..3).all(|axis| (root[axis] - strand[0][axis]).abs() < 1e-6), "{root:?} {:?}", strand[0]);
         }
+    }
+}
+
+/// Render hair in a host's centimetres, y up and left-handed, against what the host would have made of the world's.
+#[test]
+fn render_hair_comes_in_the_host_s_units_and_axes() {
+    let points = curves();
+    let roots: Vec<[f32; 3]> = (0..40).map(|k| [0.01 + 2e-4 * k as f32, 0.012, 0.0]).collect();
+    let made = Made::new(&settings(SHX_INTERPOLATION_POSITION), &guides(&points), &roots);
+    let evaluate = |view: &shx_render_view| {
+        let count = roots.len() * POINTS;
+        let (mut points, mut frames) = (vec![[f32::NAN; 4]; count], vec![[f32::NAN; 4]; count]);
+        let places = [output(&mut points, count, SHX_FORMAT_F32X4), output(&mut frames, count, SHX_FORMAT_F32X4)];
+        // SAFETY: a living pose and memory of the size that is stated.
+        unsafe { assert_eq!(shx_render_pose_evaluate(made.pose, view, &places[0], &places[1], null()), SHX_OK) };
+        (points, frames)
+    };
+    let plain = filled(shx_render_view_init);
+    let (world, world_frames) = evaluate(&plain);
+    let host = shx_render_view {
+        x_axis: [100.0, 0.0, 0.0],
+        y_axis: [0.0, 0.0, 100.0],
+        z_axis: [0.0, 100.0, 0.0],
+        translation: [0.0, 5.0, 0.0],
+        ..plain
+    };
+    let (points, frames) = evaluate(&host);
+    let turned = |q: [f32; 4], axis: nalgebra::Vector3<f64>| {
+        let [x, y, z, w] = q.map(f64::from);
+        nalgebra::UnitQuaternion::new_normalize(nalgebra::Quaternion::new(w, x, y, z)) * axis
+    };
+    for (k, (own, world)) in points.iter().zip(&world).enumerate() {
+        let expected = [100.0 * world[0], 100.0 * world[2] + 5.0, 100.0 * world[1], 100.0 * world[3]];
+        assert!(
+            (0..4).all(|axis| (own[axis] - expected[axis]).abs() <= 2e-6 * (1.0 + expected[axis].abs())),
+            "{own:?} {expected:?}"
+        );
+        for axis in [nalgebra::Vector3::x(), nalgebra::Vector3::y()] {
+            let there = turned(world_frames[k], axis);
+            let expected = nalgebra::Vector3::new(there.x, there.z, there.y);
+            assert!((turned(frames[k], axis) - expected).norm() < 1e-5);
+        }
+    }
+    let crooked = shx_render_view { y_axis: [0.0, 1.0, 1.0], ..plain };
+    let mut out = vec![[0.0_f32; 4]; roots.len() * POINTS];
+    let place = output(&mut out, roots.len() * POINTS, SHX_FORMAT_F32X4);
+    // SAFETY: the same.
+    unsafe {
+        assert_eq!(shx_render_pose_evaluate(made.pose, &crooked, &place, null(), null()), SHX_ERROR_INVALID_ARGUMENT);
     }
 }

@@ -51,7 +51,16 @@ impl Scene {
     }
 
     fn sample(&self, origin: [f64; 3], points: Option<shx_output>, frames: Option<shx_output>, velocities: Option<shx_output>) {
-        let def = shx_sample_def { struct_size: size_of::<shx_sample_def>() as u32, points_per_strand: POINTS as u32, origin };
+        self.sample_by(&shx_sample_def { origin, ..sample_def() }, points, frames, velocities);
+    }
+
+    fn sample_by(
+        &self,
+        def: &shx_sample_def,
+        points: Option<shx_output>,
+        frames: Option<shx_output>,
+        velocities: Option<shx_output>,
+    ) {
         let pointer = |output: &Option<shx_output>| output.as_ref().map_or(null(), std::ptr::from_ref);
         // SAFETY: outputs over memory of the test.
         let result = unsafe {
@@ -59,13 +68,23 @@ impl Scene {
                 self.solver,
                 self.ids.as_ptr(),
                 STRANDS,
-                &raw const def,
+                def,
                 pointer(&points),
                 pointer(&frames),
                 pointer(&velocities),
             )
         };
         assert_eq!(result, SHX_OK);
+    }
+}
+
+/// The defaults, with few points.
+fn sample_def() -> shx_sample_def {
+    let mut def = std::mem::MaybeUninit::<shx_sample_def>::uninit();
+    // SAFETY: room for one structure, which the call fills.
+    unsafe {
+        assert_eq!(shx_sample_def_init(def.as_mut_ptr(), size_of::<shx_sample_def>()), SHX_OK);
+        shx_sample_def { points_per_strand: POINTS as u32, ..def.assume_init() }
     }
 }
 
@@ -252,5 +271,71 @@ fn the_force_on_a_follicle_at_rest_is_the_weight() {
         assert!((force[0][2] + weight).abs() < 1e-9 * weight, "{force:?} {weight}");
         assert!(torque[0].iter().all(|number| number.abs() < 1e-12), "{torque:?}");
         shx_solver_destroy(solver);
+    }
+}
+
+/// A host in centimetres, y up, left-handed, somewhere else: what the library gives it is what the host would have made of the world's numbers.
+#[test]
+fn outputs_come_in_the_host_s_units_and_axes() {
+    const COUNT: usize = STRANDS * POINTS;
+    let scene = Scene::new();
+    let origin = [99.0, -1.0, 0.5];
+    let (mut points, mut frames, mut velocities) = ([[0.0_f64; 4]; COUNT], [[0.0_f64; 7]; COUNT], [[0.0_f64; 3]; COUNT]);
+    let doubles = |points: &mut [[f64; 4]; COUNT], frames: &mut [[f64; 7]; COUNT], velocities: &mut [[f64; 3]; COUNT], def| {
+        let places = (output(points, SHX_FORMAT_F64X4), output(frames, SHX_FORMAT_FRAME), output(velocities, SHX_FORMAT_F64X3));
+        scene.sample_by(&def, Some(places.0), Some(places.1), Some(places.2));
+    };
+    doubles(&mut points, &mut frames, &mut velocities, shx_sample_def { origin, ..sample_def() });
+    // World x becomes the host's x, z its y, and y its z: a mirror, since both are written right-handed. Then one that only turns.
+    for (mirrored, y_axis) in [(true, [0.0, 0.0, 100.0]), (false, [0.0, 0.0, -100.0])] {
+        let (x_axis, z_axis, translation) = ([100.0, 0.0, 0.0], [0.0, 100.0, 0.0], [7.0, -3.0, 1.0]);
+        let def = shx_sample_def { origin, x_axis, y_axis, z_axis, translation, ..sample_def() };
+        let side = if mirrored { 1.0 } else { -1.0 };
+        let mapped = |v: &[f64]| [100.0 * v[0], 100.0 * v[2], 100.0 * side * v[1]];
+        let (mut host_points, mut host_frames, mut host_velocities) = ([[0.0; 4]; COUNT], [[0.0; 7]; COUNT], [[0.0; 3]; COUNT]);
+        doubles(&mut host_points, &mut host_frames, &mut host_velocities, def);
+        let (mut singles, mut quaternions) = ([[0.0_f32; 4]; COUNT], [[0.0_f32; 4]; COUNT]);
+        let places = (output(&mut singles, SHX_FORMAT_F32X4), output(&mut quaternions, SHX_FORMAT_F32X4));
+        scene.sample_by(&def, Some(places.0), Some(places.1), None);
+        for item in 0..COUNT {
+            let (position, velocity) = (mapped(&points[item]), mapped(&velocities[item]));
+            for axis in 0..3 {
+                let expected = position[axis] + translation[axis];
+                assert!((host_points[item][axis] - expected).abs() < 1e-10, "{item} {axis}");
+                assert!((f64::from(singles[item][axis]) - expected).abs() < 2e-5 + 6e-8 * expected.abs());
+                assert_eq!(host_points[item][axis], host_frames[item][axis]);
+                assert!((host_velocities[item][axis] - velocity[axis]).abs() < 1e-10 * (1.0 + velocity[axis].abs()));
+            }
+            assert!((host_points[item][3] - 100.0 * points[item][3]).abs() < 1e-15 && (singles[item][3] - 6e-3).abs() < 1e-9);
+            // The host's frame has the mapped tangent and first normal, and is a rotation.
+            let axes_of = |q: &[f64]| {
+                let turn = nalgebra::UnitQuaternion::new_normalize(nalgebra::Quaternion::new(q[3], q[0], q[1], q[2]));
+                [nalgebra::Vector3::x(), nalgebra::Vector3::y(), nalgebra::Vector3::z()].map(|axis| turn * axis)
+            };
+            let (own, host) = (axes_of(&frames[item][3..]), axes_of(&host_frames[item][3..]));
+            for k in 0..3 {
+                let sign = if mirrored && k == 2 { -1.0 } else { 1.0 };
+                let expected = nalgebra::Vector3::from(mapped(own[k].as_slice())) * (sign / 100.0);
+                assert!((host[k] - expected).norm() < 1e-12, "{item} axis {k}");
+            }
+            for k in 0..4 {
+                let (a, b) = (f64::from(quaternions[item][k]), host_frames[item][3 + k]);
+                assert!((a - b).abs() < 1e-5 || (a + b).abs() < 1e-5);
+            }
+        }
+        // One strand at arclengths, by the same axes.
+        let mut at = [[0.0_f64; 3]; 2];
+        let place = output(&mut at, SHX_FORMAT_F64X3);
+        // SAFETY: a living handle, two numbers, a definition and room for two points.
+        let result = unsafe {
+            let (id, places) = (scene.ids[0], [0.0, 0.1]);
+            shx_solver_sample_at_with(scene.solver, id, places.as_ptr(), 2, &raw const def, &raw const place, null(), null())
+        };
+        assert_eq!(result, SHX_OK);
+        for axis in 0..3 {
+            assert!(
+                (at[0][axis] - host_points[0][axis]).abs() < 1e-10 && (at[1][axis] - host_points[POINTS - 1][axis]).abs() < 1e-10
+            );
+        }
     }
 }

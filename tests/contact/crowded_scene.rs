@@ -12,7 +12,7 @@ use superhelix::math::rotation::from_rotation_vector;
 use superhelix::solver::Solver;
 use superhelix::solver::constraints::{ConstraintDef, Hold};
 use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::report::StepReport;
+use superhelix::solver::report::{Phases, StepReport};
 
 const STEP: f64 = 1.0 / 60.0;
 const STRANDS: usize = 96;
@@ -80,7 +80,7 @@ pub fn course(
         solver.set_body_frames(&bodies[..1], &[Frame { rotation: turn, ..Frame::default() }], STEP).unwrap();
         let report = solver.step(STEP, 1 + step / 8).unwrap();
         touches = touches.max(solver.contacts().len());
-        reports.push(StepReport { seconds: 0.0, ..report });
+        reports.push(StepReport { seconds: 0.0, phases: Phases::default(), ..report });
     }
     (reports, touches, solver.state_hash())
 }

@@ -224,3 +224,39 @@ TEST(snapshots_go_back) {
   EXPECT(GET(hair.state_hash()) == after);
   EXPECT(WHY(hair.restore(std::vector<std::uint8_t>(100))).code() == SHX_ERROR_SNAPSHOT);
 }
+
+TEST(options_change_and_snapshots_refer_to_shapes) {
+  solver hair = GET(solver::create());
+  const auto ids = hanging(hair, 2);
+  solver_options options = GET(hair.get_options());
+  GET(hair.set_options(options.with_integrator(integrator::implicit_euler).with_max_iterations(20)));
+  EXPECT(GET(hair.get_options()).integrator == integrator::implicit_euler);
+  EXPECT(WHY(hair.set_options(options.with_worker_count(7))).code() == SHX_ERROR_UNSUPPORTED);
+  std::vector<double> lengths(2);
+  GET(hair.strand_lengths(ids, lengths));
+  EXPECT(lengths[0] > 0.0);
+  GET(hair.set_own_user_data(5));
+  EXPECT(GET(hair.get_own_user_data()) == 5);
+  const std::vector<vec3> corners = {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 0.1}};
+  const body_id body = GET(hair.add_body(body_def().with_shape(shape::hull).with_vertices(corners).with_user_data(9)));
+  EXPECT(GET(hair.get_body_user_data(body)) == 9);
+  const auto small = GET(hair.snapshot(snapshot_def().with_shapes(snapshot_shapes::referenced)));
+  const auto shapes = GET(hair.snapshot_shapes());
+  EXPECT(small.size() < GET(hair.snapshot()).size());
+  solver other = GET(solver::create());
+  EXPECT(WHY(other.restore(small)).code() == SHX_ERROR_SNAPSHOT);
+  GET(other.restore(small, restore_def().with_shapes(shapes).with_options(restore_options::keep)));
+  EXPECT(GET(other.get_options()).integrator == integrator::second_order);
+  GET(other.restore(small, restore_def().with_shapes(shapes)));
+  EXPECT(GET(other.state_hash()) == GET(hair.state_hash()));
+  const attachment head = GET(attachment::create(hair, frame{{0, 0, 0}, {0, 0, 0, 1}}, ids, {body}));
+  GET(head.move(hair, frame{{1, 0, 0}, {0, 0, 0, 1}}, 0.01));
+  GET(hair.step(0.01));
+  frame at{};
+  GET(hair.get_body_frames({body}, output(at)));
+  NEAR(at.origin[0], 1.0, 1e-12);
+  GET(head.teleport(hair, frame{{0, 0, 0}, {0, 0, 0, 1}}));
+  GET(hair.keep_contact_events(4));
+  std::vector<contact_event> events(4);
+  EXPECT(GET(hair.drain_contact_events(events)).count == 0);
+}

@@ -66,6 +66,49 @@ namespace Superhelix.Tests
       }
     }
 
+    internal static void Hosting()
+    {
+      using (Solver hair = new Solver(new SolverDef { UserData = 7 }))
+      using (Solver other = new Solver())
+      {
+        StrandId[] ids = Check.Hanging(hair, 2);
+        Check.That(hair.OwnUserData == 7, "the host's number");
+        hair.OwnUserData = 8;
+        double[] lengths = new double[2];
+        hair.StrandLengths(ids, lengths);
+        Check.That(hair.OwnUserData == 8 && Math.Abs(lengths[1] - 0.2) < 1e-12, "lengths");
+        SolverOptions options = hair.GetOptions();
+        options.Integrator = Integrator.ImplicitEuler;
+        hair.SetOptions(options);
+        Check.That(hair.GetOptions().Integrator == Integrator.ImplicitEuler, "options");
+        options.WorkerCount = 5;
+        Check.Fails(ErrorCode.Unsupported, () => hair.SetOptions(options), "worker_count");
+        Vec3[] corners = { new Vec3(0, 0, 0), new Vec3(0.1, 0, 0), new Vec3(0, 0.1, 0), new Vec3(0, 0, 0.1) };
+        BodyId[] body = hair.AddBodies(new BodyDef { Shape = Shape.Hull, Vertices = corners, UserData = 9 });
+        SnapshotDef small = SnapshotDef.Default;
+        small.Shapes = SnapshotShapes.Referenced;
+        byte[] image = hair.Snapshot(small), shapes = hair.SnapshotShapes();
+        Check.That(image.Length < hair.Snapshot().Length && hair.GetBodyUserData(body[0]) == 9, "a snapshot without shapes");
+        Check.Fails(ErrorCode.Snapshot, () => other.Restore(image), "shape");
+        other.Restore(image, new RestoreDef { Shapes = shapes, Options = RestoreOptions.Keep });
+        Check.That(other.GetOptions().Integrator == Integrator.SecondOrder, "its own options");
+        other.Restore(image, new RestoreDef { Shapes = shapes });
+        Check.That(other.StateHash() == hair.StateHash(), "restored");
+        using (Attachment head = new Attachment(hair, new Frame(new Vec3(0, 0, 0), new Quat(0, 0, 0, 1)), ids, body))
+        {
+          head.Move(hair, new Frame(new Vec3(1, 0, 0), new Quat(0, 0, 0, 1)), 0.01);
+          hair.Step(0.01);
+          Frame[] at = new Frame[1];
+          hair.GetBodyFrames(body, at);
+          Check.Near(at[0].Origin.X, 1, 1e-12, "the body went along");
+          head.Teleport(hair, new Frame(new Vec3(0, 0, 0), new Quat(0, 0, 0, 1)));
+        }
+        hair.KeepContactEvents(4);
+        long lost;
+        Check.That(hair.DrainContactEvents(new ContactEvent[4], out lost) == 0 && lost == 0, "no events");
+      }
+    }
+
     internal static void Limits()
     {
       using (Solver hair = new Solver())

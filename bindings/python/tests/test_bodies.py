@@ -109,6 +109,10 @@ def test_contact_is_said_and_read_back(solver) -> None:
     assert options.model is shx.ContactModel.COULOMB
     solver.set_contact_options(options.copy(model=shx.ContactModel.PENALTY, stiffness=20.0))
     assert solver.contact_options().stiffness == 20.0
+    solver.keep_contact_events(10)
+    events, lost = solver.drain_contact_events()
+    assert len(events) == 0
+    assert lost == 0
 
 
 def test_wisps_meet_and_what_overlaps_is_permitted(solver) -> None:

@@ -186,6 +186,82 @@ def test_snapshots_give_the_same_bits(solver) -> None:
         solver.restore(image[:50])
 
 
+def test_snapshots_refer_to_shapes_and_keep_options(solver) -> None:
+    ids = solver.add_strands(shx.StrandDefs(2, element_count=4, length=0.2))
+    corners = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]], dtype=float)
+    body = solver.add_body(shx.BodyDef.hull(corners, user_data=12))
+    solver.step(0.02)
+    whole, small, shapes = solver.snapshot(), solver.snapshot(include_shapes=False), solver.snapshot_shapes()
+    assert len(small) < len(whole)
+    state = solver.state_hash()
+    solver.step(0.02)
+    solver.restore(small)
+    assert solver.state_hash() == state
+    other = shx.Solver(gravity=(0, 1, 0))
+    with pytest.raises(shx.SnapshotError, match="neither in the solver nor in the shapes"):
+        other.restore(small)
+    other.restore(small, shapes=shapes, keep_options=True)
+    assert list(other.options().gravity) == [0, 1, 0]
+    assert other.strand_ids() == ids
+    assert other.body_user_data(body) == 12
+    other.restore(small, shapes=shapes)
+    assert other.state_hash() == state
+
+
+def test_options_change_while_a_solver_lives(solver) -> None:
+    options = solver.options()
+    assert options.integrator == shx.Integrator.SECOND_ORDER
+    solver.set_options(options.copy(integrator=shx.Integrator.IMPLICIT_EULER, gravity=(0, -9.81, 0), max_work=1000))
+    assert solver.options().integrator == shx.Integrator.IMPLICIT_EULER
+    assert solver.options().max_work == 1000
+    with pytest.raises(shx.UnsupportedError, match="options.worker_count"):
+        solver.set_options(options.copy(worker_count=3))
+    assert solver.own_user_data == 0
+    solver.own_user_data = 2**64 - 1
+    assert solver.own_user_data == 2**64 - 1
+
+
+def test_samples_come_in_the_host_s_space(solver) -> None:
+    ids = solver.add_strands(shx.StrandDefs(2, element_count=4, length=0.2))
+    solver.step(0.02)
+    own = solver.sample_strands(5, ids, dtype=np.float64)
+    # Centimetres, y up, left-handed, and somewhere else.
+    matrix = np.array([[100.0, 0, 0, 7], [0, 0, 100, 0], [0, 100, 0, -1], [0, 0, 0, 1]])
+    expected = own @ matrix[:3, :3].T + matrix[:3, 3]
+    assert np.allclose(solver.sample_strands(5, ids, dtype=np.float64, transform=matrix), expected)
+    assert np.allclose(solver.sample_strands(5, ids, transform=matrix[:3]), expected, atol=1e-4)
+    along = [0.0, 0.1, 0.2]
+    assert np.allclose(solver.sample_at(ids[1], along, transform=matrix), expected[1, ::2])
+    assert np.allclose(solver.sample_at(ids[1], along, transform=matrix[:3, :3], origin=[0, 0, 1]), expected[1, ::2] - [7, 100, -1])
+    with pytest.raises(ValueError, match="def.y_axis"):
+        solver.sample_strands(5, ids, transform=np.diag([1.0, 2.0, 1.0]))
+    with pytest.raises(ValueError, match="transform: shape"):
+        solver.sample_strands(5, ids, transform=np.eye(2))
+    with pytest.raises(ValueError, match="last row"):
+        solver.sample_strands(5, ids, transform=2 * np.eye(4))
+    tip = solver.add_constraint(shx.ConstraintDef(strand=ids[0], arclength=0.2, user_data=44))
+    assert solver.constraint_user_data(tip) == 44
+
+
+def test_one_call_moves_what_is_attached(solver) -> None:
+    ids = solver.add_strands(shx.StrandDefs(3, element_count=4, length=0.2))
+    assert np.allclose(solver.strand_lengths(ids), 0.2)
+    body = solver.add_body(shx.BodyDef.sphere(0.05))
+    pose = [0, 0, 0, 0, 0, 0, 1]
+    head = shx.Attachment(solver, pose)
+    half = np.sqrt(0.5)
+    head.move(solver, [1, 0, 0, 0, 0, half, half], 0.02)
+    solver.step(0.02)
+    assert np.allclose(solver.root_frames(ids)[:, :3], [1, 0, 0])
+    assert np.allclose(solver.body_frames(body)[0], [1, 0, 0, 0, 0, half, half])
+    head.teleport(solver, pose)
+    assert np.allclose(solver.root_frames(ids)[:, :3], 0)
+    solver.remove_strands(ids[1])
+    with pytest.raises(shx.InvalidIdError, match=r"strand_ids\[1\]"):
+        head.move(solver, pose)
+    head.close()
+
+
 def test_a_closed_solver_says_so() -> None:
     solver = shx.Solver(worker_count=2)
     with solver:

@@ -88,7 +88,7 @@ impl StrandShape {
     /// [`Error::InvalidArgument`] for a shape that cannot be used or an arclength that is not above zero and at most the length.
     pub fn cut(&mut self, arclength: f64) -> Result<usize> {
         self.check("shape")?;
-        check_cut("arclength", arclength, self.length())?;
+        check_cut("arclength", arclength, self.length(), "the strand")?;
         self.element_lengths = cut_lengths(&self.element_lengths, arclength);
         self.curvatures.truncate(self.element_lengths.len());
         Ok(self.element_lengths.len())
@@ -107,10 +107,10 @@ impl StrandShape {
     }
 }
 
-/// Checks where a strand of that length is to be cut.
-pub(crate) fn check_cut(argument: &str, arclength: f64, length: f64) -> Result<()> {
+/// Checks where a strand of that length is to be cut; `strand` is its name in the error.
+pub(crate) fn check_cut(argument: &str, arclength: f64, length: f64, strand: impl std::fmt::Display) -> Result<()> {
     if arclength > 0.0 && arclength <= length * (1.0 + 1e-9) {
         return Ok(());
     }
-    Err(Error::invalid(argument, arclength, format!("above zero, at most the strand's length, {length} m")))
+    Err(Error::invalid(argument, arclength, format!("above zero, at most {length} m, the length of {strand}")))
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
+use super::SnapshotShapes;
 use super::bytes::{Reader, Writer, bad, of_part};
 use crate::contact::body::{Bending, Body, BodyDef};
 use crate::contact::shape::{Mesh, Parts, Shape, Sides};
@@ -13,22 +14,30 @@ use crate::solver::bodies::SceneBody;
 use crate::solver::id::{BodyId, SlotMap};
 use crate::solver::report::Wrench;
 
+/// Stands for a shape that is kept elsewhere, by its content's hash.
+const REFERENCE: u32 = 9;
+
 impl Writer {
-    /// All bodies; `id` writes what stands at the end of each.
-    pub fn bodies(&mut self, bodies: &[SceneBody], id: impl Fn(&mut Self, &SceneBody)) {
-        let mut shapes: Vec<&Arc<Shape>> = Vec::new();
+    /// All bodies, shapes that stay as they are as `shapes` says; `id` writes what stands at the end of each.
+    pub fn bodies(&mut self, bodies: &[SceneBody], shapes: SnapshotShapes, id: impl Fn(&mut Self, &SceneBody)) {
+        let mut owners: Vec<&SceneBody> = Vec::new();
         let mut known = std::collections::HashMap::new();
         let mut of = Vec::with_capacity(bodies.len());
         for body in bodies {
-            let shape = &body.body.def().shape;
-            of.push(*known.entry(Arc::as_ptr(shape)).or_insert_with(|| {
-                shapes.push(shape);
-                shapes.len() as u32 - 1
+            of.push(*known.entry(Arc::as_ptr(&body.body.def().shape)).or_insert_with(|| {
+                owners.push(body);
+                owners.len() as u32 - 1
             }));
         }
-        self.u64(shapes.len() as u64);
-        for shape in shapes {
-            self.shape(shape);
+        self.u64(owners.len() as u64);
+        for owner in owners {
+            match (shapes, owner.content()) {
+                (SnapshotShapes::Referenced, Some(content)) => {
+                    self.u32(REFERENCE);
+                    self.content(content);
+                }
+                _ => self.shape(&owner.body.def().shape),
+            }
         }
         self.u64(bodies.len() as u64);
         for (body, shape) in bodies.iter().zip(of) {
@@ -36,6 +45,11 @@ impl Writer {
             self.body(body);
             id(self, body);
         }
+    }
+
+    /// A content's hash.
+    pub fn content(&mut self, content: u128) {
+        self.bytes(&content.to_le_bytes());
     }
 
     fn body(&mut self, body: &SceneBody) {
@@ -59,7 +73,7 @@ impl Writer {
         self.vector(wrench.torque);
     }
 
-    fn shape(&mut self, shape: &Shape) {
+    pub fn shape(&mut self, shape: &Shape) {
         match shape.parts() {
             Parts::Sphere { radius } => {
                 self.u32(1);
@@ -92,10 +106,11 @@ impl Writer {
             }
             Parts::Grid(grid) => {
                 self.u32(8);
-                // Fails only for want of memory: then the image says so by holding no grid.
-                let bytes = distance_grid::write_to_bytes(grid).unwrap_or_default();
-                self.u64(bytes.len() as u64);
-                self.0.extend_from_slice(&bytes);
+                let size = distance_grid::size(grid.counts());
+                self.u64(size as u64);
+                if !self.only_counts(size) {
+                    distance_grid::write_in_pieces(grid, |piece| self.bytes(piece));
+                }
             }
         }
     }
@@ -120,18 +135,26 @@ impl Writer {
 }
 
 impl Reader<'_> {
-    /// All bodies; `slots` are their identifiers'.
-    pub fn bodies(&mut self, slots: &SlotMap<BodyId>) -> Result<Vec<SceneBody>> {
-        let shapes = (0..self.count(4 + 8)?).map(|_| Ok(Arc::new(self.shape()?))).collect::<Result<Vec<_>>>()?;
+    /// All bodies; `slots` are their identifiers', `find` finds shapes that are kept elsewhere.
+    pub fn bodies(&mut self, slots: &SlotMap<BodyId>, find: &dyn Fn(u128) -> Result<Arc<Shape>>) -> Result<Vec<SceneBody>> {
+        let shapes = (0..self.count(4 + 8)?).map(|_| self.owned_shape(find)).collect::<Result<Vec<_>>>()?;
         let count = self.count(4 + 7 * 8)?;
         (0..count)
             .map(|index| {
                 let shape = self.u32()?;
-                let Some(shape) = shapes.get(shape as usize) else {
+                let Some((shape, content)) = shapes.get(shape as usize) else {
                     return Err(bad(format!("body {index} has shape {shape} of {}", shapes.len())));
                 };
                 let (body, wrench) = self.body(shape.clone())?;
-                Ok(SceneBody { id: self.id("body", slots, index)?, body, wrench })
+                let body = SceneBody { wrench, ..SceneBody::new(self.id("body", slots, index)?, body) };
+                let deforms = self.flag()?;
+                if deforms && body.body.def().shape.mesh().is_none() {
+                    return Err(bad("a body deforms that is no mesh"));
+                }
+                if let Some(content) = content.filter(|_| !deforms) {
+                    body.content.get_or_init(|| content);
+                }
+                Ok(SceneBody { deforms, user_data: self.u64()?, ..body })
             })
             .collect()
     }
@@ -162,8 +185,25 @@ impl Reader<'_> {
         Ok((body, Wrench { force: self.vector()?, torque: self.vector()? }))
     }
 
-    fn shape(&mut self) -> Result<Shape> {
-        let shape = match self.u32()? {
+    /// A shape, and its content's hash where that is known.
+    fn owned_shape(&mut self, find: &dyn Fn(u128) -> Result<Arc<Shape>>) -> Result<(Arc<Shape>, Option<u128>)> {
+        match self.u32()? {
+            REFERENCE => {
+                let content = u128::from_le_bytes(self.take()?);
+                Ok((find(content)?, Some(content)))
+            }
+            sort => Ok((Arc::new(self.shape_of_sort(sort)?), None)),
+        }
+    }
+
+    /// A shape that is written whole.
+    pub fn shape(&mut self) -> Result<Shape> {
+        let sort = self.u32()?;
+        self.shape_of_sort(sort)
+    }
+
+    fn shape_of_sort(&mut self, sort: u32) -> Result<Shape> {
+        let shape = match sort {
             1 => Shape::new_sphere(self.f64()?),
             2 => {
                 let (a, b) = (self.vector()?, self.vector()?);

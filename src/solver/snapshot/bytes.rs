@@ -17,16 +17,118 @@ pub fn of_part(part: &str, error: &Error) -> Error {
     bad(format!("{part}: {error}"))
 }
 
+/// Where numbers go.
+pub enum Sink {
+    /// Into an image.
+    Bytes(Vec<u8>),
+    /// Nowhere: their bytes are counted.
+    Count(usize),
+    /// Into a hash of 64 bits, see [`fnv1a`].
+    Hash(u64),
+    /// Into one of 128 bits, by which contents are told apart.
+    Content(u128),
+}
+
+/// FNV-1a, 64 bits: the hash of nothing.
+pub const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
+const CONTENT_START: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+
+/// FNV-1a, 64 bits, gone on with.
+pub fn fnv1a(start: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(start, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+/// FNV-1a, 128 bits, gone on with.
+fn fnv1a_128(start: u128, bytes: &[u8]) -> u128 {
+    const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
+    bytes.iter().fold(start, |hash, byte| (hash ^ u128::from(*byte)).wrapping_mul(PRIME))
+}
+
+/// The hash of a content.
+pub fn content_hash(bytes: &[u8]) -> u128 {
+    fnv1a_128(CONTENT_START, bytes)
+}
+
 /// Writes numbers.
-#[derive(Default)]
-pub struct Writer(pub Vec<u8>);
+pub struct Writer {
+    pub sink: Sink,
+}
 
 impl Writer {
+    pub fn into(bytes: Vec<u8>) -> Self {
+        Self { sink: Sink::Bytes(bytes) }
+    }
+
+    pub fn counting() -> Self {
+        Self { sink: Sink::Count(0) }
+    }
+
+    pub fn hashing() -> Self {
+        Self { sink: Sink::Hash(FNV_START) }
+    }
+
+    pub fn hashing_content() -> Self {
+        Self { sink: Sink::Content(CONTENT_START) }
+    }
+
+    /// How many bytes were written, where they are kept or counted.
+    pub fn size(&self) -> usize {
+        match &self.sink {
+            Sink::Bytes(bytes) => bytes.len(),
+            Sink::Count(count) => *count,
+            Sink::Hash(_) | Sink::Content(_) => 0,
+        }
+    }
+
+    /// What was written.
+    pub fn finished(self) -> Vec<u8> {
+        match self.sink {
+            Sink::Bytes(bytes) => bytes,
+            _ => Vec::new(),
+        }
+    }
+
+    /// The hash of 64 bits.
+    pub fn hash(&self) -> u64 {
+        match self.sink {
+            Sink::Hash(hash) => hash,
+            _ => FNV_START,
+        }
+    }
+
+    /// The hash of 128 bits.
+    pub fn content_hash(&self) -> u128 {
+        match self.sink {
+            Sink::Content(hash) => hash,
+            _ => CONTENT_START,
+        }
+    }
+
+    pub fn bytes(&mut self, bytes: &[u8]) {
+        match &mut self.sink {
+            Sink::Bytes(all) => all.extend_from_slice(bytes),
+            Sink::Count(count) => *count += bytes.len(),
+            Sink::Hash(hash) => *hash = fnv1a(*hash, bytes),
+            Sink::Content(hash) => *hash = fnv1a_128(*hash, bytes),
+        }
+    }
+
+    /// Counts bytes that are not made when only their number is asked for; says whether it is.
+    pub fn only_counts(&mut self, bytes: usize) -> bool {
+        match &mut self.sink {
+            Sink::Count(count) => {
+                *count += bytes;
+                true
+            }
+            _ => false,
+        }
+    }
+
     pub fn u32(&mut self, value: u32) {
-        self.0.extend_from_slice(&value.to_le_bytes());
+        self.bytes(&value.to_le_bytes());
     }
     pub fn u64(&mut self, value: u64) {
-        self.0.extend_from_slice(&value.to_le_bytes());
+        self.bytes(&value.to_le_bytes());
     }
     pub fn f64(&mut self, value: f64) {
         self.u64(value.to_bits());
@@ -39,12 +141,18 @@ impl Writer {
         frame.rotation_xyzw().iter().for_each(|x| self.f64(*x));
     }
     pub fn rows(&mut self, rows: &[[f64; 3]]) {
+        if self.only_counts(size_of_val(rows)) {
+            return;
+        }
         rows.iter().flatten().for_each(|x| self.f64(*x));
     }
     pub fn flag(&mut self, value: bool) {
         self.u32(u32::from(value));
     }
     pub fn vectors(&mut self, vectors: &[Vector3<f64>]) {
+        if self.only_counts(size_of_val(vectors)) {
+            return;
+        }
         vectors.iter().for_each(|v| self.vector(*v));
     }
 

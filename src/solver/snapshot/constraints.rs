@@ -64,7 +64,7 @@ impl Reader<'_> {
         (0..count)
             .map(|index| {
                 let constraint = self.constraint(strands)?;
-                Ok(Constraint { id: self.id("constraint", slots, index)?, ..constraint })
+                Ok(Constraint { id: self.id("constraint", slots, index)?, user_data: self.u64()?, ..constraint })
             })
             .collect()
     }
@@ -128,6 +128,15 @@ impl Reader<'_> {
             *force = self.finite_vector("a constraint's force")?;
         }
         let def = ConstraintDef { strand: strand.id, arclength, hold, target, compliance };
-        Ok(Constraint { id: ConstraintId::from_bits(0), def, way, state, forces, parts: 0, held_at: Vector3::zeros() })
+        Ok(Constraint {
+            id: ConstraintId::from_bits(0),
+            def,
+            way,
+            state,
+            forces,
+            parts: 0,
+            held_at: Vector3::zeros(),
+            user_data: 0,
+        })
     }
 }

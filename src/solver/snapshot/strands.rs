@@ -65,6 +65,12 @@ impl Writer {
         }
     }
 
+    fn velocities(&mut self, velocities: &[Vec3<f64>]) {
+        if !self.only_counts(size_of_val(velocities)) {
+            velocities.iter().for_each(|v| v.0.iter().for_each(|x| self.f64(*x)));
+        }
+    }
+
     /// A strand's constants and state; the identifier stands apart.
     pub fn strand(&mut self, strand: &Strand) {
         let (model, state, material) = (&strand.model, &strand.state, &strand.model.material);
@@ -88,7 +94,7 @@ impl Writer {
         self.rows(&state.curvatures);
         self.rows(&state.rates);
         self.u32(state.rule as u32);
-        state.velocities.iter().for_each(|v| v.0.iter().for_each(|x| self.f64(*x)));
+        self.velocities(&state.velocities);
         self.frame(&state.root);
         self.vector(state.root_velocity);
         self.vector(state.root_angular_velocity);
@@ -98,7 +104,7 @@ impl Writer {
         self.f64(state.past.step);
         if state.past.step > 0.0 {
             self.rows(&state.past.curvatures);
-            state.past.velocities.iter().for_each(|v| v.0.iter().for_each(|x| self.f64(*x)));
+            self.velocities(&state.past.velocities);
             self.frame(&state.past.root);
         }
         self.way(strand.root_move.as_deref());

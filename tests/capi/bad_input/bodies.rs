@@ -61,14 +61,14 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_body_def_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_body_def_init(s.out(), 0));
     case!(cases, "shx_body_def_init", "size", "4", SHX_ERROR_STRUCT_SIZE, |s| shx_body_def_init(s.out(), 4));
     case!(cases, "shx_body_def_init", "size", "size_of::<shx_body_def>() + 1", SHX_ERROR_STRUCT_SIZE, |s| shx_body_def_init(s.out(), size_of::<shx_body_def>() + 1));
-    case!(cases, "shx_body_def_init", "size", "size_of::<shx_body_def>() - 8", SHX_ERROR_STRUCT_SIZE, |s| shx_body_def_init(s.out(), size_of::<shx_body_def>() - 8));
+    case!(cases, "shx_body_def_init", "size", "size_of::<shx_body_def>() - 16", SHX_ERROR_STRUCT_SIZE, |s| shx_body_def_init(s.out(), size_of::<shx_body_def>() - 16));
     case!(cases, "shx_body_def_init", "size", "size_of::<shx_body_def>() + 4", SHX_ERROR_STRUCT_SIZE, |s| shx_body_def_init(s.out(), size_of::<shx_body_def>() + 4));
     case!(cases, "shx_body_def_init", "size", "1 << 20", SHX_ERROR_STRUCT_SIZE, |s| shx_body_def_init(s.out(), 1 << 20));
     case!(cases, "shx_body_def_init", "size", "usize::MAX", SHX_ERROR_STRUCT_SIZE, |s| shx_body_def_init(s.out(), usize::MAX));
     case!(cases, "shx_solver_add_bodies", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let def = body(); shx_solver_add_bodies(null_mut(), &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_bodies", "defs", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_add_bodies(s.solver, null(), size_of::<shx_body_def>(), 1, s.out()));
     case!(cases, "shx_solver_add_bodies", "def_stride", "0", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = body(); shx_solver_add_bodies(s.solver, &raw const def, 0, 1, s.out()) });
-    case!(cases, "shx_solver_add_bodies", "def_stride", "too small", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = body(); shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>() - 8, 1, s.out()) });
+    case!(cases, "shx_solver_add_bodies", "def_stride", "too small", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = body(); shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>() - 16, 1, s.out()) });
     case!(cases, "shx_solver_add_bodies", "def_stride", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = [body(), body()]; shx_solver_add_bodies(s.solver, def.as_ptr(), usize::MAX, 2, s.out()) });
     case!(cases, "shx_solver_add_bodies", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = body(); shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), usize::MAX, s.out()) });
     case!(cases, "shx_solver_add_bodies", "out_ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let def = body(); shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, null_mut()) });
@@ -77,7 +77,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_add_bodies", "defs", "struct_size = 3", SHX_ERROR_STRUCT_SIZE, |s| { let def = shx_body_def { struct_size: 3, ..body() }; shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_bodies", "defs", "struct_size = 77", SHX_ERROR_STRUCT_SIZE, |s| { let def = shx_body_def { struct_size: 77, ..body() }; shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_bodies", "defs", "struct_size = u32::MAX", SHX_ERROR_STRUCT_SIZE, |s| { let def = shx_body_def { struct_size: u32::MAX, ..body() }; shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
-    case!(cases, "shx_solver_add_bodies", "defs", "struct_size = size_of::<shx_body_def>() as u32 - 8", SHX_ERROR_STRUCT_SIZE, |s| { let def = shx_body_def { struct_size: size_of::<shx_body_def>() as u32 - 8, ..body() }; shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
+    case!(cases, "shx_solver_add_bodies", "defs", "struct_size = size_of::<shx_body_def>() as u32 - 16", SHX_ERROR_STRUCT_SIZE, |s| { let def = shx_body_def { struct_size: size_of::<shx_body_def>() as u32 - 16, ..body() }; shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_bodies", "defs", "struct_size = size_of::<shx_body_def>() as u32 + 4", SHX_ERROR_STRUCT_SIZE, |s| { let def = shx_body_def { struct_size: size_of::<shx_body_def>() as u32 + 4, ..body() }; shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_bodies", "defs", " shape = 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = body(); def.shape = 0; shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_bodies", "defs", " shape = 10", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = body(); def.shape = 10; shx_solver_add_bodies(s.solver, &raw const def, size_of::<shx_body_def>(), 1, s.out()) });
@@ -439,4 +439,8 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_distance_grid_bake", "capacity", "0", SHX_ERROR_BUFFER_TOO_SMALL, |s| { let vertices = input(CORNERS.as_ptr().cast(), 4, SHX_FORMAT_F64X3); bake(&raw const vertices, TRIANGLES.as_ptr().cast(), 4, 0.005, 0.005, s.out(), 0, s.out2()) });
     case!(cases, "shx_distance_grid_bake", "capacity", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| { let vertices = input(CORNERS.as_ptr().cast(), 4, SHX_FORMAT_F64X3); bake(&raw const vertices, TRIANGLES.as_ptr().cast(), 4, 0.005, 0.005, s.out(), usize::MAX, s.out2()) });
     case!(cases, "shx_distance_grid_bake", "out_size", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let vertices = input(CORNERS.as_ptr().cast(), 4, SHX_FORMAT_F64X3); bake(&raw const vertices, TRIANGLES.as_ptr().cast(), 4, 0.005, 0.005, s.out(), 8192, null_mut()) });
+    case!(cases, "shx_solver_get_body_user_data", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_body_user_data(null(), s.bodies[0], s.out()));
+    case!(cases, "shx_solver_get_body_user_data", "id", "stale", SHX_ERROR_INVALID_ID, |s| shx_solver_get_body_user_data(s.solver, s.stale_body, s.out()));
+    case!(cases, "shx_solver_get_body_user_data", "id", "foreign", SHX_ERROR_INVALID_ID, |s| shx_solver_get_body_user_data(s.solver, s.foreign_body, s.out()));
+    case!(cases, "shx_solver_get_body_user_data", "out_user_data", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_body_user_data(s.solver, s.bodies[0], null_mut()));
 }

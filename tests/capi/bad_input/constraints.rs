@@ -9,14 +9,14 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_constraint_def_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_constraint_def_init(s.out(), 0));
     case!(cases, "shx_constraint_def_init", "size", "4", SHX_ERROR_STRUCT_SIZE, |s| shx_constraint_def_init(s.out(), 4));
     case!(cases, "shx_constraint_def_init", "size", "size_of::<shx_constraint_def>() + 1", SHX_ERROR_STRUCT_SIZE, |s| shx_constraint_def_init(s.out(), size_of::<shx_constraint_def>() + 1));
-    case!(cases, "shx_constraint_def_init", "size", "size_of::<shx_constraint_def>() - 8", SHX_ERROR_STRUCT_SIZE, |s| shx_constraint_def_init(s.out(), size_of::<shx_constraint_def>() - 8));
+    case!(cases, "shx_constraint_def_init", "size", "size_of::<shx_constraint_def>() - 16", SHX_ERROR_STRUCT_SIZE, |s| shx_constraint_def_init(s.out(), size_of::<shx_constraint_def>() - 16));
     case!(cases, "shx_constraint_def_init", "size", "size_of::<shx_constraint_def>() + 4", SHX_ERROR_STRUCT_SIZE, |s| shx_constraint_def_init(s.out(), size_of::<shx_constraint_def>() + 4));
     case!(cases, "shx_constraint_def_init", "size", "1 << 20", SHX_ERROR_STRUCT_SIZE, |s| shx_constraint_def_init(s.out(), 1 << 20));
     case!(cases, "shx_constraint_def_init", "size", "usize::MAX", SHX_ERROR_STRUCT_SIZE, |s| shx_constraint_def_init(s.out(), usize::MAX));
     case!(cases, "shx_solver_add_constraints", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let def = pin(s.ids[0]); shx_solver_add_constraints(null_mut(), &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_constraints", "defs", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_add_constraints(s.solver, null(), size_of::<shx_constraint_def>(), 1, s.out()));
     case!(cases, "shx_solver_add_constraints", "def_stride", "0", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = pin(s.ids[0]); shx_solver_add_constraints(s.solver, &raw const def, 0, 1, s.out()) });
-    case!(cases, "shx_solver_add_constraints", "def_stride", "too small", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = pin(s.ids[0]); shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>() - 8, 1, s.out()) });
+    case!(cases, "shx_solver_add_constraints", "def_stride", "too small", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = pin(s.ids[0]); shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>() - 16, 1, s.out()) });
     case!(cases, "shx_solver_add_constraints", "def_stride", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = [pin(s.ids[0]); 2]; shx_solver_add_constraints(s.solver, def.as_ptr(), usize::MAX, 2, s.out()) });
     case!(cases, "shx_solver_add_constraints", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| { let def = pin(s.ids[0]); shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), usize::MAX, s.out()) });
     case!(cases, "shx_solver_add_constraints", "out_ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let def = pin(s.ids[0]); shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, null_mut()) });
@@ -24,7 +24,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_add_constraints", "defs", " struct_size = 0", SHX_ERROR_STRUCT_SIZE, |s| { let mut def = pin(s.ids[0]); def.struct_size = 0; shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_constraints", "defs", " struct_size = 4", SHX_ERROR_STRUCT_SIZE, |s| { let mut def = pin(s.ids[0]); def.struct_size = 4; shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_constraints", "defs", " struct_size = 77", SHX_ERROR_STRUCT_SIZE, |s| { let mut def = pin(s.ids[0]); def.struct_size = 77; shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
-    case!(cases, "shx_solver_add_constraints", "defs", " struct_size = size_of::<shx_constraint_def>() as u32 - 8", SHX_ERROR_STRUCT_SIZE, |s| { let mut def = pin(s.ids[0]); def.struct_size = size_of::<shx_constraint_def>() as u32 - 8; shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
+    case!(cases, "shx_solver_add_constraints", "defs", " struct_size = size_of::<shx_constraint_def>() as u32 - 16", SHX_ERROR_STRUCT_SIZE, |s| { let mut def = pin(s.ids[0]); def.struct_size = size_of::<shx_constraint_def>() as u32 - 16; shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_constraints", "defs", " struct_size = u32::MAX", SHX_ERROR_STRUCT_SIZE, |s| { let mut def = pin(s.ids[0]); def.struct_size = u32::MAX; shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_constraints", "defs", " hold = 0", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = pin(s.ids[0]); def.kind = 0; shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
     case!(cases, "shx_solver_add_constraints", "defs", " hold = 6", SHX_ERROR_INVALID_ARGUMENT, |s| { let mut def = pin(s.ids[0]); def.kind = 6; shx_solver_add_constraints(s.solver, &raw const def, size_of::<shx_constraint_def>(), 1, s.out()) });
@@ -158,4 +158,8 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_constraint_states", "stride", "8", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), 2, s.out(), 8));
     case!(cases, "shx_solver_constraint_states", "stride", "size_of::<shx_constraint_state>() - 1", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), 2, s.out(), size_of::<shx_constraint_state>() - 1));
     case!(cases, "shx_solver_constraint_states", "stride", "usize::MAX", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_constraint_states(s.solver, s.constraints.as_ptr(), 2, s.out(), usize::MAX));
+    case!(cases, "shx_solver_get_constraint_user_data", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_constraint_user_data(null(), s.constraints[0], s.out()));
+    case!(cases, "shx_solver_get_constraint_user_data", "id", "stale", SHX_ERROR_INVALID_ID, |s| shx_solver_get_constraint_user_data(s.solver, s.stale_constraint, s.out()));
+    case!(cases, "shx_solver_get_constraint_user_data", "id", "foreign", SHX_ERROR_INVALID_ID, |s| shx_solver_get_constraint_user_data(s.solver, s.foreign_constraint, s.out()));
+    case!(cases, "shx_solver_get_constraint_user_data", "out_user_data", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_constraint_user_data(s.solver, s.constraints[0], null_mut()));
 }

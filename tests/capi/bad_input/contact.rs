@@ -160,4 +160,13 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_contacts", "capacity", "0", SHX_ERROR_BUFFER_TOO_SMALL, |s| shx_solver_contacts(s.solver, null_mut(), 0, 0, s.out2()));
     case!(cases, "shx_solver_contacts", "capacity", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_contacts(s.solver, s.out(), 0, usize::MAX, s.out2()));
     case!(cases, "shx_solver_contacts", "out_count", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_contacts(s.solver, s.out(), 0, 8, null_mut()));
+    case!(cases, "shx_solver_keep_contact_events", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_keep_contact_events(null_mut(), 5));
+    case!(cases, "shx_solver_keep_contact_events", "capacity", "2^24 + 1", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_keep_contact_events(s.solver, (1 << 24) + 1));
+    case!(cases, "shx_solver_keep_contact_events", "capacity", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_keep_contact_events(s.solver, usize::MAX));
+    case!(cases, "shx_solver_drain_contact_events", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_drain_contact_events(null_mut(), s.out(), 0, 4, s.out2(), s.out3()));
+    case!(cases, "shx_solver_drain_contact_events", "out_events", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_drain_contact_events(s.solver, null_mut(), 0, 4, s.out2(), s.out3()));
+    case!(cases, "shx_solver_drain_contact_events", "stride", "8", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_drain_contact_events(s.solver, s.out(), 8, 4, s.out2(), s.out3()));
+    case!(cases, "shx_solver_drain_contact_events", "capacity", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_drain_contact_events(s.solver, s.out(), 0, usize::MAX, s.out2(), s.out3()));
+    case!(cases, "shx_solver_drain_contact_events", "out_count", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_drain_contact_events(s.solver, s.out(), 0, 4, null_mut(), s.out3()));
+    case!(cases, "shx_solver_drain_contact_events", "out_lost", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_drain_contact_events(s.solver, s.out(), 0, 4, s.out2(), null_mut()));
 }

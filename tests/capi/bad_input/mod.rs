@@ -2,6 +2,7 @@
 //! give its code and a text that names the argument, write no output, and leave the solver's state as it was.
 #![allow(unsafe_code, clippy::macro_metavars_in_unsafe)] // the table is made of C calls
 
+mod attachment;
 mod bodies;
 mod constraints;
 mod contact;
@@ -27,6 +28,8 @@ mod settings;
 mod settle;
 mod shape;
 mod solver;
+mod solver_options;
+mod state;
 mod strands;
 mod styling;
 mod suggest;
@@ -36,10 +39,12 @@ use std::collections::BTreeSet;
 use std::ptr::{null, null_mut};
 
 use scene::{Scene, UNTOUCHED, strand};
+use superhelix::capi::attachment::*;
 use superhelix::capi::bodies::*;
 use superhelix::capi::body_def::*;
 use superhelix::capi::constraints::*;
 use superhelix::capi::contact::*;
+use superhelix::capi::contact_events::*;
 use superhelix::capi::contacts::*;
 use superhelix::capi::curve_cache::*;
 use superhelix::capi::curve_data::*;
@@ -69,6 +74,7 @@ use superhelix::capi::settle::*;
 use superhelix::capi::shape::*;
 use superhelix::capi::solver::*;
 use superhelix::capi::solver_def::*;
+use superhelix::capi::solver_options::*;
 use superhelix::capi::spline::*;
 use superhelix::capi::state::*;
 use superhelix::capi::step::*;
@@ -122,7 +128,12 @@ fn solver_def() -> shx_solver_def {
 
 /// Three points a strand: six for the two strands of the scene.
 fn sample_def() -> shx_sample_def {
-    shx_sample_def { struct_size: size_of::<shx_sample_def>() as u32, points_per_strand: 3, origin: [0.0; 3] }
+    let mut def = std::mem::MaybeUninit::<shx_sample_def>::uninit();
+    // SAFETY: room for one structure, which the call fills.
+    unsafe {
+        assert_eq!(shx_sample_def_init(def.as_mut_ptr(), size_of::<shx_sample_def>()), SHX_OK);
+        shx_sample_def { points_per_strand: 3, ..def.assume_init() }
+    }
 }
 
 fn new_fit() -> shx_polyline_fit {
@@ -175,6 +186,8 @@ fn table() -> Vec<Case> {
     for add in [
         definitions::cases,
         solver::cases,
+        solver_options::cases,
+        state::cases,
         strands::cases,
         roots::cases,
         shape::cases,
@@ -185,6 +198,7 @@ fn table() -> Vec<Case> {
         level_of_detail::cases,
         suggest::cases,
         sampling::cases,
+        attachment::cases,
         bodies::cases,
         contact::cases,
         overlaps::cases,

@@ -109,7 +109,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_render_guides_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_render_guides_init(s.out(), usize::MAX));
     case!(cases, "shx_render_view_init", "view", "null", SHX_ERROR_NULL_ARGUMENT, |s| { let _ = &s; shx_render_view_init(null_mut(), size_of::<shx_render_view>()) });
     case!(cases, "shx_render_view_init", "size", "0", SHX_ERROR_STRUCT_SIZE, |s| shx_render_view_init(s.out(), 0));
-    case!(cases, "shx_render_view_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_render_view_init(s.out(), size_of::<shx_render_view>() - 8));
+    case!(cases, "shx_render_view_init", "size", "8 too few", SHX_ERROR_STRUCT_SIZE, |s| shx_render_view_init(s.out(), std::mem::offset_of!(shx_render_view, x_axis) - 8));
     case!(cases, "shx_render_view_init", "size", "not of whole fields", SHX_ERROR_STRUCT_SIZE, |s| shx_render_view_init(s.out(), size_of::<shx_render_view>() + 4));
     case!(cases, "shx_render_view_init", "size", "huge", SHX_ERROR_STRUCT_SIZE, |s| shx_render_view_init(s.out(), usize::MAX));
     case!(cases, "shx_render_hair_create", "settings", "struct_size = 0", SHX_ERROR_STRUCT_SIZE, |s| { let (mut settings, mut guides, mut roots) = (new_settings_of_two(), s.guides(), s.point_input()); let _ = (&mut settings, &mut guides, &mut roots); settings.struct_size = 0; shx_render_hair_create(&settings, &guides, &roots, s.out()) });

@@ -185,6 +185,10 @@ impl Scene {
         self.memory[512..].as_mut_ptr().cast()
     }
 
+    pub fn out3<T>(&mut self) -> *mut T {
+        self.memory[768..].as_mut_ptr().cast()
+    }
+
     /// A good output of vectors over the memory.
     pub fn output(&mut self, count: usize) -> shx_output {
         shx_output { data: self.out(), stride: 0, count, format: SHX_FORMAT_F64X3, reserved: 0 }

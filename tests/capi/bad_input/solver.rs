@@ -153,4 +153,8 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_result_name", "result", "unknown", SHX_OK, |s| i32::from(std::ffi::CStr::from_ptr(shx_result_name(12345)) != c"unknown result"));
     case!(cases, "shx_last_error", "buffer", "null", SHX_OK, |s| { shx_last_error(null_mut(), 100); SHX_OK });
     case!(cases, "shx_last_error", "capacity", "0", SHX_OK, |s| { shx_last_error(s.out(), 0); SHX_OK });
+    case!(cases, "shx_solver_get_own_user_data", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_own_user_data(null(), s.out()));
+    case!(cases, "shx_solver_get_own_user_data", "out_user_data", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_get_own_user_data(s.solver, null_mut()));
+    case!(cases, "shx_solver_set_own_user_data", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_set_own_user_data(null_mut(), 5));
+    case!(cases, "shx_solver_set_own_user_data", "user_data", "of no solver", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_set_own_user_data(null_mut(), u64::MAX));
 }

@@ -204,4 +204,9 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_strand_energies", "out_kinetic", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_strand_energies(s.solver, s.ids.as_ptr(), 2, s.out::<u8>().wrapping_add(1).cast(), null_mut(), null_mut()));
     case!(cases, "shx_solver_strand_energies", "out_elastic", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_strand_energies(s.solver, s.ids.as_ptr(), 2, null_mut(), s.out::<u8>().wrapping_add(1).cast(), null_mut()));
     case!(cases, "shx_solver_strand_energies", "out_gravity", "not aligned", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_strand_energies(s.solver, s.ids.as_ptr(), 2, null_mut(), null_mut(), s.out::<u8>().wrapping_add(1).cast()));
+    case!(cases, "shx_solver_strand_lengths", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_lengths(null(), s.ids.as_ptr(), 2, s.out()));
+    case!(cases, "shx_solver_strand_lengths", "ids", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_lengths(s.solver, null(), 2, s.out()));
+    case!(cases, "shx_solver_strand_lengths", "ids", "stale", SHX_ERROR_INVALID_ID, |s| { let ids = [s.ids[0], s.stale[0]]; shx_solver_strand_lengths(s.solver, ids.as_ptr(), 2, s.out()) });
+    case!(cases, "shx_solver_strand_lengths", "count", "huge", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_strand_lengths(s.solver, s.ids.as_ptr(), usize::MAX, s.out()));
+    case!(cases, "shx_solver_strand_lengths", "out_lengths", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_strand_lengths(s.solver, s.ids.as_ptr(), 2, null_mut()));
 }

@@ -8,7 +8,7 @@ use superhelix::rod::material::Material;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::solver::id::StrandId;
-use superhelix::solver::report::StepReport;
+use superhelix::solver::report::{Phases, StepReport};
 
 /// Seconds of a step.
 pub const STEP: f64 = 1.0 / 60.0;
@@ -60,7 +60,7 @@ pub fn thrown() -> Frame {
 
 /// What a report says that does not depend on the clock.
 pub fn said(report: &StepReport) -> StepReport {
-    StepReport { seconds: 0.0, ..*report }
+    StepReport { seconds: 0.0, phases: Phases::default(), ..*report }
 }
 
 /// A strand's numbers, to the bit.

@@ -136,6 +136,12 @@ struct solver_def : shx_solver_def {
     return *this;
   }
 
+  // Your own number, for example a pointer; the library does not use it. Default 0. shx_solver_set_own_user_data changes it.
+  solver_def &with_user_data(std::uint64_t value) {
+    user_data = value;
+    return *this;
+  }
+
   // The host's parallel loop: parallel_for(count, min_range, task) calls task(begin, end, worker) over disjoint ranges that cover 0 to count - 1, from
   // any threads, and returns when all of them have returned. It must not throw: the program would end. It is kept as long as it is needed.
   template <class F>
@@ -161,20 +167,131 @@ struct solver_def : shx_solver_def {
   std::shared_ptr<void> loop_, log_;
 };
 
+// Options of a living solver: shx_solver_get_options reads them, shx_solver_set_options changes them. Meaning and range of a field are
+// those of the field of the same name in shx_solver_def.
+struct solver_options : shx_solver_options {
+  solver_options() : shx_solver_options{} { detail::prepared(shx_solver_options_init(this, sizeof(shx_solver_options))); }
+
+  // SHX_INTEGRATOR_. Default SHX_INTEGRATOR_SECOND_ORDER. After a change strands start as if they had just been made, as far as the
+  // integrator looks back.
+  solver_options &with_integrator(superhelix::integrator::type value) {
+    integrator = value;
+    return *this;
+  }
+
+  // SHX_LINEAR_SOLVER_. Default SHX_LINEAR_SOLVER_LINEAR_TIME.
+  solver_options &with_linear_solver(superhelix::linear_solver::type value) {
+    linear_solver = value;
+    return *this;
+  }
+
+  // SHX_PRECISION_. Default SHX_PRECISION_F64.
+  solver_options &with_precision(superhelix::precision::type value) {
+    precision = value;
+    return *this;
+  }
+
+  // Maximum number of Newton iterations per substep. Default 50.
+  solver_options &with_max_iterations(std::uint32_t value) {
+    max_iterations = value;
+    return *this;
+  }
+
+  // 1 (default): the exact Hessian. 0: Gauss-Newton.
+  solver_options &with_exact_hessian(bool value) {
+    exact_hessian = value ? 1 : 0;
+    return *this;
+  }
+
+  // How many times a strand's substep may be halved. Default 3.
+  solver_options &with_max_subdivisions(std::uint32_t value) {
+    max_subdivisions = value;
+    return *this;
+  }
+
+  // SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST.
+  solver_options &with_instruction_set(superhelix::instruction_set::type value) {
+    instruction_set = value;
+    return *this;
+  }
+
+  // Gravity, m/s^2. Default (0, 0, -9.81).
+  solver_options &with_gravity(const vec3 &value) {
+    detail::copy(value, gravity);
+    return *this;
+  }
+
+  // Uniform wind, m/s. Default 0.
+  solver_options &with_wind(const vec3 &value) {
+    detail::copy(value, wind);
+    return *this;
+  }
+
+  // Tolerance of Newton's method, rad. Default 1e-6.
+  solver_options &with_tolerance(double value) {
+    tolerance = value;
+    return *this;
+  }
+
+  // Largest error of a substep, as a fraction of the length of the strand. Default 0: not estimated.
+  solver_options &with_error_tolerance(double value) {
+    error_tolerance = value;
+    return *this;
+  }
+
+  // SHX_INTEGRATOR_REFERENCE only: position error per second. Default 1e-8.
+  solver_options &with_reference_tolerance(double value) {
+    reference_tolerance = value;
+    return *this;
+  }
+
+  // Relative error of the integrals along an element. Default 1e-4.
+  solver_options &with_quadrature_tolerance(double value) {
+    quadrature_tolerance = value;
+    return *this;
+  }
+
+  // Acceleration above which a root jumps, m/s^2. Default 200.
+  solver_options &with_jump_acceleration(double value) {
+    jump_acceleration = value;
+    return *this;
+  }
+
+  // Maximum work per substep of steps that come without a limit of their own: see shx_step_limits. Default 0: the library's.
+  solver_options &with_max_work(std::uint64_t value) {
+    max_work = value;
+    return *this;
+  }
+
+  // Maximum duration of such a call, s. Default 0: no limit.
+  solver_options &with_max_seconds(double value) {
+    max_seconds = value;
+    return *this;
+  }
+
+  // Number of threads; 0: those of your task system. It is fixed when the solver is created: shx_solver_set_options refuses another number.
+  // Default 1.
+  solver_options &with_worker_count(std::uint32_t value) {
+    worker_count = value;
+    return *this;
+  }
+};
+
 // Limits on the cost of a step. Fill it with shx_step_limits_init.
 struct step_limits : shx_step_limits {
   step_limits() : shx_step_limits{} { detail::prepared(shx_step_limits_init(this, sizeof(shx_step_limits))); }
 
   // Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of one core. Work is counted, not
-  // timed, so results are identical to the bit on every machine and for any number of threads. 0 (default): a limit that keeps an
-  // application responsive, about a quarter of a second of one core for up to 2280 elements and proportionally more beyond.
+  // timed, so results are identical to the bit on every machine and for any number of threads. 0 (default): shx_solver_options.max_work, or
+  // where that is 0 too a limit that keeps an application responsive, about a quarter of a second of one core for up to 2280 elements and
+  // proportionally more beyond.
   step_limits &with_max_work(std::uint64_t value) {
     max_work = value;
     return *this;
   }
 
-  // Maximum duration of the call, s. Results then depend on the clock. 0 (default): no limit. A step needs some time to finish after its
-  // last iteration; the solver learns how much from earlier steps and reserves it.
+  // Maximum duration of the call, s. Results then depend on the clock. 0 (default): shx_solver_options.max_seconds, or where that is 0 too
+  // no limit. A step needs some time to finish after its last iteration; the solver learns how much from earlier steps and reserves it.
   step_limits &with_max_seconds(double value) {
     max_seconds = value;
     return *this;
@@ -544,6 +661,34 @@ struct sample_def : shx_sample_def {
     detail::copy(value, origin);
     return *this;
   }
+
+  // What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The three axes must be at right
+  // angles and of one length, that of your unit: a rotation with a scale, or a reflection with a scale for left-handed hosts. Positions
+  // become origin-relative positions times these axes, plus translation; velocities the same without translation; radii are scaled; frames
+  // turn along. Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0). Centimetres with y up,
+  // from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+  sample_def &with_x_axis(const vec3 &value) {
+    detail::copy(value, x_axis);
+    return *this;
+  }
+
+  // The same of the y axis. Default (0, 1, 0).
+  sample_def &with_y_axis(const vec3 &value) {
+    detail::copy(value, y_axis);
+    return *this;
+  }
+
+  // The same of the z axis. Default (0, 0, 1).
+  sample_def &with_z_axis(const vec3 &value) {
+    detail::copy(value, z_axis);
+    return *this;
+  }
+
+  // Added to positions at last, in your units. Default 0.
+  sample_def &with_translation(const vec3 &value) {
+    detail::copy(value, translation);
+    return *this;
+  }
 };
 
 // Definition of a body. Fill it with shx_body_def_init, then set shape and the fields of that shape; those of other shapes are ignored. The
@@ -680,6 +825,12 @@ struct body_def : shx_body_def {
   // Shared: a body from an earlier call. Its pose, surface and groups are not copied. Default null id: set it.
   body_def &with_shape_of(const body_id &value) {
     shape_of = value;
+    return *this;
+  }
+
+  // Your own number; the library does not use it. Default 0.
+  body_def &with_user_data(std::uint64_t value) {
+    user_data = value;
     return *this;
   }
 };
@@ -870,6 +1021,10 @@ struct strand_contact : shx_strand_contact {
 // A contact of a strand at the end of the last substep.
 using contact = shx_contact;
 
+// A strand and a body, or two strands, came into contact or lost it. Where and how: the contact of the two with the largest force, at the
+// end of the step in which it began, or of the last step in which there was one.
+using contact_event = shx_contact_event;
+
 // Curves to push out of a body. Fill it with shx_push_out_def_init, then set body, point_counts and curve_count.
 struct push_out_def : shx_push_out_def {
   push_out_def() : shx_push_out_def{} { detail::prepared(shx_push_out_def_init(this, sizeof(shx_push_out_def))); }
@@ -957,6 +1112,12 @@ struct constraint_def : shx_constraint_def {
   // Displacement of the point per unit of force, m/N; zero or above; must be 0 for rings. Default 0: rigid.
   constraint_def &with_compliance(double value) {
     compliance = value;
+    return *this;
+  }
+
+  // Your own number; the library does not use it. Default 0.
+  constraint_def &with_user_data(std::uint64_t value) {
+    user_data = value;
     return *this;
   }
 };
@@ -1329,6 +1490,43 @@ struct ring_comb_def : shx_ring_comb_def {
 
 // What a step did to such a comb.
 using ring_comb_report = shx_ring_comb_report;
+
+// What a snapshot contains. Fill it with shx_snapshot_def_init.
+struct snapshot_def : shx_snapshot_def {
+  snapshot_def() : shx_snapshot_def{} { detail::prepared(shx_snapshot_def_init(this, sizeof(shx_snapshot_def))); }
+
+  // SHX_SNAPSHOT_SHAPES_. Default SHX_SNAPSHOT_SHAPES_INCLUDED.
+  snapshot_def &with_shapes(superhelix::snapshot_shapes::type value) {
+    shapes = value;
+    return *this;
+  }
+};
+
+// How a snapshot is restored. Fill it with shx_restore_def_init.
+struct restore_def : shx_restore_def {
+  restore_def() : shx_restore_def{} { detail::prepared(shx_restore_def_init(this, sizeof(shx_restore_def))); }
+
+  // SHX_RESTORE_OPTIONS_. Default SHX_RESTORE_OPTIONS_SNAPSHOT.
+  restore_def &with_options(superhelix::restore_options::type value) {
+    options = value;
+    return *this;
+  }
+
+  // What shx_solver_snapshot_shapes wrote, for a snapshot that refers to shapes which no body of the solver has. Default null.
+  restore_def &with_shapes(kept<const std::uint8_t> values) {
+    detail::agree("restore_def.shapes", values.size(), shapes_size, false);
+    shapes_size = static_cast<std::size_t>(values.size());
+    shapes = values.data();
+    return *this;
+  }
+
+  // Number of bytes of shapes. Default 0.
+  restore_def &with_shapes_size(std::size_t value) {
+    detail::agree("restore_def.shapes_size", value, shapes_size, shapes != nullptr);
+    shapes_size = value;
+    return *this;
+  }
+};
 
 // A strand fitted to a polyline, apart from its element lengths and curvatures. Fill it with shx_polyline_fit_init.
 struct polyline_fit : shx_polyline_fit {
@@ -2540,6 +2738,30 @@ struct render_view : shx_render_view {
   // With previous_pose and roots: the root positions at that time.
   render_view &with_previous_roots(const kept_input &value) {
     previous_roots = value;
+    return *this;
+  }
+
+  // What one metre along the world's x axis becomes in the outputs: axes and rules are those of shx_sample_def. Default (1, 0, 0).
+  render_view &with_x_axis(const vec3 &value) {
+    detail::copy(value, x_axis);
+    return *this;
+  }
+
+  // The same of the y axis. Default (0, 1, 0).
+  render_view &with_y_axis(const vec3 &value) {
+    detail::copy(value, y_axis);
+    return *this;
+  }
+
+  // The same of the z axis. Default (0, 0, 1).
+  render_view &with_z_axis(const vec3 &value) {
+    detail::copy(value, z_axis);
+    return *this;
+  }
+
+  // Added to positions at last, in your units. Default 0.
+  render_view &with_translation(const vec3 &value) {
+    detail::copy(value, translation);
     return *this;
   }
 };

@@ -28,7 +28,11 @@ struct error_code {
     busy = SHX_ERROR_BUSY,
     // The data is not a snapshot, is truncated or corrupt, or has another version.
     snapshot = SHX_ERROR_SNAPSHOT,
-    // Out of memory.
+    // Out of memory. Functions that add strands, bodies and constraints, take and restore snapshots, read, sample, keep events, and read
+    // files ask for the memory that grows with your numbers before they use it: if there is none, they change nothing. What cannot fail
+    // softly, since the program ends where it finds no memory: blocks below 64 KiB, the working memory of shx_solver_step,
+    // shx_solver_settle, posing, fitting and render hair, which grows with the longest strand and the number of strands in contact, and the
+    // memory that another thread takes between asking and using.
     out_of_memory = SHX_ERROR_OUT_OF_MEMORY,
     // This version does not support the request. The message says what to use instead.
     unsupported = SHX_ERROR_UNSUPPORTED,
@@ -65,9 +69,9 @@ struct log_level {
     // Something needs attention: strands that did not converge or were rolled back, elements that turn too far, a parallel_for that skipped
     // items.
     warn = SHX_LOG_WARN,
-    // Rare events: a solver was created.
+    // Rare events, each in one readable line: a solver was created, a snapshot restored.
     info = SHX_LOG_INFO,
-    // One line per step.
+    // One line per step, and every option of a solver when it is created.
     debug = SHX_LOG_DEBUG,
   };
 };
@@ -244,6 +248,16 @@ struct contact_partner {
   };
 };
 
+// SHX_CONTACT_EVENT_
+struct contact_event_kind {
+  enum type : std::uint32_t {
+    // The two had no contact at the end of the step before, and have one now.
+    begin = SHX_CONTACT_EVENT_BEGIN,
+    // The two had a contact at the end of the step before, and have none now.
+    end = SHX_CONTACT_EVENT_END,
+  };
+};
+
 // SHX_CONSTRAINT_
 struct constraint_kind {
   enum type : std::uint32_t {
@@ -334,6 +348,27 @@ struct heat {
     straight = SHX_HEAT_STRAIGHT,
     // Heated hair keeps the shape in which it is held: a curling iron.
     present = SHX_HEAT_PRESENT,
+  };
+};
+
+// SHX_SNAPSHOT_SHAPES_
+struct snapshot_shapes {
+  enum type : std::uint32_t {
+    // The snapshot contains the shapes of all bodies.
+    included = SHX_SNAPSHOT_SHAPES_INCLUDED,
+    // Meshes, hulls and grids that never deformed are referred to by hashes of their contents, 16 bytes each. Restoring finds them in the
+    // bodies of the solver that is restored, or in what shx_solver_snapshot_shapes wrote.
+    referenced = SHX_SNAPSHOT_SHAPES_REFERENCED,
+  };
+};
+
+// SHX_RESTORE_OPTIONS_
+struct restore_options {
+  enum type : std::uint32_t {
+    // The options become those of the snapshot: further steps give the same bits as when it was taken.
+    snapshot = SHX_RESTORE_OPTIONS_SNAPSHOT,
+    // The solver keeps its own options, contact options included.
+    keep = SHX_RESTORE_OPTIONS_KEEP,
   };
 };
 

@@ -64,6 +64,15 @@ class solver : public solver_strands<solver>,
   // Uniform wind, m/s, from the next step on. Only strands with an air_drag feel it.
   returns<void> set_wind(const vec3 &wind) { return detail::finish(shx_solver_set_wind(get(), wind.data())); }
 
+  // The options of the solver, to be changed and set again. The number of threads is fixed.
+  returns<solver_options> get_options() const {
+    solver_options options;
+    const shx_result code = shx_solver_get_options(get(), &options);
+    return detail::finish(code, options);
+  }
+  // Changes the options from the next step on.
+  returns<void> set_options(const solver_options &options) { return detail::finish(shx_solver_set_options(get(), &options)); }
+
   // An image of everything that a step depends on.
   returns<std::vector<std::uint8_t>> snapshot() const {
     std::size_t size = 0;
@@ -79,7 +88,29 @@ class solver : public solver_strands<solver>,
     const shx_result code = shx_solver_snapshot(get(), out_image.data(), out_image.size(), &size);
     return detail::finish(code, size);
   }
-  // Puts the solver into the state of an image. Stepping on gives the same bits as it did then.
+  // The same as def says: without shapes that never change, say.
+  returns<std::vector<std::uint8_t>> snapshot(const snapshot_def &def) const {
+    std::size_t size = 0;
+    shx_result code = shx_solver_snapshot_with(get(), &def, nullptr, 0, &size);
+    std::vector<std::uint8_t> image(size);
+    if (code == SHX_OK)
+      code = shx_solver_snapshot_with(get(), &def, image.data(), image.size(), &size);
+    return detail::finish(code, std::move(image));
+  }
+  // The shapes that snapshots without shapes refer to. They serve all of these until a body is added.
+  returns<std::vector<std::uint8_t>> snapshot_shapes() const {
+    std::size_t size = 0;
+    shx_result code = shx_solver_snapshot_shapes(get(), nullptr, 0, &size);
+    std::vector<std::uint8_t> image(size);
+    if (code == SHX_OK)
+      code = shx_solver_snapshot_shapes(get(), image.data(), image.size(), &size);
+    return detail::finish(code, std::move(image));
+  }
+  // Puts the solver into the state of an image, with its options or the solver's own, and shapes that the image refers to.
+  returns<void> restore(span<const std::uint8_t> image, const restore_def &def) {
+    return detail::finish(shx_solver_restore_with(get(), image.data(), image.size(), &def));
+  }
+  // Puts the solver into the state of an image, options included. Stepping on gives the same bits as it did then.
   returns<void> restore(span<const std::uint8_t> image) { return detail::finish(shx_solver_restore(get(), image.data(), image.size())); }
 
   // Equal states give equal hashes.
@@ -88,6 +119,14 @@ class solver : public solver_strands<solver>,
     const shx_result code = shx_solver_state_hash(get(), &hash);
     return detail::finish(code, hash);
   }
+
+  // A number of the host's own, at any time, also in callbacks.
+  returns<std::uint64_t> get_own_user_data() const {
+    std::uint64_t number = 0;
+    const shx_result code = shx_solver_get_own_user_data(get(), &number);
+    return detail::finish(code, number);
+  }
+  returns<void> set_own_user_data(std::uint64_t number) { return detail::finish(shx_solver_set_own_user_data(get(), number)); }
 
   // Bytes of memory that the solver holds.
   returns<std::uint64_t> memory_usage() const {

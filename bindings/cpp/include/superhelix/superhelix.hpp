@@ -4,6 +4,7 @@
 #ifndef SUPERHELIX_HPP
 #define SUPERHELIX_HPP
 
+#include "attachment.hpp"
 #include "curves.hpp"
 #include "definitions.hpp"
 #include "enumerations.hpp"

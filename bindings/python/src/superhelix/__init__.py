@@ -10,6 +10,7 @@ from __future__ import annotations
 from superhelix import enums, errors, frames, groom, records
 from superhelix._callbacks import Run, log_to_logging, parallel_for_on
 from superhelix._library import abi_version, build_info, version
+from superhelix.attachments import Attachment
 from superhelix.bodies import BodyDef, bake_distance_grid
 from superhelix.curves import CurveCache, CurveCacheWriter, CurveData, Curves, write_curves
 from superhelix.enums import *  # noqa: F403
@@ -42,6 +43,7 @@ from superhelix.styling import (
 __version__ = version()
 
 __all__ = [
+    "Attachment",
     "BodyDef",
     "BodyId",
     "BodyIds",

@@ -83,6 +83,8 @@ SHX_CONTACT_REGULARISED_PENALTY = 2
 SHX_CONTACT_COULOMB = 3
 SHX_PARTNER_BODY = 1
 SHX_PARTNER_STRAND = 2
+SHX_CONTACT_EVENT_BEGIN = 1
+SHX_CONTACT_EVENT_END = 2
 SHX_CONSTRAINT_POINT = 1
 SHX_CONSTRAINT_DIRECTION = 2
 SHX_CONSTRAINT_FRAME = 3
@@ -107,6 +109,10 @@ SHX_TOOL_PLATES = 4
 SHX_TOOL_BARREL = 5
 SHX_HEAT_STRAIGHT = 1
 SHX_HEAT_PRESENT = 2
+SHX_SNAPSHOT_SHAPES_INCLUDED = 1
+SHX_SNAPSHOT_SHAPES_REFERENCED = 2
+SHX_RESTORE_OPTIONS_SNAPSHOT = 1
+SHX_RESTORE_OPTIONS_KEEP = 2
 SHX_FIT_LENGTHS_EQUAL = 1
 SHX_FIT_LENGTHS_AUTO = 2
 SHX_FIT_LENGTHS_FREE = 3
@@ -213,7 +219,7 @@ class shx_output(ctypes.Structure):
 
 
 class shx_solver_def(ctypes.Structure):
-    """176 bytes."""
+    """184 bytes."""
 
     __slots__ = ("kept",)
     _fields_ = [
@@ -239,6 +245,34 @@ class shx_solver_def(ctypes.Structure):
         ("quadrature_tolerance", ctypes.c_double),
         ("jump_acceleration", ctypes.c_double),
         ("reserved", ctypes.c_uint64 * 2),
+        ("user_data", ctypes.c_uint64),
+    ]
+
+
+class shx_solver_options(ctypes.Structure):
+    """144 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("integrator", ctypes.c_uint32),
+        ("linear_solver", ctypes.c_uint32),
+        ("precision", ctypes.c_uint32),
+        ("max_iterations", ctypes.c_uint32),
+        ("exact_hessian", ctypes.c_uint32),
+        ("max_subdivisions", ctypes.c_uint32),
+        ("instruction_set", ctypes.c_uint32),
+        ("gravity", ctypes.c_double * 3),
+        ("wind", ctypes.c_double * 3),
+        ("tolerance", ctypes.c_double),
+        ("error_tolerance", ctypes.c_double),
+        ("reference_tolerance", ctypes.c_double),
+        ("quadrature_tolerance", ctypes.c_double),
+        ("jump_acceleration", ctypes.c_double),
+        ("max_work", ctypes.c_uint64),
+        ("max_seconds", ctypes.c_double),
+        ("worker_count", ctypes.c_uint32),
+        ("reserved0", ctypes.c_uint32),
     ]
 
 
@@ -256,7 +290,7 @@ class shx_step_limits(ctypes.Structure):
 
 
 class shx_step_report(ctypes.Structure):
-    """176 bytes."""
+    """200 bytes."""
 
     __slots__ = ("kept",)
     _fields_ = [
@@ -289,6 +323,9 @@ class shx_step_report(ctypes.Structure):
         ("jumped_roots", ctypes.c_uint32),
         ("fast_body_pieces", ctypes.c_uint32),
         ("capped_contact_forces", ctypes.c_uint64),
+        ("search_seconds", ctypes.c_double),
+        ("strand_seconds", ctypes.c_double),
+        ("contact_seconds", ctypes.c_double),
     ]
 
 
@@ -427,18 +464,22 @@ class shx_element_change(ctypes.Structure):
 
 
 class shx_sample_def(ctypes.Structure):
-    """32 bytes."""
+    """128 bytes."""
 
     __slots__ = ("kept",)
     _fields_ = [
         ("struct_size", ctypes.c_uint32),
         ("points_per_strand", ctypes.c_uint32),
         ("origin", ctypes.c_double * 3),
+        ("x_axis", ctypes.c_double * 3),
+        ("y_axis", ctypes.c_double * 3),
+        ("z_axis", ctypes.c_double * 3),
+        ("translation", ctypes.c_double * 3),
     ]
 
 
 class shx_body_def(ctypes.Structure):
-    """312 bytes."""
+    """320 bytes."""
 
     __slots__ = ("kept",)
     _fields_ = [
@@ -465,6 +506,7 @@ class shx_body_def(ctypes.Structure):
         ("groups", ctypes.c_uint32),
         ("mask", ctypes.c_uint32),
         ("shape_of", shx_body_id),
+        ("user_data", ctypes.c_uint64),
     ]
 
 
@@ -544,6 +586,26 @@ class shx_contact(ctypes.Structure):
     ]
 
 
+class shx_contact_event(ctypes.Structure):
+    """128 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("event", ctypes.c_uint32),
+        ("partner", ctypes.c_uint32),
+        ("strand", shx_strand_id),
+        ("arclength", ctypes.c_double),
+        ("element", ctypes.c_uint32),
+        ("triangle", ctypes.c_uint32),
+        ("body", shx_body_id),
+        ("other_strand", shx_strand_id),
+        ("other_arclength", ctypes.c_double),
+        ("position", ctypes.c_double * 3),
+        ("normal", ctypes.c_double * 3),
+        ("force", ctypes.c_double * 3),
+    ]
+
+
 class shx_push_out_def(ctypes.Structure):
     """40 bytes."""
 
@@ -559,7 +621,7 @@ class shx_push_out_def(ctypes.Structure):
 
 
 class shx_constraint_def(ctypes.Structure):
-    """120 bytes."""
+    """128 bytes."""
 
     __slots__ = ("kept",)
     _fields_ = [
@@ -573,6 +635,7 @@ class shx_constraint_def(ctypes.Structure):
         ("friction_along", ctypes.c_double),
         ("friction_against", ctypes.c_double),
         ("compliance", ctypes.c_double),
+        ("user_data", ctypes.c_uint64),
     ]
 
 
@@ -724,6 +787,28 @@ class shx_ring_comb_report(ctypes.Structure):
         ("let_go", ctypes.c_uint32),
         ("force", ctypes.c_double * 3),
         ("torque", ctypes.c_double * 3),
+    ]
+
+
+class shx_snapshot_def(ctypes.Structure):
+    """8 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("shapes", ctypes.c_uint32),
+    ]
+
+
+class shx_restore_def(ctypes.Structure):
+    """24 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("options", ctypes.c_uint32),
+        ("shapes", ctypes.c_void_p),
+        ("shapes_size", ctypes.c_size_t),
     ]
 
 
@@ -1181,7 +1266,7 @@ class shx_render_guides(ctypes.Structure):
 
 
 class shx_render_view(ctypes.Structure):
-    """160 bytes."""
+    """256 bytes."""
 
     __slots__ = ("kept",)
     _fields_ = [
@@ -1195,6 +1280,10 @@ class shx_render_view(ctypes.Structure):
         ("roots", shx_input),
         ("previous_roots", shx_input),
         ("reserved", ctypes.c_uint64 * 4),
+        ("x_axis", ctypes.c_double * 3),
+        ("y_axis", ctypes.c_double * 3),
+        ("z_axis", ctypes.c_double * 3),
+        ("translation", ctypes.c_double * 3),
     ]
 
 shx_log_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_char_p)
@@ -1215,9 +1304,14 @@ class Functions:
     shx_solver_def_init: Callable[[Pointer, int], int]
     shx_solver_create: Callable[[Pointer, Pointer], int]
     shx_solver_destroy: Callable[[Pointer], None]
+    shx_solver_get_own_user_data: Callable[[Pointer, Pointer], int]
+    shx_solver_set_own_user_data: Callable[[Pointer, int], int]
     shx_solver_set_gravity: Callable[[Pointer, Pointer], int]
     shx_solver_set_wind: Callable[[Pointer, Pointer], int]
     shx_solver_memory_usage: Callable[[Pointer, Pointer], int]
+    shx_solver_options_init: Callable[[Pointer, int], int]
+    shx_solver_get_options: Callable[[Pointer, Pointer], int]
+    shx_solver_set_options: Callable[[Pointer, Pointer], int]
     shx_step_limits_init: Callable[[Pointer, int], int]
     shx_step_report_init: Callable[[Pointer, int], int]
     shx_solver_step: Callable[[Pointer, float, int, Pointer], int]
@@ -1230,6 +1324,7 @@ class Functions:
     shx_solver_strand_ids: Callable[[Pointer, Pointer, int], int]
     shx_solver_get_element_count: Callable[[Pointer, shx_strand_id, Pointer], int]
     shx_solver_get_element_lengths: Callable[[Pointer, shx_strand_id, Pointer, int], int]
+    shx_solver_strand_lengths: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_get_user_data: Callable[[Pointer, shx_strand_id, Pointer], int]
     shx_solver_strand_status: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_strand_iterations: Callable[[Pointer, Pointer, int, Pointer], int]
@@ -1272,11 +1367,13 @@ class Functions:
     shx_sample_def_init: Callable[[Pointer, int], int]
     shx_solver_sample_strands: Callable[[Pointer, Pointer, int, Pointer, Pointer, Pointer, Pointer], int]
     shx_solver_sample_at: Callable[[Pointer, shx_strand_id, Pointer, int, Pointer, Pointer, Pointer, Pointer], int]
+    shx_solver_sample_at_with: Callable[[Pointer, shx_strand_id, Pointer, int, Pointer, Pointer, Pointer, Pointer], int]
     shx_solver_root_wrenches: Callable[[Pointer, Pointer, int, Pointer, Pointer], int]
     shx_body_def_init: Callable[[Pointer, int], int]
     shx_solver_add_bodies: Callable[[Pointer, Pointer, int, int, Pointer], int]
     shx_solver_remove_bodies: Callable[[Pointer, Pointer, int], int]
     shx_solver_has_body: Callable[[Pointer, shx_body_id], bool]
+    shx_solver_get_body_user_data: Callable[[Pointer, shx_body_id, Pointer], int]
     shx_solver_body_count: Callable[[Pointer, Pointer], int]
     shx_solver_body_ids: Callable[[Pointer, Pointer, int], int]
     shx_solver_set_body_frames: Callable[[Pointer, Pointer, int, Pointer, float], int]
@@ -1296,6 +1393,8 @@ class Functions:
     shx_solver_get_strand_contact: Callable[[Pointer, shx_strand_id, Pointer, Pointer], int]
     shx_solver_contact_count: Callable[[Pointer, Pointer], int]
     shx_solver_contacts: Callable[[Pointer, Pointer, int, int, Pointer], int]
+    shx_solver_keep_contact_events: Callable[[Pointer, int], int]
+    shx_solver_drain_contact_events: Callable[[Pointer, Pointer, int, int, Pointer, Pointer], int]
     shx_solver_overlaps: Callable[[Pointer, Pointer, int, Pointer, Pointer, Pointer, Pointer], int]
     shx_solver_permit_overlaps: Callable[[Pointer, Pointer, int], int]
     shx_solver_set_permitted_overlap: Callable[[Pointer, shx_strand_id, Pointer, Pointer, Pointer, int], int]
@@ -1306,11 +1405,16 @@ class Functions:
     shx_solver_add_constraints: Callable[[Pointer, Pointer, int, int, Pointer], int]
     shx_solver_remove_constraints: Callable[[Pointer, Pointer, int], int]
     shx_solver_has_constraint: Callable[[Pointer, shx_constraint_id], bool]
+    shx_solver_get_constraint_user_data: Callable[[Pointer, shx_constraint_id, Pointer], int]
     shx_solver_constraint_count: Callable[[Pointer, Pointer], int]
     shx_solver_constraint_ids: Callable[[Pointer, Pointer, int], int]
     shx_solver_set_constraint_targets: Callable[[Pointer, Pointer, int, Pointer, float], int]
     shx_solver_get_constraint_targets: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_constraint_states: Callable[[Pointer, Pointer, int, Pointer, int], int]
+    shx_attachment_create: Callable[[Pointer, Pointer, Pointer, int, Pointer, int, Pointer, int, Pointer], int]
+    shx_attachment_move: Callable[[Pointer, Pointer, Pointer, float], int]
+    shx_attachment_teleport: Callable[[Pointer, Pointer, Pointer], int]
+    shx_attachment_destroy: Callable[[Pointer], None]
     shx_haptic_def_init: Callable[[Pointer, int], int]
     shx_haptic_state_init: Callable[[Pointer, int], int]
     shx_haptic_create: Callable[[Pointer, Pointer, Pointer, int, Pointer], int]
@@ -1338,7 +1442,12 @@ class Functions:
     shx_ring_comb_after_step: Callable[[Pointer, Pointer, Pointer], int]
     shx_ring_comb_release: Callable[[Pointer, Pointer], int]
     shx_solver_snapshot: Callable[[Pointer, Pointer, int, Pointer], int]
+    shx_snapshot_def_init: Callable[[Pointer, int], int]
+    shx_solver_snapshot_with: Callable[[Pointer, Pointer, Pointer, int, Pointer], int]
+    shx_solver_snapshot_shapes: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_restore: Callable[[Pointer, Pointer, int], int]
+    shx_restore_def_init: Callable[[Pointer, int], int]
+    shx_solver_restore_with: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_state_hash: Callable[[Pointer, Pointer], int]
     shx_polyline_fit_init: Callable[[Pointer, int], int]
     shx_fit_polyline: Callable[[Pointer, int, Pointer, Pointer, Pointer, int], int]
@@ -1429,9 +1538,14 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_solver_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_destroy": (None, [ctypes.c_void_p]),
+    "shx_solver_get_own_user_data": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_solver_set_own_user_data": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_uint64]),
     "shx_solver_set_gravity": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_set_wind": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_memory_usage": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_solver_options_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_get_options": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_solver_set_options": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_step_limits_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_step_report_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_step": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_double, ctypes.c_uint32, ctypes.c_void_p]),
@@ -1450,6 +1564,7 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_solver_strand_ids": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_get_element_count": (ctypes.c_int32, [ctypes.c_void_p, shx_strand_id, ctypes.c_void_p]),
     "shx_solver_get_element_lengths": (ctypes.c_int32, [ctypes.c_void_p, shx_strand_id, ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_strand_lengths": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_get_user_data": (ctypes.c_int32, [ctypes.c_void_p, shx_strand_id, ctypes.c_void_p]),
     "shx_solver_strand_status": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_strand_iterations": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
@@ -1552,6 +1667,10 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
         ctypes.c_int32,
         [ctypes.c_void_p, shx_strand_id, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p],
     ),
+    "shx_solver_sample_at_with": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, shx_strand_id, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p],
+    ),
     "shx_solver_root_wrenches": (
         ctypes.c_int32,
         [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p],
@@ -1563,6 +1682,7 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     ),
     "shx_solver_remove_bodies": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_has_body": (ctypes.c_bool, [ctypes.c_void_p, shx_body_id]),
+    "shx_solver_get_body_user_data": (ctypes.c_int32, [ctypes.c_void_p, shx_body_id, ctypes.c_void_p]),
     "shx_solver_body_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_body_ids": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_set_body_frames": (
@@ -1594,6 +1714,11 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_solver_get_strand_contact": (ctypes.c_int32, [ctypes.c_void_p, shx_strand_id, ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_contact_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_contacts": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_solver_keep_contact_events": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_drain_contact_events": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p],
+    ),
     "shx_solver_overlaps": (
         ctypes.c_int32,
         [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p],
@@ -1619,6 +1744,7 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     ),
     "shx_solver_remove_constraints": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_has_constraint": (ctypes.c_bool, [ctypes.c_void_p, shx_constraint_id]),
+    "shx_solver_get_constraint_user_data": (ctypes.c_int32, [ctypes.c_void_p, shx_constraint_id, ctypes.c_void_p]),
     "shx_solver_constraint_count": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_constraint_ids": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_set_constraint_targets": (
@@ -1630,6 +1756,23 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
         ctypes.c_int32,
         [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p, ctypes.c_size_t],
     ),
+    "shx_attachment_create": (
+        ctypes.c_int32,
+        [
+            ctypes.c_void_p,
+            ctypes.c_void_p,
+            ctypes.c_void_p,
+            ctypes.c_size_t,
+            ctypes.c_void_p,
+            ctypes.c_size_t,
+            ctypes.c_void_p,
+            ctypes.c_size_t,
+            ctypes.c_void_p,
+        ],
+    ),
+    "shx_attachment_move": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_double]),
+    "shx_attachment_teleport": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_attachment_destroy": (None, [ctypes.c_void_p]),
     "shx_haptic_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_haptic_state_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_haptic_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
@@ -1681,7 +1824,15 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_ring_comb_after_step": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]),
     "shx_ring_comb_release": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_snapshot": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
+    "shx_snapshot_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_snapshot_with": (
+        ctypes.c_int32,
+        [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p],
+    ),
+    "shx_solver_snapshot_shapes": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_restore": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_restore_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_restore_with": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_state_hash": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_polyline_fit_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_fit_polyline": (
@@ -1800,6 +1951,7 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
 #: Each versioned structure's function that fills it with defaults.
 INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_solver_def: "shx_solver_def_init",
+    shx_solver_options: "shx_solver_options_init",
     shx_step_limits: "shx_step_limits_init",
     shx_step_report: "shx_step_report_init",
     shx_strand_def: "shx_strand_def_init",
@@ -1823,6 +1975,8 @@ INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_clip_def: "shx_clip_def_init",
     shx_heat_def: "shx_heat_def_init",
     shx_ring_comb_def: "shx_ring_comb_def_init",
+    shx_snapshot_def: "shx_snapshot_def_init",
+    shx_restore_def: "shx_restore_def_init",
     shx_polyline_fit: "shx_polyline_fit_init",
     shx_fit_options: "shx_fit_options_init",
     shx_fit_input: "shx_fit_input_init",

@@ -25,7 +25,11 @@ class ErrorCode(IntEnum):
     SNAPSHOT = -7
     """The data is not a snapshot, is truncated or corrupt, or has another version."""
     OUT_OF_MEMORY = -8
-    """Out of memory."""
+    """Out of memory. Functions that add strands, bodies and constraints, take and restore snapshots, read, sample, keep events, and
+    read files ask for the memory that grows with your numbers before they use it: if there is none, they change nothing. What
+    cannot fail softly, since the program ends where it finds no memory: blocks below 64 KiB, the working memory of Solver.step,
+    Solver.settle, posing, fitting and render hair, which grows with the longest strand and the number of strands in contact, and
+    the memory that another thread takes between asking and using."""
     UNSUPPORTED = -9
     """This version does not support the request. The message says what to use instead."""
     FILE = -10
@@ -45,9 +49,9 @@ class LogLevel(IntEnum):
     """Something needs attention: strands that did not converge or were rolled back, elements that turn too far, a parallel_for that
     skipped items."""
     INFO = 3
-    """Rare events: a solver was created."""
+    """Rare events, each in one readable line: a solver was created, a snapshot restored."""
     DEBUG = 4
-    """One line per step."""
+    """One line per step, and every option of a solver when it is created."""
 
 
 class Integrator(IntEnum):
@@ -211,6 +215,15 @@ class Partner(IntEnum):
     """The contact is with another strand, or with another part of the same one."""
 
 
+class ContactEventKind(IntEnum):
+    """What ContactEvent.event may be."""
+
+    BEGIN = 1
+    """The two had no contact at the end of the step before, and have one now."""
+    END = 2
+    """The two had a contact at the end of the step before, and have none now."""
+
+
 class ConstraintKind(IntEnum):
     """What ConstraintDef.kind may be."""
 
@@ -295,6 +308,25 @@ class Heat(IntEnum):
     """Heated hair becomes straight: a straightener."""
     PRESENT = 2
     """Heated hair keeps the shape in which it is held: a curling iron."""
+
+
+class SnapshotShapes(IntEnum):
+    """What SnapshotDef.shapes may be."""
+
+    INCLUDED = 1
+    """The snapshot contains the shapes of all bodies."""
+    REFERENCED = 2
+    """Meshes, hulls and grids that never deformed are referred to by hashes of their contents, 16 bytes each. Restoring finds them
+    in the bodies of the solver that is restored, or in what Solver.snapshot_shapes wrote."""
+
+
+class RestoreOptions(IntEnum):
+    """What RestoreDef.options may be."""
+
+    SNAPSHOT = 1
+    """The options become those of the snapshot: further steps give the same bits as when it was taken."""
+    KEEP = 2
+    """The solver keeps its own options, contact options included."""
 
 
 class FitLengths(IntEnum):
@@ -443,6 +475,7 @@ __all__ = [
     "CoefficientStatus",
     "ConstraintKind",
     "ConstraintStatus",
+    "ContactEventKind",
     "ContactModel",
     "Curl",
     "CurveAttribute",
@@ -464,8 +497,10 @@ __all__ = [
     "Partner",
     "Precision",
     "Preset",
+    "RestoreOptions",
     "Shape",
     "Sides",
+    "SnapshotShapes",
     "SplineEnds",
     "SplineKind",
     "Stiffen",

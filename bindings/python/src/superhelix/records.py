@@ -137,6 +137,9 @@ class SolverDef(Record):
         "the strand's length. The strand then moves rigidly with its root in one step and continues from there; bodies that jump "
         "along do not sweep it. The report counts such strands in jumped_roots. Above zero; INFINITY: no root jumps. Default 200."
     )
+    user_data = IntField(
+        "Your own number, for example a pointer; the library does not use it. Default 0. Solver.set_own_user_data changes it."
+    )
 
     def __init__(
         self,
@@ -157,6 +160,7 @@ class SolverDef(Record):
         reference_tolerance: float | None = None,
         quadrature_tolerance: float | None = None,
         jump_acceleration: float | None = None,
+        user_data: int | None = None,
     ) -> None:
         super().__init__()
         self._set(
@@ -176,6 +180,83 @@ class SolverDef(Record):
             reference_tolerance=reference_tolerance,
             quadrature_tolerance=quadrature_tolerance,
             jump_acceleration=jump_acceleration,
+            user_data=user_data,
+        )
+
+
+class SolverOptions(Record):
+    """Options of a living solver: Solver.get_options reads them, Solver.set_options changes them. Meaning and range of a field are
+    those of the field of the same name in SolverDef."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_solver_options
+    integrator = EnumField(
+        Integrator,
+        "Integrator. Default Integrator.SECOND_ORDER. After a change strands start as if they had just been made, as far as the "
+        "integrator looks back."
+    )
+    linear_solver = EnumField(LinearSolver, "LinearSolver. Default LinearSolver.LINEAR_TIME.")
+    precision = EnumField(Precision, "Precision. Default Precision.F64.")
+    max_iterations = IntField("Maximum number of Newton iterations per substep. Default 50.")
+    exact_hessian = BoolField("1 (default): the exact Hessian. 0: Gauss-Newton.")
+    max_subdivisions = IntField("How many times a strand's substep may be halved. Default 3.")
+    instruction_set = EnumField(InstructionSet, "InstructionSet. Default InstructionSet.BEST.")
+    gravity = VectorField(3, "Gravity, m/s^2. Default (0, 0, -9.81).")
+    wind = VectorField(3, "Uniform wind, m/s. Default 0.")
+    tolerance = FloatField("Tolerance of Newton's method, rad. Default 1e-6.")
+    error_tolerance = FloatField("Largest error of a substep, as a fraction of the length of the strand. Default 0: not estimated.")
+    reference_tolerance = FloatField("Integrator.REFERENCE only: position error per second. Default 1e-8.")
+    quadrature_tolerance = FloatField("Relative error of the integrals along an element. Default 1e-4.")
+    jump_acceleration = FloatField("Acceleration above which a root jumps, m/s^2. Default 200.")
+    max_work = IntField(
+        "Maximum work per substep of steps that come without a limit of their own: see StepLimits. Default 0: the library's."
+    )
+    max_seconds = FloatField("Maximum duration of such a call, s. Default 0: no limit.")
+    worker_count = IntField(
+        "Number of threads; 0: those of your task system. It is fixed when the solver is created: Solver.set_options refuses "
+        "another number. Default 1."
+    )
+
+    def __init__(
+        self,
+        *,
+        integrator: Integrator | None = None,
+        linear_solver: LinearSolver | None = None,
+        precision: Precision | None = None,
+        max_iterations: int | None = None,
+        exact_hessian: bool | None = None,
+        max_subdivisions: int | None = None,
+        instruction_set: InstructionSet | None = None,
+        gravity: Sequence[float] | None = None,
+        wind: Sequence[float] | None = None,
+        tolerance: float | None = None,
+        error_tolerance: float | None = None,
+        reference_tolerance: float | None = None,
+        quadrature_tolerance: float | None = None,
+        jump_acceleration: float | None = None,
+        max_work: int | None = None,
+        max_seconds: float | None = None,
+        worker_count: int | None = None,
+    ) -> None:
+        super().__init__()
+        self._set(
+            integrator=integrator,
+            linear_solver=linear_solver,
+            precision=precision,
+            max_iterations=max_iterations,
+            exact_hessian=exact_hessian,
+            max_subdivisions=max_subdivisions,
+            instruction_set=instruction_set,
+            gravity=gravity,
+            wind=wind,
+            tolerance=tolerance,
+            error_tolerance=error_tolerance,
+            reference_tolerance=reference_tolerance,
+            quadrature_tolerance=quadrature_tolerance,
+            jump_acceleration=jump_acceleration,
+            max_work=max_work,
+            max_seconds=max_seconds,
+            worker_count=worker_count,
         )
 
 
@@ -234,6 +315,13 @@ class StepReport(Record):
         "Number of contacts whose reported force was capped at what hair can exert: what moves the strand by its own length "
         "within the substep and bends its elements by a radian; twice that where all contact laws hold."
     )
+    search_seconds = FloatField(
+        "Time spent on the search for contacts, s. The three phases sum up to less than seconds; 0 where there is no clock."
+    )
+    strand_seconds = FloatField("Time spent on the equations of motion of strands, s.")
+    contact_seconds = FloatField(
+        "Time spent on the contact problems of islands, s. Sampling is not part of a step: time it yourself."
+    )
 
     def __init__(
         self,
@@ -266,6 +354,9 @@ class StepReport(Record):
         jumped_roots: int | None = None,
         fast_body_pieces: int | None = None,
         capped_contact_forces: int | None = None,
+        search_seconds: float | None = None,
+        strand_seconds: float | None = None,
+        contact_seconds: float | None = None,
     ) -> None:
         super().__init__()
         self._set(
@@ -297,6 +388,9 @@ class StepReport(Record):
             jumped_roots=jumped_roots,
             fast_body_pieces=fast_body_pieces,
             capped_contact_forces=capped_contact_forces,
+            search_seconds=search_seconds,
+            strand_seconds=strand_seconds,
+            contact_seconds=contact_seconds,
         )
 
 
@@ -550,6 +644,7 @@ class BodyDef(Record):
         BodyId,
         "Shared: a body from an earlier call. Its pose, surface and groups are not copied. Default null id: set it."
     )
+    user_data = IntField("Your own number; the library does not use it. Default 0.")
 
     def __init__(
         self,
@@ -570,6 +665,7 @@ class BodyDef(Record):
         groups: int | None = None,
         mask: int | None = None,
         shape_of: BodyId | None = None,
+        user_data: int | None = None,
     ) -> None:
         super().__init__()
         self._set(
@@ -589,6 +685,7 @@ class BodyDef(Record):
             groups=groups,
             mask=mask,
             shape_of=shape_of,
+            user_data=user_data,
         )
 
 
@@ -735,6 +832,26 @@ class ContactTable(Table):
     gap = FloatColumn("Distance between the surfaces along the normal, m; negative if they penetrate.")
 
 
+class ContactEventTable(Table):
+    """A row each: a strand and a body, or two strands, came into contact or lost it. Where and how: the contact of the two with the
+    largest force, at the end of the step in which it began, or of the last step in which there was one."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_contact_event
+    event = UintColumn("ContactEventKind.")
+    partner = UintColumn("What the strand is in contact with: Partner.")
+    strand = IdColumn(StrandIds, "The strand.")
+    arclength = FloatColumn("Arclength of the contact on the strand, m.")
+    element = UintColumn("Element of the strand on which it lies, counted from the root.")
+    triangle = UintColumn("Triangle of a mesh; otherwise 0.")
+    body = IdColumn(BodyIds, "The body; null id for a strand.")
+    other_strand = IdColumn(StrandIds, "The other strand; null id for a body.")
+    other_arclength = FloatColumn("Arclength on the other strand, m; 0 for a body.")
+    position = FloatColumn("Point on the centreline of the strand, m, world.")
+    normal = FloatColumn("Unit normal from the partner to the strand, world.")
+    force = FloatColumn("Force on the strand, N, world.")
+
+
 class ConstraintDef(Record):
     """Definition of a constraint."""
 
@@ -756,6 +873,7 @@ class ConstraintDef(Record):
     compliance = FloatField(
         "Displacement of the point per unit of force, m/N; zero or above; must be 0 for rings. Default 0: rigid."
     )
+    user_data = IntField("Your own number; the library does not use it. Default 0.")
 
     def __init__(
         self,
@@ -769,6 +887,7 @@ class ConstraintDef(Record):
         friction_along: float | None = None,
         friction_against: float | None = None,
         compliance: float | None = None,
+        user_data: int | None = None,
     ) -> None:
         super().__init__()
         self._set(
@@ -781,6 +900,7 @@ class ConstraintDef(Record):
             friction_along=friction_along,
             friction_against=friction_against,
             compliance=compliance,
+            user_data=user_data,
         )
 
 
@@ -1829,6 +1949,7 @@ __all__ = [
     "CombingTest",
     "ConstraintDef",
     "ConstraintStateTable",
+    "ContactEventTable",
     "ContactOptions",
     "ContactTable",
     "Cut",
@@ -1857,6 +1978,7 @@ __all__ = [
     "SettleDef",
     "SettleReport",
     "SolverDef",
+    "SolverOptions",
     "StepReport",
     "StrandContact",
     "SuggestDef",

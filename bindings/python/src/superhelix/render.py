@@ -14,6 +14,7 @@ from superhelix._callbacks import Failures, ParallelFor, attach, parallel_for_ca
 from superhelix._handle import Handle, Owner, made
 from superhelix._library import functions
 from superhelix._record import initialize
+from superhelix._transform import put_transform
 from superhelix.errors import check
 from superhelix.records import RenderSettings
 
@@ -225,6 +226,7 @@ class RenderPose(Owner):
         first_strand: int = 0,
         strand_count: int | None = None,
         origin: npt.ArrayLike | None = None,
+        transform: npt.ArrayLike | None = None,
         previous_pose: RenderPose | None = None,
         interval: float = 0.0,
         roots: Any = None,
@@ -236,7 +238,7 @@ class RenderPose(Owner):
         """Evaluates render strands: returns points, m, (strands, points, 3) float32. out: an array to write them to instead, float32, items of three
         numbers, or four, the fourth the radius. frames: an array for quaternions x, y, z, w (float32); velocities: an array for velocities, m/s
         (float32). solver: strands stay out of its bodies. previous_pose: the pose interval seconds earlier, for velocities. roots: the current
-        roots (m, or frames; None: they move with the roots of their guides).
+        roots (m, or frames; None: they move with the roots of their guides). transform: a matrix to your space, as in Solver.sample_strands.
         """
         count = max(self.hair.strand_count - first_strand, 0) if strand_count is None else whole("strand_count", strand_count, 0, 2**63)
         view = _capi.shx_render_view()
@@ -245,6 +247,7 @@ class RenderPose(Owner):
         kept: list[Any] = []
         if origin is not None:
             view.origin = (ctypes.c_double * 3)(*vector("origin", origin))
+        put_transform(view, transform)
         if previous_pose is not None:
             kept.append(previous_pose._handle)
             view.previous_pose, view.interval = kept[-1]._as_parameter_, interval

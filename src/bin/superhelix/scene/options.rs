@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use superhelix::contact::options::ContactOptions;
 use superhelix::math::lane::Precision;
-use superhelix::solver::definition::{SolverOptions, Workers};
+use superhelix::solver::definition::{SolverOptions, UsualLimits, Workers};
 use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
 
 use super::words::in_words_of_the_scene;
@@ -53,6 +53,7 @@ pub fn read(scene: &Entries, contact: ContactOptions) -> Result<SolverOptions, C
         instruction_set: None,
         contact,
         jump_acceleration: scene.or("jump_acceleration", defaults.jump_acceleration, Node::positive)?,
+        limits: UsualLimits::default(),
     };
     options.check("scene").map_err(in_words_of_the_scene)?;
     Ok(options)

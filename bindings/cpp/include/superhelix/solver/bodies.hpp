@@ -41,6 +41,13 @@ class solver_bodies {
     return detail::finish(shx_solver_remove_bodies(raw(), ids.data(), ids.size()));
   }
 
+  // The number that body_def's user_data gave to a body.
+  returns<std::uint64_t> get_body_user_data(body_id id) const {
+    std::uint64_t number = 0;
+    const shx_result code = shx_solver_get_body_user_data(raw(), id, &number);
+    return detail::finish(code, number);
+  }
+
   bool has_body(body_id id) const noexcept { return shx_solver_has_body(raw(), id); }
 
   returns<std::size_t> body_count() const {

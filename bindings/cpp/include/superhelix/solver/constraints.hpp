@@ -31,6 +31,13 @@ class solver_constraints {
     return detail::finish(shx_solver_remove_constraints(raw(), ids.data(), ids.size()));
   }
 
+  // The number that constraint_def's user_data gave to a constraint.
+  returns<std::uint64_t> get_constraint_user_data(constraint_id id) const {
+    std::uint64_t number = 0;
+    const shx_result code = shx_solver_get_constraint_user_data(raw(), id, &number);
+    return detail::finish(code, number);
+  }
+
   bool has_constraint(constraint_id id) const noexcept { return shx_solver_has_constraint(raw(), id); }
 
   returns<std::size_t> constraint_count() const {

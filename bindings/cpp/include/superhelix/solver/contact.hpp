@@ -15,6 +15,12 @@ struct permitted_overlap {
   std::vector<double> arclengths, wisp_fractions, body_depths;
 };
 
+// How many events of contacts were drained, and how many were lost for want of room.
+struct drained_events {
+  std::size_t count;
+  std::uint64_t lost;
+};
+
 template <class Solver>
 class solver_contact {
   shx_solver *raw() const noexcept { return static_cast<const Solver *>(this)->get(); }
@@ -68,6 +74,16 @@ class solver_contact {
     if (code == SHX_OK && count > 0)
       code = shx_solver_contacts(raw(), all.data(), sizeof(contact), all.size(), &count);
     return detail::finish(code, std::move(all));
+  }
+
+  // Keeps up to capacity events of contacts that begin and end in steps; 0: none.
+  returns<void> keep_contact_events(std::size_t capacity) { return detail::finish(shx_solver_keep_contact_events(raw(), capacity)); }
+  // Moves the oldest events into out_events. How many they are, and how many found no room since the last call.
+  returns<drained_events> drain_contact_events(span<contact_event> out_events) {
+    drained_events drained{};
+    const shx_result code = shx_solver_drain_contact_events(raw(), out_events.data(), sizeof(contact_event), out_events.size(),
+                                                            &drained.count, &drained.lost);
+    return detail::finish(code, drained);
   }
 
   // How deep strands are in others and in bodies as they are now. Outputs, each for one strand, are empty where they are not wanted.

@@ -27,6 +27,12 @@ class solver_sampling {
     return detail::finish(shx_solver_sample_at(raw(), id, arclengths.data(), arclengths.size(), origin.data(), detail::wanted(points),
                                                detail::wanted(frames), detail::wanted(velocities)));
   }
+  // The same with the origin and the axes of def.
+  returns<void> sample_at(strand_id id, span<const double> arclengths, const sample_def &def, const output &points,
+                          const output &frames = {}, const output &velocities = {}) const {
+    return detail::finish(shx_solver_sample_at_with(raw(), id, arclengths.data(), arclengths.size(), &def, detail::wanted(points),
+                                                    detail::wanted(frames), detail::wanted(velocities)));
+  }
 };
 
 }  // namespace SUPERHELIX_WAY

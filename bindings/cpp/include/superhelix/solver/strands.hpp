@@ -78,6 +78,14 @@ class solver_strands {
     return detail::finish(code, std::move(lengths));
   }
 
+  // The length of each strand, m.
+  returns<void> strand_lengths(span<const strand_id> ids, span<double> out_lengths) const {
+    detail::sizes sizes("strand_lengths");
+    if (sizes.room("out_lengths", out_lengths.size(), ids.size()).wrong())
+      return sizes.failure<void>();
+    return detail::finish(shx_solver_strand_lengths(raw(), ids.data(), ids.size(), out_lengths.data()));
+  }
+
   // The number that strand_def's user_data gave to a strand.
   returns<std::uint64_t> get_user_data(strand_id id) const {
     std::uint64_t number = 0;

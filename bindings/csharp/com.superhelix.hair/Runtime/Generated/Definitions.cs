@@ -159,6 +159,15 @@ namespace Superhelix
       set { Raw.JumpAcceleration = value; }
     }
 
+    /// <summary>
+    /// Your own number, for example a pointer; the library does not use it. Default 0. shx_solver_set_own_user_data changes it.
+    /// </summary>
+    public ulong UserData
+    {
+      get { return Raw.UserData; }
+      set { Raw.UserData = value; }
+    }
+
     // What the C library reads during a call.
     internal SolverDefRaw Pin(Pins pins)
     {
@@ -184,8 +193,9 @@ namespace Superhelix
 
     /// <summary>
     /// Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of one core. Work is counted,
-    /// not timed, so results are identical to the bit on every machine and for any number of threads. 0 (default): a limit that keeps an
-    /// application responsive, about a quarter of a second of one core for up to 2280 elements and proportionally more beyond.
+    /// not timed, so results are identical to the bit on every machine and for any number of threads. 0 (default):
+    /// shx_solver_options.max_work, or where that is 0 too a limit that keeps an application responsive, about a quarter of a second of one
+    /// core for up to 2280 elements and proportionally more beyond.
     /// </summary>
     public ulong MaxWork
     {
@@ -194,8 +204,9 @@ namespace Superhelix
     }
 
     /// <summary>
-    /// Maximum duration of the call, s. Results then depend on the clock. 0 (default): no limit. A step needs some time to finish after its
-    /// last iteration; the solver learns how much from earlier steps and reserves it.
+    /// Maximum duration of the call, s. Results then depend on the clock. 0 (default): shx_solver_options.max_seconds, or where that is 0
+    /// too no limit. A step needs some time to finish after its last iteration; the solver learns how much from earlier steps and reserves
+    /// it.
     /// </summary>
     public double MaxSeconds
     {
@@ -566,6 +577,13 @@ namespace Superhelix
       set { Raw.ShapeOf = value; }
     }
 
+    /// <summary>Your own number; the library does not use it. Default 0.</summary>
+    public ulong UserData
+    {
+      get { return Raw.UserData; }
+      set { Raw.UserData = value; }
+    }
+
     // What the C library reads during a call.
     internal BodyDefRaw Pin(Pins pins)
     {
@@ -667,6 +685,40 @@ namespace Superhelix
       PushOutDefRaw raw = Raw;
       raw.CurveCount = (UIntPtr)Pins.Agree("PushOutDef.PointCounts", PointCounts, raw.CurveCount.ToUInt64(), false);
       raw.PointCounts = pins.Add(PointCounts);
+      return raw;
+    }
+  }
+
+  /// <summary>How a snapshot is restored. Fill it with shx_restore_def_init.</summary>
+  public sealed unsafe partial class RestoreDef
+  {
+    internal RestoreDefRaw Raw;
+
+    /// <summary>One with the defaults.</summary>
+    public RestoreDef()
+    {
+      fixed (RestoreDefRaw* raw = &Raw)
+        Error.Check(Native.shx_restore_def_init(raw, (UIntPtr)sizeof(RestoreDefRaw)));
+    }
+
+    /// <summary>SHX_RESTORE_OPTIONS_. Default SHX_RESTORE_OPTIONS_SNAPSHOT.</summary>
+    public RestoreOptions Options
+    {
+      get { return Raw.Options; }
+      set { Raw.Options = value; }
+    }
+
+    /// <summary>
+    /// What shx_solver_snapshot_shapes wrote, for a snapshot that refers to shapes which no body of the solver has. Default null.
+    /// </summary>
+    public byte[] Shapes { get; set; }
+
+    // What the C library reads during a call.
+    internal RestoreDefRaw Pin(Pins pins)
+    {
+      RestoreDefRaw raw = Raw;
+      raw.ShapesSize = (UIntPtr)Pins.Agree("RestoreDef.Shapes", Shapes, raw.ShapesSize.ToUInt64(), false);
+      raw.Shapes = pins.Add(Shapes);
       return raw;
     }
   }
@@ -1716,6 +1768,36 @@ namespace Superhelix
 
     /// <summary>With previous_pose and roots: the root positions at that time.</summary>
     public Items PreviousRoots { get; set; }
+
+    /// <summary>
+    /// What one metre along the world's x axis becomes in the outputs: axes and rules are those of shx_sample_def. Default (1, 0, 0).
+    /// </summary>
+    public Vec3 XAxis
+    {
+      get { return Raw.XAxis; }
+      set { Raw.XAxis = value; }
+    }
+
+    /// <summary>The same of the y axis. Default (0, 1, 0).</summary>
+    public Vec3 YAxis
+    {
+      get { return Raw.YAxis; }
+      set { Raw.YAxis = value; }
+    }
+
+    /// <summary>The same of the z axis. Default (0, 0, 1).</summary>
+    public Vec3 ZAxis
+    {
+      get { return Raw.ZAxis; }
+      set { Raw.ZAxis = value; }
+    }
+
+    /// <summary>Added to positions at last, in your units. Default 0.</summary>
+    public Vec3 Translation
+    {
+      get { return Raw.Translation; }
+      set { Raw.Translation = value; }
+    }
 
     // What the C library reads during a call.
     internal RenderViewRaw Pin(Pins pins)

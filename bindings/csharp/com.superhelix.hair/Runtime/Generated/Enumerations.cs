@@ -27,7 +27,13 @@ namespace Superhelix
     Busy = -6,
     /// <summary>The data is not a snapshot, is truncated or corrupt, or has another version.</summary>
     Snapshot = -7,
-    /// <summary>Out of memory.</summary>
+    /// <summary>
+    /// Out of memory. Functions that add strands, bodies and constraints, take and restore snapshots, read, sample, keep events, and read
+    /// files ask for the memory that grows with your numbers before they use it: if there is none, they change nothing. What cannot fail
+    /// softly, since the program ends where it finds no memory: blocks below 64 KiB, the working memory of shx_solver_step,
+    /// shx_solver_settle, posing, fitting and render hair, which grows with the longest strand and the number of strands in contact, and
+    /// the memory that another thread takes between asking and using.
+    /// </summary>
     OutOfMemory = -8,
     /// <summary>This version does not support the request. The message says what to use instead.</summary>
     Unsupported = -9,
@@ -73,9 +79,9 @@ namespace Superhelix
     /// skipped items.
     /// </summary>
     Warn = 2,
-    /// <summary>Rare events: a solver was created.</summary>
+    /// <summary>Rare events, each in one readable line: a solver was created, a snapshot restored.</summary>
     Info = 3,
-    /// <summary>One line per step.</summary>
+    /// <summary>One line per step, and every option of a solver when it is created.</summary>
     Debug = 4,
   }
 
@@ -270,6 +276,15 @@ namespace Superhelix
     Strand = 2,
   }
 
+  /// <summary>SHX_CONTACT_EVENT_ of the C interface.</summary>
+  public enum ContactEventKind : uint
+  {
+    /// <summary>The two had no contact at the end of the step before, and have one now.</summary>
+    Begin = 1,
+    /// <summary>The two had a contact at the end of the step before, and have none now.</summary>
+    End = 2,
+  }
+
   /// <summary>SHX_CONSTRAINT_ of the C interface.</summary>
   public enum ConstraintKind : uint
   {
@@ -367,6 +382,27 @@ namespace Superhelix
     Straight = 1,
     /// <summary>Heated hair keeps the shape in which it is held: a curling iron.</summary>
     Present = 2,
+  }
+
+  /// <summary>SHX_SNAPSHOT_SHAPES_ of the C interface.</summary>
+  public enum SnapshotShapes : uint
+  {
+    /// <summary>The snapshot contains the shapes of all bodies.</summary>
+    Included = 1,
+    /// <summary>
+    /// Meshes, hulls and grids that never deformed are referred to by hashes of their contents, 16 bytes each. Restoring finds them in the
+    /// bodies of the solver that is restored, or in what shx_solver_snapshot_shapes wrote.
+    /// </summary>
+    Referenced = 2,
+  }
+
+  /// <summary>SHX_RESTORE_OPTIONS_ of the C interface.</summary>
+  public enum RestoreOptions : uint
+  {
+    /// <summary>The options become those of the snapshot: further steps give the same bits as when it was taken.</summary>
+    Snapshot = 1,
+    /// <summary>The solver keeps its own options, contact options included.</summary>
+    Keep = 2,
   }
 
   /// <summary>SHX_FIT_LENGTHS_ of the C interface.</summary>

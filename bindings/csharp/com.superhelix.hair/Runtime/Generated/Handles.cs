@@ -5,6 +5,34 @@ using System.Runtime.InteropServices;
 
 namespace Superhelix
 {
+  /// <summary>Owns a shx_attachment: frees it when it is disposed, or when nothing names it any more.</summary>
+  public sealed class AttachmentHandle : SafeHandle
+  {
+    // Callbacks that the library may call as long as this lives.
+    internal readonly Hooks Hooks;
+
+    internal AttachmentHandle(IntPtr raw, Hooks hooks) : base(IntPtr.Zero, true)
+    {
+      Hooks = hooks;
+      SetHandle(raw);
+    }
+
+    /// <summary>Whether it owns nothing.</summary>
+    public override bool IsInvalid
+    {
+      get { return handle == IntPtr.Zero; }
+    }
+
+    /// <summary>Frees what it owns.</summary>
+    protected override bool ReleaseHandle()
+    {
+      Native.shx_attachment_destroy(handle);
+      if (Hooks != null)
+        Hooks.Dispose();
+      return true;
+    }
+  }
+
   /// <summary>Owns a shx_curve_cache: frees it when it is disposed, or when nothing names it any more.</summary>
   public sealed class CurveCacheHandle : SafeHandle
   {

@@ -52,7 +52,7 @@ namespace Superhelix
       {
         SolverDefRaw x = default(SolverDefRaw);
         byte* at = (byte*)&x;
-        Compare(ref first, "sizeof SolverDefRaw", sizeof(SolverDefRaw), 176);
+        Compare(ref first, "sizeof SolverDefRaw", sizeof(SolverDefRaw), 184);
         Compare(ref first, "SolverDefRaw.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "SolverDefRaw.WorkerCount", (byte*)&x.WorkerCount - at, 4);
         Compare(ref first, "SolverDefRaw.Gravity", (byte*)&x.Gravity - at, 8);
@@ -75,6 +75,31 @@ namespace Superhelix
         Compare(ref first, "SolverDefRaw.QuadratureTolerance", (byte*)&x.QuadratureTolerance - at, 144);
         Compare(ref first, "SolverDefRaw.JumpAcceleration", (byte*)&x.JumpAcceleration - at, 152);
         Compare(ref first, "SolverDefRaw.reserved_0", (byte*)&x.reserved_0 - at, 160);
+        Compare(ref first, "SolverDefRaw.UserData", (byte*)&x.UserData - at, 176);
+      }
+      {
+        SolverOptions x = default(SolverOptions);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof SolverOptions", sizeof(SolverOptions), 144);
+        Compare(ref first, "SolverOptions.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "SolverOptions.Integrator", (byte*)&x.Integrator - at, 4);
+        Compare(ref first, "SolverOptions.LinearSolver", (byte*)&x.LinearSolver - at, 8);
+        Compare(ref first, "SolverOptions.Precision", (byte*)&x.Precision - at, 12);
+        Compare(ref first, "SolverOptions.MaxIterations", (byte*)&x.MaxIterations - at, 16);
+        Compare(ref first, "SolverOptions.exact_hessian", (byte*)&x.exact_hessian - at, 20);
+        Compare(ref first, "SolverOptions.MaxSubdivisions", (byte*)&x.MaxSubdivisions - at, 24);
+        Compare(ref first, "SolverOptions.InstructionSet", (byte*)&x.InstructionSet - at, 28);
+        Compare(ref first, "SolverOptions.Gravity", (byte*)&x.Gravity - at, 32);
+        Compare(ref first, "SolverOptions.Wind", (byte*)&x.Wind - at, 56);
+        Compare(ref first, "SolverOptions.Tolerance", (byte*)&x.Tolerance - at, 80);
+        Compare(ref first, "SolverOptions.ErrorTolerance", (byte*)&x.ErrorTolerance - at, 88);
+        Compare(ref first, "SolverOptions.ReferenceTolerance", (byte*)&x.ReferenceTolerance - at, 96);
+        Compare(ref first, "SolverOptions.QuadratureTolerance", (byte*)&x.QuadratureTolerance - at, 104);
+        Compare(ref first, "SolverOptions.JumpAcceleration", (byte*)&x.JumpAcceleration - at, 112);
+        Compare(ref first, "SolverOptions.MaxWork", (byte*)&x.MaxWork - at, 120);
+        Compare(ref first, "SolverOptions.MaxSeconds", (byte*)&x.MaxSeconds - at, 128);
+        Compare(ref first, "SolverOptions.WorkerCount", (byte*)&x.WorkerCount - at, 136);
+        Compare(ref first, "SolverOptions.reserved0", (byte*)&x.reserved0 - at, 140);
       }
       {
         StepLimitsRaw x = default(StepLimitsRaw);
@@ -89,7 +114,7 @@ namespace Superhelix
       {
         StepReport x = default(StepReport);
         byte* at = (byte*)&x;
-        Compare(ref first, "sizeof StepReport", sizeof(StepReport), 176);
+        Compare(ref first, "sizeof StepReport", sizeof(StepReport), 200);
         Compare(ref first, "StepReport.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "StepReport.Quarantined", (byte*)&x.Quarantined - at, 4);
         Compare(ref first, "StepReport.Unconverged", (byte*)&x.Unconverged - at, 8);
@@ -119,6 +144,9 @@ namespace Superhelix
         Compare(ref first, "StepReport.JumpedRoots", (byte*)&x.JumpedRoots - at, 160);
         Compare(ref first, "StepReport.FastBodyPieces", (byte*)&x.FastBodyPieces - at, 164);
         Compare(ref first, "StepReport.CappedContactForces", (byte*)&x.CappedContactForces - at, 168);
+        Compare(ref first, "StepReport.SearchSeconds", (byte*)&x.SearchSeconds - at, 176);
+        Compare(ref first, "StepReport.StrandSeconds", (byte*)&x.StrandSeconds - at, 184);
+        Compare(ref first, "StepReport.ContactSeconds", (byte*)&x.ContactSeconds - at, 192);
       }
       {
         StrandDefRaw x = default(StrandDefRaw);
@@ -233,15 +261,19 @@ namespace Superhelix
       {
         SampleDef x = default(SampleDef);
         byte* at = (byte*)&x;
-        Compare(ref first, "sizeof SampleDef", sizeof(SampleDef), 32);
+        Compare(ref first, "sizeof SampleDef", sizeof(SampleDef), 128);
         Compare(ref first, "SampleDef.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "SampleDef.PointsPerStrand", (byte*)&x.PointsPerStrand - at, 4);
         Compare(ref first, "SampleDef.Origin", (byte*)&x.Origin - at, 8);
+        Compare(ref first, "SampleDef.XAxis", (byte*)&x.XAxis - at, 32);
+        Compare(ref first, "SampleDef.YAxis", (byte*)&x.YAxis - at, 56);
+        Compare(ref first, "SampleDef.ZAxis", (byte*)&x.ZAxis - at, 80);
+        Compare(ref first, "SampleDef.Translation", (byte*)&x.Translation - at, 104);
       }
       {
         BodyDefRaw x = default(BodyDefRaw);
         byte* at = (byte*)&x;
-        Compare(ref first, "sizeof BodyDefRaw", sizeof(BodyDefRaw), 312);
+        Compare(ref first, "sizeof BodyDefRaw", sizeof(BodyDefRaw), 320);
         Compare(ref first, "BodyDefRaw.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "BodyDefRaw.Shape", (byte*)&x.Shape - at, 4);
         Compare(ref first, "BodyDefRaw.Pose", (byte*)&x.Pose - at, 8);
@@ -265,6 +297,7 @@ namespace Superhelix
         Compare(ref first, "BodyDefRaw.Groups", (byte*)&x.Groups - at, 296);
         Compare(ref first, "BodyDefRaw.Mask", (byte*)&x.Mask - at, 300);
         Compare(ref first, "BodyDefRaw.ShapeOf", (byte*)&x.ShapeOf - at, 304);
+        Compare(ref first, "BodyDefRaw.UserData", (byte*)&x.UserData - at, 312);
       }
       {
         DistanceGridDefRaw x = default(DistanceGridDefRaw);
@@ -331,6 +364,23 @@ namespace Superhelix
         Compare(ref first, "Contact.Gap", (byte*)&x.Gap - at, 144);
       }
       {
+        ContactEvent x = default(ContactEvent);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof ContactEvent", sizeof(ContactEvent), 128);
+        Compare(ref first, "ContactEvent.Event", (byte*)&x.Event - at, 0);
+        Compare(ref first, "ContactEvent.Partner", (byte*)&x.Partner - at, 4);
+        Compare(ref first, "ContactEvent.Strand", (byte*)&x.Strand - at, 8);
+        Compare(ref first, "ContactEvent.Arclength", (byte*)&x.Arclength - at, 16);
+        Compare(ref first, "ContactEvent.Element", (byte*)&x.Element - at, 24);
+        Compare(ref first, "ContactEvent.Triangle", (byte*)&x.Triangle - at, 28);
+        Compare(ref first, "ContactEvent.Body", (byte*)&x.Body - at, 32);
+        Compare(ref first, "ContactEvent.OtherStrand", (byte*)&x.OtherStrand - at, 40);
+        Compare(ref first, "ContactEvent.OtherArclength", (byte*)&x.OtherArclength - at, 48);
+        Compare(ref first, "ContactEvent.Position", (byte*)&x.Position - at, 56);
+        Compare(ref first, "ContactEvent.Normal", (byte*)&x.Normal - at, 80);
+        Compare(ref first, "ContactEvent.Force", (byte*)&x.Force - at, 104);
+      }
+      {
         PushOutDefRaw x = default(PushOutDefRaw);
         byte* at = (byte*)&x;
         Compare(ref first, "sizeof PushOutDefRaw", sizeof(PushOutDefRaw), 40);
@@ -344,7 +394,7 @@ namespace Superhelix
       {
         ConstraintDef x = default(ConstraintDef);
         byte* at = (byte*)&x;
-        Compare(ref first, "sizeof ConstraintDef", sizeof(ConstraintDef), 120);
+        Compare(ref first, "sizeof ConstraintDef", sizeof(ConstraintDef), 128);
         Compare(ref first, "ConstraintDef.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "ConstraintDef.Kind", (byte*)&x.Kind - at, 4);
         Compare(ref first, "ConstraintDef.Strand", (byte*)&x.Strand - at, 8);
@@ -355,6 +405,7 @@ namespace Superhelix
         Compare(ref first, "ConstraintDef.FrictionAlong", (byte*)&x.FrictionAlong - at, 96);
         Compare(ref first, "ConstraintDef.FrictionAgainst", (byte*)&x.FrictionAgainst - at, 104);
         Compare(ref first, "ConstraintDef.Compliance", (byte*)&x.Compliance - at, 112);
+        Compare(ref first, "ConstraintDef.UserData", (byte*)&x.UserData - at, 120);
       }
       {
         ConstraintState x = default(ConstraintState);
@@ -479,6 +530,22 @@ namespace Superhelix
         Compare(ref first, "RingCombReport.LetGo", (byte*)&x.LetGo - at, 12);
         Compare(ref first, "RingCombReport.Force", (byte*)&x.Force - at, 16);
         Compare(ref first, "RingCombReport.Torque", (byte*)&x.Torque - at, 40);
+      }
+      {
+        SnapshotDef x = default(SnapshotDef);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof SnapshotDef", sizeof(SnapshotDef), 8);
+        Compare(ref first, "SnapshotDef.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "SnapshotDef.Shapes", (byte*)&x.Shapes - at, 4);
+      }
+      {
+        RestoreDefRaw x = default(RestoreDefRaw);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof RestoreDefRaw", sizeof(RestoreDefRaw), 24);
+        Compare(ref first, "RestoreDefRaw.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "RestoreDefRaw.Options", (byte*)&x.Options - at, 4);
+        Compare(ref first, "RestoreDefRaw.Shapes", (byte*)&x.Shapes - at, 8);
+        Compare(ref first, "RestoreDefRaw.ShapesSize", (byte*)&x.ShapesSize - at, 16);
       }
       {
         PolylineFit x = default(PolylineFit);
@@ -864,7 +931,7 @@ namespace Superhelix
       {
         RenderViewRaw x = default(RenderViewRaw);
         byte* at = (byte*)&x;
-        Compare(ref first, "sizeof RenderViewRaw", sizeof(RenderViewRaw), 160);
+        Compare(ref first, "sizeof RenderViewRaw", sizeof(RenderViewRaw), 256);
         Compare(ref first, "RenderViewRaw.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "RenderViewRaw.reserved0", (byte*)&x.reserved0 - at, 4);
         Compare(ref first, "RenderViewRaw.FirstStrand", (byte*)&x.FirstStrand - at, 8);
@@ -875,6 +942,10 @@ namespace Superhelix
         Compare(ref first, "RenderViewRaw.Roots", (byte*)&x.Roots - at, 64);
         Compare(ref first, "RenderViewRaw.PreviousRoots", (byte*)&x.PreviousRoots - at, 96);
         Compare(ref first, "RenderViewRaw.reserved_0", (byte*)&x.reserved_0 - at, 128);
+        Compare(ref first, "RenderViewRaw.XAxis", (byte*)&x.XAxis - at, 160);
+        Compare(ref first, "RenderViewRaw.YAxis", (byte*)&x.YAxis - at, 184);
+        Compare(ref first, "RenderViewRaw.ZAxis", (byte*)&x.ZAxis - at, 208);
+        Compare(ref first, "RenderViewRaw.Translation", (byte*)&x.Translation - at, 232);
       }
       return first;
     }

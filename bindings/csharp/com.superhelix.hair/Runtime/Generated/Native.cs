@@ -34,6 +34,12 @@ namespace Superhelix
     internal static extern void shx_solver_destroy(IntPtr solver);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_get_own_user_data(SolverHandle solver, ulong* out_user_data);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_set_own_user_data(SolverHandle solver, ulong user_data);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_set_gravity(SolverHandle solver, double* gravity);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -41,6 +47,15 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_memory_usage(SolverHandle solver, ulong* out_bytes);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_options_init(SolverOptions* options, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_get_options(SolverHandle solver, SolverOptions* out_options);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_set_options(SolverHandle solver, SolverOptions* options);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_step_limits_init(StepLimitsRaw* limits, UIntPtr size);
@@ -77,6 +92,9 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_get_element_lengths(SolverHandle solver, StrandId id, double* out_lengths, UIntPtr capacity);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_strand_lengths(SolverHandle solver, StrandId* ids, UIntPtr count, double* out_lengths);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_get_user_data(SolverHandle solver, StrandId id, ulong* out_user_data);
@@ -205,6 +223,9 @@ namespace Superhelix
     internal static extern int shx_solver_sample_at(SolverHandle solver, StrandId id, double* arclengths, UIntPtr count, double* origin, RawView* points, RawView* frames, RawView* velocities);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_sample_at_with(SolverHandle solver, StrandId id, double* arclengths, UIntPtr count, SampleDef* @def, RawView* points, RawView* frames, RawView* velocities);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_root_wrenches(SolverHandle solver, StrandId* ids, UIntPtr count, RawView* forces, RawView* torques);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -218,6 +239,9 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern byte shx_solver_has_body(SolverHandle solver, BodyId id);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_get_body_user_data(SolverHandle solver, BodyId id, ulong* out_user_data);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_body_count(SolverHandle solver, UIntPtr* out_count);
@@ -277,6 +301,12 @@ namespace Superhelix
     internal static extern int shx_solver_contacts(SolverHandle solver, Contact* out_contacts, UIntPtr stride, UIntPtr capacity, UIntPtr* out_count);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_keep_contact_events(SolverHandle solver, UIntPtr capacity);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_drain_contact_events(SolverHandle solver, ContactEvent* out_events, UIntPtr stride, UIntPtr capacity, UIntPtr* out_count, ulong* out_lost);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_overlaps(SolverHandle solver, StrandId* ids, UIntPtr count, double* out_hair_depths, StrandId* out_strands, double* out_body_depths, BodyId* out_bodies);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -307,6 +337,9 @@ namespace Superhelix
     internal static extern byte shx_solver_has_constraint(SolverHandle solver, ConstraintId id);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_get_constraint_user_data(SolverHandle solver, ConstraintId id, ulong* out_user_data);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_constraint_count(SolverHandle solver, UIntPtr* out_count);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -320,6 +353,18 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_constraint_states(SolverHandle solver, ConstraintId* ids, UIntPtr count, ConstraintState* out_states, UIntPtr stride);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_attachment_create(SolverHandle solver, Frame* pose, StrandId* strand_ids, UIntPtr strand_count, BodyId* body_ids, UIntPtr body_count, ConstraintId* constraint_ids, UIntPtr constraint_count, IntPtr* out_attachment);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_attachment_move(AttachmentHandle attachment, SolverHandle solver, Frame* pose, double over_seconds);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_attachment_teleport(AttachmentHandle attachment, SolverHandle solver, Frame* pose);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern void shx_attachment_destroy(IntPtr attachment);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_haptic_def_init(HapticDef* @def, UIntPtr size);
@@ -403,7 +448,22 @@ namespace Superhelix
     internal static extern int shx_solver_snapshot(SolverHandle solver, void* out_image, UIntPtr capacity, UIntPtr* out_size);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_snapshot_def_init(SnapshotDef* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_snapshot_with(SolverHandle solver, SnapshotDef* @def, void* out_image, UIntPtr capacity, UIntPtr* out_size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_snapshot_shapes(SolverHandle solver, void* out_image, UIntPtr capacity, UIntPtr* out_size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_restore(SolverHandle solver, void* image, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_restore_def_init(RestoreDefRaw* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_restore_with(SolverHandle solver, void* image, UIntPtr size, RestoreDefRaw* @def);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_state_hash(SolverHandle solver, ulong* out_hash);

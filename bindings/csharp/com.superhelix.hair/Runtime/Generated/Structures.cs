@@ -31,6 +31,76 @@ namespace Superhelix
     internal double JumpAcceleration;
     internal ulong reserved_0;
     internal ulong reserved_1;
+    internal ulong UserData;
+  }
+
+  /// <summary>
+  /// Options of a living solver: shx_solver_get_options reads them, shx_solver_set_options changes them. Meaning and range of a field are
+  /// those of the field of the same name in shx_solver_def.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct SolverOptions
+  {
+    internal uint StructSize;
+    /// <summary>
+    /// SHX_INTEGRATOR_. Default SHX_INTEGRATOR_SECOND_ORDER. After a change strands start as if they had just been made, as far as the
+    /// integrator looks back.
+    /// </summary>
+    public Integrator Integrator;
+    /// <summary>SHX_LINEAR_SOLVER_. Default SHX_LINEAR_SOLVER_LINEAR_TIME.</summary>
+    public LinearSolver LinearSolver;
+    /// <summary>SHX_PRECISION_. Default SHX_PRECISION_F64.</summary>
+    public Precision Precision;
+    /// <summary>Maximum number of Newton iterations per substep. Default 50.</summary>
+    public uint MaxIterations;
+    internal uint exact_hessian;
+    /// <summary>1 (default): the exact Hessian. 0: Gauss-Newton.</summary>
+    public bool ExactHessian
+    {
+      get { return exact_hessian != 0; }
+      set { exact_hessian = value ? 1u : 0u; }
+    }
+    /// <summary>How many times a strand's substep may be halved. Default 3.</summary>
+    public uint MaxSubdivisions;
+    /// <summary>SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST.</summary>
+    public InstructionSet InstructionSet;
+    /// <summary>Gravity, m/s^2. Default (0, 0, -9.81).</summary>
+    public Vec3 Gravity;
+    /// <summary>Uniform wind, m/s. Default 0.</summary>
+    public Vec3 Wind;
+    /// <summary>Tolerance of Newton's method, rad. Default 1e-6.</summary>
+    public double Tolerance;
+    /// <summary>Largest error of a substep, as a fraction of the length of the strand. Default 0: not estimated.</summary>
+    public double ErrorTolerance;
+    /// <summary>SHX_INTEGRATOR_REFERENCE only: position error per second. Default 1e-8.</summary>
+    public double ReferenceTolerance;
+    /// <summary>Relative error of the integrals along an element. Default 1e-4.</summary>
+    public double QuadratureTolerance;
+    /// <summary>Acceleration above which a root jumps, m/s^2. Default 200.</summary>
+    public double JumpAcceleration;
+    /// <summary>
+    /// Maximum work per substep of steps that come without a limit of their own: see shx_step_limits. Default 0: the library's.
+    /// </summary>
+    public ulong MaxWork;
+    /// <summary>Maximum duration of such a call, s. Default 0: no limit.</summary>
+    public double MaxSeconds;
+    /// <summary>
+    /// Number of threads; 0: those of your task system. It is fixed when the solver is created: shx_solver_set_options refuses another
+    /// number. Default 1.
+    /// </summary>
+    public uint WorkerCount;
+    internal uint reserved0;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe SolverOptions Default
+    {
+      get
+      {
+        SolverOptions value;
+        Error.Check(Native.shx_solver_options_init(&value, (UIntPtr)sizeof(SolverOptions)));
+        return value;
+      }
+    }
   }
 
   [StructLayout(LayoutKind.Sequential)]
@@ -123,6 +193,14 @@ namespace Superhelix
     /// substep and bends its elements by a radian; twice that where all contact laws hold.
     /// </summary>
     public ulong CappedContactForces;
+    /// <summary>
+    /// Time spent on the search for contacts, s. The three phases sum up to less than seconds; 0 where there is no clock.
+    /// </summary>
+    public double SearchSeconds;
+    /// <summary>Time spent on the equations of motion of strands, s.</summary>
+    public double StrandSeconds;
+    /// <summary>Time spent on the contact problems of islands, s. Sampling is not part of a step: time it yourself.</summary>
+    public double ContactSeconds;
 
     /// <summary>One with the defaults.</summary>
     public static unsafe StepReport Default
@@ -395,6 +473,20 @@ namespace Superhelix
     public uint PointsPerStrand;
     /// <summary>Subtracted from positions before they are rounded to floats, m. Default 0.</summary>
     public Vec3 Origin;
+    /// <summary>
+    /// What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The three axes must be at right
+    /// angles and of one length, that of your unit: a rotation with a scale, or a reflection with a scale for left-handed hosts. Positions
+    /// become origin-relative positions times these axes, plus translation; velocities the same without translation; radii are scaled;
+    /// frames turn along. Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0). Centimetres
+    /// with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+    /// </summary>
+    public Vec3 XAxis;
+    /// <summary>The same of the y axis. Default (0, 1, 0).</summary>
+    public Vec3 YAxis;
+    /// <summary>The same of the z axis. Default (0, 0, 1).</summary>
+    public Vec3 ZAxis;
+    /// <summary>Added to positions at last, in your units. Default 0.</summary>
+    public Vec3 Translation;
 
     /// <summary>One with the defaults.</summary>
     public static unsafe SampleDef Default
@@ -434,6 +526,7 @@ namespace Superhelix
     internal uint Groups;
     internal uint Mask;
     internal BodyId ShapeOf;
+    internal ulong UserData;
   }
 
   [StructLayout(LayoutKind.Sequential)]
@@ -587,6 +680,39 @@ namespace Superhelix
     public double Gap;
   }
 
+  /// <summary>
+  /// A strand and a body, or two strands, came into contact or lost it. Where and how: the contact of the two with the largest force, at
+  /// the end of the step in which it began, or of the last step in which there was one.
+  /// </summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct ContactEvent
+  {
+    /// <summary>SHX_CONTACT_EVENT_.</summary>
+    public ContactEventKind Event;
+    /// <summary>What the strand is in contact with: SHX_PARTNER_.</summary>
+    public ContactPartner Partner;
+    /// <summary>The strand.</summary>
+    public StrandId Strand;
+    /// <summary>Arclength of the contact on the strand, m.</summary>
+    public double Arclength;
+    /// <summary>Element of the strand on which it lies, counted from the root.</summary>
+    public uint Element;
+    /// <summary>Triangle of a mesh; otherwise 0.</summary>
+    public uint Triangle;
+    /// <summary>The body; null id for a strand.</summary>
+    public BodyId Body;
+    /// <summary>The other strand; null id for a body.</summary>
+    public StrandId OtherStrand;
+    /// <summary>Arclength on the other strand, m; 0 for a body.</summary>
+    public double OtherArclength;
+    /// <summary>Point on the centreline of the strand, m, world.</summary>
+    public Vec3 Position;
+    /// <summary>Unit normal from the partner to the strand, world.</summary>
+    public Vec3 Normal;
+    /// <summary>Force on the strand, N, world.</summary>
+    public Vec3 Force;
+  }
+
   [StructLayout(LayoutKind.Sequential)]
   internal struct PushOutDefRaw
   {
@@ -625,6 +751,8 @@ namespace Superhelix
     public double FrictionAgainst;
     /// <summary>Displacement of the point per unit of force, m/N; zero or above; must be 0 for rings. Default 0: rigid.</summary>
     public double Compliance;
+    /// <summary>Your own number; the library does not use it. Default 0.</summary>
+    public ulong UserData;
 
     /// <summary>One with the defaults.</summary>
     public static unsafe ConstraintDef Default
@@ -932,6 +1060,35 @@ namespace Superhelix
     public Vec3 Force;
     /// <summary>Torque about the origin of its frame, N m, world.</summary>
     public Vec3 Torque;
+  }
+
+  /// <summary>What a snapshot contains. Fill it with shx_snapshot_def_init.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct SnapshotDef
+  {
+    internal uint StructSize;
+    /// <summary>SHX_SNAPSHOT_SHAPES_. Default SHX_SNAPSHOT_SHAPES_INCLUDED.</summary>
+    public SnapshotShapes Shapes;
+
+    /// <summary>One with the defaults.</summary>
+    public static unsafe SnapshotDef Default
+    {
+      get
+      {
+        SnapshotDef value;
+        Error.Check(Native.shx_snapshot_def_init(&value, (UIntPtr)sizeof(SnapshotDef)));
+        return value;
+      }
+    }
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct RestoreDefRaw
+  {
+    internal uint StructSize;
+    internal RestoreOptions Options;
+    internal IntPtr Shapes;
+    internal UIntPtr ShapesSize;
   }
 
   /// <summary>
@@ -1611,5 +1768,9 @@ namespace Superhelix
     internal ulong reserved_1;
     internal ulong reserved_2;
     internal ulong reserved_3;
+    internal Vec3 XAxis;
+    internal Vec3 YAxis;
+    internal Vec3 ZAxis;
+    internal Vec3 Translation;
   }
 }

@@ -61,6 +61,41 @@ namespace Superhelix
       return Native.shx_solver_has_body(Handle, id) != 0;
     }
 
+    /// <summary>The number that BodyDef.UserData gave to a body.</summary>
+    public ulong GetBodyUserData(BodyId id)
+    {
+      ulong number;
+      Check(Native.shx_solver_get_body_user_data(Handle, id, &number));
+      return number;
+    }
+
+    /// <summary>The number that ConstraintDef.UserData gave to a constraint.</summary>
+    public ulong GetConstraintUserData(ConstraintId id)
+    {
+      ulong number;
+      Check(Native.shx_solver_get_constraint_user_data(Handle, id, &number));
+      return number;
+    }
+
+    /// <summary>Keeps up to capacity events of contacts that begin and end in steps; 0: none.</summary>
+    public void KeepContactEvents(int capacity)
+    {
+      Check(Native.shx_solver_keep_contact_events(Handle, (UIntPtr)Unsigned("capacity", capacity)));
+    }
+
+    /// <summary>Moves the oldest events into events, and gives how many they are; lost: how many found no room since the last call.</summary>
+    public int DrainContactEvents(ContactEvent[] events, out long lost)
+    {
+      if (events == null)
+        throw new ArgumentNullException("events");
+      UIntPtr count;
+      ulong missed;
+      fixed (ContactEvent* into = events)
+        Check(Native.shx_solver_drain_contact_events(Handle, into, UIntPtr.Zero, (UIntPtr)(uint)events.Length, &count, &missed));
+      lost = (long)missed;
+      return Error.Count(count);
+    }
+
     /// <summary>How many bodies there are.</summary>
     public int BodyCount()
     {

@@ -103,12 +103,73 @@ namespace Superhelix
         Check(Native.shx_solver_restore(Handle, image.Count == 0 ? null : from, image.Size));
     }
 
+    /// <summary>The options of the solver, to be changed and set again.</summary>
+    public SolverOptions GetOptions()
+    {
+      SolverOptions options = SolverOptions.Default;
+      Check(Native.shx_solver_get_options(Handle, &options));
+      return options;
+    }
+
+    /// <summary>Changes the options from the next step on. The number of threads is fixed.</summary>
+    public void SetOptions(SolverOptions options)
+    {
+      Check(Native.shx_solver_set_options(Handle, &options));
+    }
+
+    /// <summary>The same as def says: without shapes that never change, say.</summary>
+    public byte[] Snapshot(SnapshotDef def)
+    {
+      UIntPtr size;
+      Check(Native.shx_solver_snapshot_with(Handle, &def, null, UIntPtr.Zero, &size));
+      byte[] image = new byte[Error.Count(size)];
+      fixed (byte* into = image)
+        Check(Native.shx_solver_snapshot_with(Handle, &def, into, size, &size));
+      return image;
+    }
+
+    /// <summary>The shapes that snapshots without shapes refer to. They serve all of these until a body is added.</summary>
+    public byte[] SnapshotShapes()
+    {
+      UIntPtr size;
+      Check(Native.shx_solver_snapshot_shapes(Handle, null, UIntPtr.Zero, &size));
+      byte[] image = new byte[Error.Count(size)];
+      fixed (byte* into = image)
+        Check(Native.shx_solver_snapshot_shapes(Handle, into, size, &size));
+      return image;
+    }
+
+    /// <summary>Puts the solver into the state of an image, with its options or the solver's own, and shapes that the image refers to.</summary>
+    public void Restore(In<byte> image, RestoreDef def)
+    {
+      if (def == null)
+        throw new ArgumentNullException("def");
+      using (Pins pins = Pins.Take())
+      {
+        RestoreDefRaw raw = def.Pin(pins);
+        fixed (byte* from = &image.Pin())
+          Check(Native.shx_solver_restore_with(Handle, image.Count == 0 ? null : from, image.Size, &raw));
+      }
+    }
+
     /// <summary>Equal states give equal hashes.</summary>
     public ulong StateHash()
     {
       ulong hash;
       Check(Native.shx_solver_state_hash(Handle, &hash));
       return hash;
+    }
+
+    /// <summary>A number of the host's own, at any time, also in callbacks.</summary>
+    public ulong OwnUserData
+    {
+      get
+      {
+        ulong number;
+        Check(Native.shx_solver_get_own_user_data(Handle, &number));
+        return number;
+      }
+      set { Check(Native.shx_solver_set_own_user_data(Handle, value)); }
     }
 
     /// <summary>Bytes of memory that the solver holds.</summary>

@@ -69,6 +69,15 @@ namespace Superhelix
       return lengths;
     }
 
+    /// <summary>The length of each strand, m.</summary>
+    public void StrandLengths(In<StrandId> ids, Out<double> lengths)
+    {
+      Error.Room("lengths", lengths.Count, ids.Count);
+      fixed (StrandId* i = &ids.Pin())
+      fixed (double* l = &lengths.Pin())
+        Check(Native.shx_solver_strand_lengths(Handle, i, ids.Size, l));
+    }
+
     /// <summary>The number that StrandDef.UserData gave to a strand.</summary>
     public ulong GetUserData(StrandId id)
     {
@@ -246,6 +255,21 @@ namespace Superhelix
         RawView point = points.View(p), frame = frames.View(f), velocity = velocities.View(v);
         Check(Native.shx_solver_sample_at(Handle, id, a, arclengths.Size, (double*)&origin, points.IsGiven ? &point : null,
                                           frames.IsGiven ? &frame : null, velocities.IsGiven ? &velocity : null));
+      }
+    }
+
+    /// <summary>The same with the origin and the axes of def.</summary>
+    public void SampleAt(StrandId id, In<double> arclengths, SampleDef def, Items points, Items frames = default(Items),
+                         Items velocities = default(Items))
+    {
+      fixed (double* a = &arclengths.Pin())
+      fixed (byte* p = &points.Pin())
+      fixed (byte* f = &frames.Pin())
+      fixed (byte* v = &velocities.Pin())
+      {
+        RawView point = points.View(p), frame = frames.View(f), velocity = velocities.View(v);
+        Check(Native.shx_solver_sample_at_with(Handle, id, a, arclengths.Size, &def, points.IsGiven ? &point : null,
+                                               frames.IsGiven ? &frame : null, velocities.IsGiven ? &velocity : null));
       }
     }
   }

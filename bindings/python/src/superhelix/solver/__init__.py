@@ -11,7 +11,7 @@ from superhelix._library import functions
 from superhelix.records import Settings, SolverDef
 from superhelix.solver.bodies import Bodies
 from superhelix.solver.constraints import Constraints
-from superhelix.solver.contact import Contact, Overlaps, PermittedOverlap, PushedOut
+from superhelix.solver.contact import Contact, ContactEvents, Overlaps, PermittedOverlap, PushedOut
 from superhelix.solver.posing import Brushed, Posing
 from superhelix.solver.sampling import Sampling
 from superhelix.solver.shapes import Settled, Shapes, Stability
@@ -94,6 +94,7 @@ class Solver(Strands, Shapes, Posing, Sampling, Bodies, Contact, Constraints, St
 __all__ = [
     "Brushed",
     "Cancel",
+    "ContactEvents",
     "Cuts",
     "Energies",
     "Overlaps",

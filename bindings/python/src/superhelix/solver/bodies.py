@@ -42,6 +42,12 @@ class Bodies(SolverBase):
         """Returns whether an id names a body of this solver."""
         return bool(functions.shx_solver_has_body(self._handle, self._body(id)))
 
+    def body_user_data(self, id: BodyId) -> int:
+        """Returns the user_data of a body."""
+        number = ctypes.c_uint64()
+        self._call(functions.shx_solver_get_body_user_data, self._body(id), ctypes.byref(number))
+        return number.value
+
     def set_body_frames(self, frames: Any, ids: BodiesLike = None, over_seconds: float = 0.0) -> None:
         """Moves bodies smoothly to frames (float64 rows of origin, m, and quaternion x, y, z, w; one for each body) over the next over_seconds of
         simulated time (0: within the next substep). They push the strands in between.

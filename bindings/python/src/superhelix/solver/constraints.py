@@ -44,6 +44,14 @@ class Constraints(SolverBase):
             raise TypeError(f"id: {type(id).__name__}; ConstraintId expected")
         return bool(functions.shx_solver_has_constraint(self._handle, id._value()))
 
+    def constraint_user_data(self, id: ConstraintId) -> int:
+        """Returns the user_data of a constraint."""
+        if type(id) is not ConstraintId:
+            raise TypeError(f"id: {type(id).__name__}; ConstraintId expected")
+        number = ctypes.c_uint64()
+        self._call(functions.shx_solver_get_constraint_user_data, id._value(), ctypes.byref(number))
+        return number.value
+
     def set_constraint_targets(self, frames: Any, ids: ConstraintsLike = None, over_seconds: float = 0.0) -> None:
         """Moves the targets of constraints smoothly to frames (float64 rows of origin, m, and quaternion x, y, z, w; one for each) over the next
         over_seconds of simulated time (0: within the next substep).

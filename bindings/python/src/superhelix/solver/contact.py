@@ -10,11 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from superhelix import _capi
-from superhelix._buffers import address, column
+from superhelix._buffers import address, column, whole
 from superhelix._library import functions
 from superhelix._record import initialize, reference
 from superhelix.ids import BodyId, BodyIds, StrandId, StrandIds
-from superhelix.records import ContactOptions, ContactTable, StrandContact
+from superhelix.records import ContactEventTable, ContactOptions, ContactTable, StrandContact
 from superhelix.solver._base import Numbers, SolverBase, StrandsLike
 from superhelix.solver._packed import packed
 
@@ -26,6 +26,13 @@ class Overlaps(NamedTuple):
     strands: StrandIds
     body_depths: Numbers
     bodies: BodyIds
+
+
+class ContactEvents(NamedTuple):
+    """Contacts that began or ended, the oldest first, and the number of events for which there was no room."""
+
+    events: ContactEventTable
+    lost: int
 
 
 class PermittedOverlap(NamedTuple):
@@ -86,6 +93,25 @@ class Contact(SolverBase):
         number = ctypes.c_size_t()
         self._call(functions.shx_solver_contacts, address(table.data), table.data.dtype.itemsize, len(table), ctypes.byref(number))
         return table[: number.value]
+
+    def keep_contact_events(self, capacity: int) -> None:
+        """Makes the solver keep up to capacity events of contacts that begin and end in steps; 0: none."""
+        self._call(functions.shx_solver_keep_contact_events, whole("capacity", capacity))
+
+    def drain_contact_events(self, most: int = 1024) -> ContactEvents:
+        """Takes up to most of the events that wait, the oldest first, and the number of those since the last call for which there was no room."""
+        table = ContactEventTable._zeros(whole("most", most))
+        number, lost = ctypes.c_size_t(), ctypes.c_uint64()
+        size = table.data.dtype.itemsize
+        self._call(
+            functions.shx_solver_drain_contact_events,
+            address(table.data),
+            size,
+            len(table),
+            ctypes.byref(number),
+            ctypes.byref(lost),
+        )
+        return ContactEvents(table[: number.value], lost.value)
 
     def overlaps(self, ids: StrandsLike = None) -> Overlaps:
         """Measures how deep strands are in other strands and in bodies now, beyond what is permitted. Moves nothing."""

@@ -12,6 +12,7 @@ from superhelix import _capi
 from superhelix._buffers import Output, address, column, float_type, vector, whole
 from superhelix._library import functions
 from superhelix._record import initialize
+from superhelix._transform import put_transform
 from superhelix.ids import StrandId
 from superhelix.solver._base import SolverBase, StrandsLike
 
@@ -32,6 +33,7 @@ class Sampling(SolverBase):
         *,
         dtype: npt.DTypeLike = np.float32,
         origin: npt.ArrayLike | None = None,
+        transform: npt.ArrayLike | None = None,
         out: npt.NDArray[Any] | None = None,
         frames: npt.NDArray[Any] | None = None,
         velocities: npt.NDArray[Any] | None = None,
@@ -40,7 +42,8 @@ class Sampling(SolverBase):
 
         out: an array to write the points to instead, without a copy: any strided view with items of three numbers, or four, the fourth the
         strand's radius. frames and velocities: arrays for the frames along the strands (seven float64, or quaternions x, y, z, w) and the velocities
-        of the points (m/s). origin is subtracted from positions before they are rounded to float32, m.
+        of the points (m/s). origin is subtracted from positions before they are rounded to float32, m. transform: a matrix of 3x3, 3x4 or 4x4
+        numbers to your space, a rotation or a reflection with one scale; it acts on columns.
         """
         bits = self._strands(ids)
         definition = _capi.shx_sample_def()
@@ -48,6 +51,7 @@ class Sampling(SolverBase):
         definition.points_per_strand = whole("points_per_strand", points_per_strand)
         if origin is not None:
             definition.origin = (ctypes.c_double * 3)(*vector("origin", origin))
+        put_transform(definition, transform)
         count = len(bits) * definition.points_per_strand
         if out is None:
             out = np.empty((len(bits), definition.points_per_strand, 3), dtype=float_type("dtype", dtype))
@@ -102,6 +106,7 @@ class Sampling(SolverBase):
         *,
         dtype: npt.DTypeLike = np.float64,
         origin: npt.ArrayLike | None = None,
+        transform: npt.ArrayLike | None = None,
         out: npt.NDArray[Any] | None = None,
         frames: npt.NDArray[Any] | None = None,
         velocities: npt.NDArray[Any] | None = None,
@@ -114,6 +119,23 @@ class Sampling(SolverBase):
         points = Output("out", out, (3, 4), len(along))
         frame = None if frames is None else Output("frames", frames, (7, 4), len(along))
         velocity = None if velocities is None else Output("velocities", velocities, (3,), len(along))
+        if transform is not None:
+            definition = _capi.shx_sample_def()
+            initialize(definition)
+            if start is not None:
+                definition.origin = (ctypes.c_double * 3)(*start)
+            put_transform(definition, transform)
+            self._call(
+                functions.shx_solver_sample_at_with,
+                self._strand(id),
+                address(along),
+                len(along),
+                ctypes.byref(definition),
+                ctypes.byref(points.view),
+                _reference(frame),
+                _reference(velocity),
+            )
+            return out
         self._call(
             functions.shx_solver_sample_at,
             self._strand(id),

@@ -55,6 +55,13 @@ class Strands(SolverBase):
         self._call(functions.shx_solver_get_element_lengths, self._strand(id), address(lengths), len(lengths))
         return lengths
 
+    def strand_lengths(self, ids: StrandsLike = None) -> Numbers:
+        """Returns the lengths of strands, m."""
+        bits = self._strands(ids)
+        lengths = np.empty(len(bits))
+        self._call(functions.shx_solver_strand_lengths, address(bits), len(bits), address(lengths))
+        return lengths
+
     def user_data(self, id: StrandId) -> int:
         """Returns the user_data of a strand."""
         number = ctypes.c_uint64()

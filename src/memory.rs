@@ -1,0 +1,62 @@
+//! Memory that grows with a host's numbers is asked for before it is needed, so that its want is an error and not the program's end.
+
+use crate::error::{Error, Result};
+
+/// What an allocator adds to a block at most, about: glibc 8 to 24 bytes.
+pub(crate) const BLOCK: usize = 32;
+
+/// Room for exactly `count` more items.
+pub(crate) fn reserve<T>(list: &mut Vec<T>, count: usize) -> Result<()> {
+    list.try_reserve_exact(count).map_err(|_| Error::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) })
+}
+
+/// Room for `count` more items and, for a list that grows often, more than that.
+pub(crate) fn grow<T>(list: &mut Vec<T>, count: usize) -> Result<()> {
+    list.try_reserve(count).map_err(|_| Error::OutOfMemory { bytes: count.saturating_mul(size_of::<T>()) })
+}
+
+/// A list with exactly this much room.
+pub(crate) fn list<T>(capacity: usize) -> Result<Vec<T>> {
+    let mut list = Vec::new();
+    reserve(&mut list, capacity)?;
+    Ok(list)
+}
+
+/// A list of what an iterator of known length gives.
+pub(crate) fn collected<T>(items: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
+    let mut all = list(items.len())?;
+    all.extend(items);
+    Ok(all)
+}
+
+/// A copy.
+pub(crate) fn copied<T: Copy>(items: &[T]) -> Result<Vec<T>> {
+    collected(items.iter().copied())
+}
+
+/// So many times the same.
+pub(crate) fn repeated<T: Clone>(item: T, count: usize) -> Result<Vec<T>> {
+    let mut all = list(count)?;
+    all.resize(count, item);
+    Ok(all)
+}
+
+/// Whether there is room for so many bytes, in blocks of any size: asks for all of them at once and gives them back. What is allocated next, by
+/// the same thread and up to that sum, then does not fail, unless others take the memory meanwhile.
+pub(crate) fn check_room(bytes: usize) -> Result<()> {
+    list::<u8>(bytes).map(drop)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_no_machine_has_is_an_error() {
+        assert_eq!(list::<u64>(usize::MAX / 8), Err(Error::OutOfMemory { bytes: usize::MAX / 8 * 8 }));
+        assert!(check_room(isize::MAX as usize).is_err());
+        assert_eq!(copied(&[1, 2, 3]), Ok(vec![1, 2, 3]));
+        assert_eq!(repeated(7, 2), Ok(vec![7, 7]));
+        assert_eq!(list::<u8>(10).expect("room").capacity(), 10);
+    }
+}
