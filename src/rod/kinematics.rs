@@ -94,6 +94,37 @@ pub fn element_states<T: Lane>(
     }
 }
 
+/// One lane's elements.
+#[inline(always)]
+pub fn lane_of_elements<T: Lane>(elements: &[ElementState<T>], lane: usize, out: &mut Vec<ElementState<f64>>) {
+    out.clear();
+    // (Number by number: whole arrays would be copied first.)
+    let row = |row: &[T; 3]| [row[0].lane(lane), row[1].lane(lane), row[2].lane(lane)];
+    let vector = |v: &Vec3<T>| Vec3(row(&v.0));
+    let matrix = |m: &Mat3<T>| Mat3([row(&m.0[0]), row(&m.0[1]), row(&m.0[2])]);
+    out.extend(elements.iter().map(|element| {
+        let c = &element.c;
+        ElementState {
+            kappa: vector(&element.kappa),
+            kappa_squared: element.kappa_squared.lane(lane),
+            length: element.length.lane(lane),
+            c: Stumpff {
+                c1: c.c1.lane(lane),
+                c2: c.c2.lane(lane),
+                c3: c.c3.lane(lane),
+                c4: c.c4.lane(lane),
+                c5: c.c5.lane(lane),
+                c6: c.c6.lane(lane),
+                c7: c.c7.lane(lane),
+            },
+            frame_left: matrix(&element.frame_left),
+            origin_left: vector(&element.origin_left),
+            turn: matrix(&element.turn),
+            end: vector(&element.end),
+        }
+    }));
+}
+
 impl<T: Lane> ElementState<T> {
     /// Right end, relative to the root's origin, world axes.
     #[inline(always)]

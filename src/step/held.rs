@@ -9,11 +9,9 @@
 
 use nalgebra::Vector3;
 
+use super::StrandOutcome;
 use super::damping::Damping;
-use super::held_pack::HeldPack;
 use super::iterate::Iterate;
-use super::members::One;
-use super::{Setting, StrandOutcome};
 use crate::chain::delassus::Delassus;
 use crate::chain::load::{Load, Station};
 use crate::math::lane::Lane;
@@ -270,37 +268,13 @@ impl Held {
     }
 }
 
-/// A strand that takes its step by itself.
-#[derive(Debug, Default)]
-pub struct Alone {
-    /// The strand.
-    pub held: Held,
-    pack: HeldPack<f64>,
-}
+/// The strands of a pack that take part in half an iteration, by their lanes.
+pub type Lanes<'a, 'b> = &'a mut [Option<&'b mut Held>];
 
-impl Alone {
-    /// Makes room for so many stations.
-    pub fn make_room(&mut self, stations: usize) {
-        self.held.make_room(stations);
-        self.pack.make_room(stations);
-    }
-
-    /// Begins a step of `h` seconds; `first_order`: by implicit Euler whatever the setting says.
-    pub fn begin(&mut self, one: &One, setting: &Setting, h: f64, first_order: bool) {
-        self.pack.begin(one, setting, h, first_order, &mut [Some(&mut self.held)]);
-    }
-
-    /// [`Held::hold`], and the first half of an iteration.
-    pub fn linearise(&mut self, stations: &[Station], guess: &[Vec3<f64>]) {
-        self.held.hold(stations, guess, &[]);
-        self.pack.linearise(&mut [Some(&mut self.held)]);
-    }
-
-    /// [`Held::pull`], and the second half.
-    pub fn advance(&mut self, setting: &Setting, forces: &[Vec3<f64>]) {
-        self.held.pull(forces);
-        self.pack.advance(setting, &mut [Some(&mut self.held)]);
-    }
+/// Those that take part, with their lanes.
+#[inline(always)]
+pub(super) fn running<'a, 'b>(strands: &'a mut [Option<&'b mut Held>]) -> impl Iterator<Item = (usize, &'a mut &'b mut Held)> {
+    strands.iter_mut().enumerate().filter_map(|(lane, held)| Some((lane, held.as_mut()?)))
 }
 
 /// How far the elements' ends are from where they were, at most.

@@ -3,7 +3,8 @@
 //! The strands of a pack are of one [`Kind`](super::members::Kind) and begin together; each then goes its own way, and may wait while others
 //! go on: no lane's result depends on the others.
 
-use super::held::Held;
+use super::held::{Held, Lanes, running};
+use super::held_loads::PackLoads;
 use super::iterate::{Problem, choose_start, forces, foresee, place_trial, wrench};
 use super::members::{Members, lane_of};
 use super::options::Integrator;
@@ -13,17 +14,12 @@ use super::state::RuleScratch;
 use super::workspace::Workspace;
 use super::{Setting, StrandOutcome, keep, newton, whole};
 use crate::chain::elimination::Elimination;
-use crate::chain::load::Load;
 use crate::chain::response::ResponseScratch;
-use crate::chain::system::LinearSolve;
-use crate::math::entire::Stumpff;
+use crate::chain::system::{Direction, LinearSolve};
 use crate::math::lane::{Kernel, Lane, MAX_LANES};
 use crate::math::vector::{Mat3, Vec3};
 use crate::rod::freedoms::Freedoms;
-use crate::rod::kinematics::{ElementState, element_states};
-
-/// The strands of a pack that take part in half an iteration, by their lanes.
-pub type Lanes<'a, 'b> = &'a mut [Option<&'b mut Held>];
+use crate::rod::kinematics::{ElementState, element_states, lane_of_elements};
 
 /// A pack in the course of its strands' step.
 #[derive(Debug)]
@@ -38,9 +34,7 @@ pub struct HeldPack<T> {
     rule: usize,
     /// The lanes whose tension is foreseen: the exact Hessian's geometric terms are those of it. Others have none.
     exact: u32,
-    /// The strands' loads from root to tip, a lane's own beside others' on the same element.
-    loads: Vec<Load<T>>,
-    forces: Vec<Vec3<T>>,
+    loads: PackLoads<T>,
     moved: Vec<Vec3<T>>,
     scratch: ResponseScratch<T>,
 }
@@ -56,8 +50,7 @@ impl<T: Lane> Default for HeldPack<T> {
             freedoms: Freedoms::default(),
             rule: 0,
             exact: 0,
-            loads: Vec::new(),
-            forces: Vec::new(),
+            loads: PackLoads::default(),
             moved: Vec::new(),
             scratch: ResponseScratch::default(),
         }
@@ -67,8 +60,7 @@ impl<T: Lane> Default for HeldPack<T> {
 impl<T: Lane> HeldPack<T> {
     /// Makes room for so many stations.
     pub fn make_room(&mut self, stations: usize) {
-        self.loads.reserve(stations.saturating_sub(self.loads.len()));
-        self.forces.reserve(stations.saturating_sub(self.forces.len()));
+        self.loads.make_room(stations);
         self.moved.reserve(stations.saturating_sub(self.moved.len()));
     }
 
@@ -109,7 +101,7 @@ impl<T: Lane> HeldPack<T> {
         let problem = Problem { root: &self.rotation, lengths: &loaded.lengths, axes, rule, tension_at_start: false };
         let potential = place_trial(&problem, iterate);
         held.potential = (potential.0.lane(lane), potential.1.lane(lane));
-        unpack(&iterate.trial.elements, lane, &mut held.trial);
+        lane_of_elements(&iterate.trial.elements, lane, &mut held.trial);
         held.accept();
         std::mem::swap(&mut iterate.kinematics, &mut iterate.trial);
         std::mem::swap(&mut iterate.curvatures, &mut iterate.trial_curvatures);
@@ -144,94 +136,22 @@ impl<T: Lane> HeldPack<T> {
         }
     }
 
-    /// Gives every station of the strands a place among the pack's loads: those of an element side by side.
-    #[inline(always)]
-    fn lay_out(&mut self, strands: Lanes) {
-        let elements = self.bench.workspace.iterate.kinematics.elements.len();
-        strands.iter_mut().flatten().for_each(|held| held.slots.clear());
-        let mut count = 0;
-        for element in 0..elements {
-            let first = count;
-            for held in strands.iter_mut().flatten() {
-                let mut next = first;
-                while held.stations.get(held.slots.len()).is_some_and(|station| station.element == element) {
-                    held.slots.push(next as u32);
-                    next += 1;
-                }
-                while count < next {
-                    match self.loads.get_mut(count) {
-                        Some(load) => load.clear(element),
-                        None => self.loads.push(Load::none(element)),
-                    }
-                    count += 1;
-                }
-            }
-        }
-        self.loads.truncate(count);
-    }
-
-    /// Puts the strands' loads into their places.
-    #[inline(always)]
-    fn fill(&mut self, strands: Lanes) {
-        for (lane, held) in running(strands) {
-            for (slot, load) in held.slots.iter().zip(&held.loads) {
-                self.loads[*slot as usize].set_lane(lane, load);
-            }
-        }
-    }
-
     /// Newton's direction with the forces in place; how far the stations move along it goes to the strands.
     #[inline(always)]
-    fn direct(&mut self, strands: Lanes) -> crate::chain::system::Direction<T> {
+    fn direct(&mut self, strands: Lanes) -> Direction<T> {
         let axes = self.freedoms.axes();
         let axes = &axes[..self.freedoms.count()];
         let Bench { workspace, elimination } = &mut self.bench;
         let iterate = &mut workspace.iterate;
-        let (change, moved) = (&mut iterate.change, &mut self.moved);
-        let found = elimination.direction(&iterate.kinematics, &self.loads, &self.forces, axes, &mut self.scratch, change, moved);
+        let (change, moved, loads) = (&mut iterate.change, &mut self.moved, &self.loads);
+        let found =
+            elimination.direction(&iterate.kinematics, &loads.loads, &loads.forces, axes, &mut self.scratch, change, moved);
         for (lane, held) in running(strands) {
             held.free.clear();
             held.free.extend(held.slots.iter().map(|slot| lane_of(&moved[*slot as usize], lane, 1.0)));
         }
         found
     }
-}
-
-/// Those that take part, with their lanes.
-#[inline(always)]
-fn running<'a, 'b>(strands: &'a mut [Option<&'b mut Held>]) -> impl Iterator<Item = (usize, &'a mut &'b mut Held)> {
-    strands.iter_mut().enumerate().filter_map(|(lane, held)| Some((lane, held.as_mut()?)))
-}
-
-/// One lane's elements.
-#[inline(always)]
-fn unpack<T: Lane>(elements: &[ElementState<T>], lane: usize, out: &mut Vec<ElementState<f64>>) {
-    out.clear();
-    // (Number by number: whole arrays would be copied first.)
-    let row = |row: &[T; 3]| [row[0].lane(lane), row[1].lane(lane), row[2].lane(lane)];
-    let vector = |v: &Vec3<T>| Vec3(row(&v.0));
-    let matrix = |m: &Mat3<T>| Mat3([row(&m.0[0]), row(&m.0[1]), row(&m.0[2])]);
-    out.extend(elements.iter().map(|element| {
-        let c = &element.c;
-        ElementState {
-            kappa: vector(&element.kappa),
-            kappa_squared: element.kappa_squared.lane(lane),
-            length: element.length.lane(lane),
-            c: Stumpff {
-                c1: c.c1.lane(lane),
-                c2: c.c2.lane(lane),
-                c3: c.c3.lane(lane),
-                c4: c.c4.lane(lane),
-                c5: c.c5.lane(lane),
-                c6: c.c6.lane(lane),
-                c7: c.c7.lane(lane),
-            },
-            frame_left: matrix(&element.frame_left),
-            origin_left: vector(&element.origin_left),
-            turn: matrix(&element.turn),
-            end: vector(&element.end),
-        }
-    }));
 }
 
 struct Begin<'a, 'b, T> {
@@ -274,8 +194,8 @@ impl<T: Lane> Kernel for Begin<'_, '_, T> {
         pack.loads.clear();
         let usual = newton::usual_damping(iterate);
         for (lane, held) in running(strands) {
-            unpack(&pack.start, lane, &mut held.start);
-            unpack(&iterate.kinematics.elements, lane, &mut held.now);
+            lane_of_elements(&pack.start, lane, &mut held.start);
+            lane_of_elements(&iterate.kinematics.elements, lane, &mut held.now);
             (held.start_origin, held.origin) = (members.state(lane).root.origin, roots[lane].origin);
             held.begin((value.lane(lane), noise.lane(lane)), usual.lane(lane));
         }
@@ -299,14 +219,15 @@ impl<T: Lane> Kernel for Linearise<'_, '_, T> {
         for (lane, held) in running(strands) {
             held.load(iterate, lane, pack.exact >> lane & 1 == 1);
         }
-        pack.lay_out(strands);
+        pack.loads.lay_out(iterate.kinematics.elements.len(), strands);
         for tries in 0..=newton::MAX_DAMPINGS {
-            pack.fill(strands);
+            pack.loads.fill(strands);
             let Bench { workspace, elimination } = &mut pack.bench;
             let iterate = &mut workspace.iterate;
             let damping = |lane: usize| strands.get(lane).and_then(Option::as_ref).map_or(0.0, |held| held.damping.value);
             iterate.system.rotation_stiffness = T::from_lanes(damping);
-            let found = elimination.solve_loaded(&iterate.kinematics, &iterate.system, &pack.loads, axes, &mut iterate.change);
+            let found =
+                elimination.solve_loaded(&iterate.kinematics, &iterate.system, &pack.loads.loads, axes, &mut iterate.change);
             // A strand that is good keeps its damping, and its system again.
             let mut good = true;
             for (_, held) in running(strands).filter(|(lane, _)| found.repaired.lane(*lane) != 0.0) {
@@ -323,8 +244,7 @@ impl<T: Lane> Kernel for Linearise<'_, '_, T> {
         for (lane, held) in running(strands) {
             held.delassus.update(elimination, &workspace.iterate.kinematics, lane, &held.loads, axes);
         }
-        pack.forces.clear();
-        pack.forces.resize(pack.loads.len(), Vec3::zero());
+        pack.loads.rest();
         pack.direct(strands);
     }
 }
@@ -340,14 +260,7 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
     #[inline(always)]
     fn run(self) {
         let Self { pack, setting, strands } = self;
-        pack.forces.clear();
-        pack.forces.resize(pack.loads.len(), Vec3::zero());
-        for (lane, held) in running(strands) {
-            for (station, slot) in held.slots.iter().enumerate() {
-                let told = held.forces[station] - held.pulled(station);
-                (0..3).for_each(|axis| pack.forces[*slot as usize].0[axis].set_lane(lane, told.0[axis]));
-            }
-        }
+        pack.loads.pull(strands);
         let found = pack.direct(strands);
         let axes = pack.freedoms.axes();
         let axes = &axes[..pack.freedoms.count()];
@@ -377,7 +290,7 @@ impl<T: Lane> Kernel for Advance<'_, '_, T> {
             let (value, noise) = newton::place_on_way(&problem, iterate, &part, moving);
             let asked = pending;
             for (lane, held) in running(strands).filter(|(lane, _)| asked >> lane & 1 == 1) {
-                unpack(&iterate.trial.elements, lane, &mut held.trial);
+                lane_of_elements(&iterate.trial.elements, lane, &mut held.trial);
                 potential[lane] = (value.lane(lane), noise.lane(lane));
                 to[lane] = held.lagrangian(potential[lane], &held.trial);
                 let least = newton::ARMIJO * part[lane] * found.descent.lane(lane);

@@ -1,8 +1,8 @@
 //! Packs of strands that forces hold, in registers of any width.
 
 use super::Setting;
-use super::held::Held;
-use super::held_pack::{HeldPack, Lanes};
+use super::held::{Held, Lanes};
+use super::held_pack::HeldPack;
 use super::members::Members;
 use super::state::RuleScratch;
 #[allow(unused_imports, reason = "which types there are depends on the machine")]

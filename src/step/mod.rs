@@ -6,6 +6,8 @@
 //! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
 //! - `equilibrium.rs`: Static equilibrium: the shape in which a strand rests under gravity, a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
 //! - `held.rs`: The step of strands that forces from outside hold at stations, one Newton iteration at a time.
+//! - `held_alone.rs`: A strand that forces hold at stations and that takes its step by itself, an iteration at a time.
+//! - `held_loads.rs`: The loads of a pack's strands in lanes: those of an element side by side, so that one elimination has them all.
 //! - `held_pack.rs`: Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of `super::held`.
 //! - `held_packs.rs`: Packs of strands that forces hold, in registers of any width.
 //! - `iterate.rs`: Where Newton's iteration is: a spring at every quadrature point and at every curvature, drawn to its target (`energy`), and the strand between them.
@@ -33,6 +35,8 @@ pub mod damping;
 pub mod dynamics;
 pub mod equilibrium;
 pub mod held;
+pub mod held_alone;
+mod held_loads;
 pub mod held_pack;
 pub mod held_packs;
 pub mod iterate;

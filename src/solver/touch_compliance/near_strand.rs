@@ -16,7 +16,8 @@ use crate::solver::bodies::ContactPartner;
 use crate::solver::constraints::{ConstraintStatus, station_at};
 use crate::solver::strand::{Strand, root_after};
 use crate::step::Setting;
-use crate::step::held::{Alone, Held};
+use crate::step::held::Held;
+use crate::step::held_alone::Alone;
 use crate::step::members::One;
 use crate::step::state::{StrandState, rotation_matrix};
 

@@ -1,0 +1,87 @@
+//! The loads of a pack's strands in lanes: those of an element side by side, so that one elimination has them all.
+
+use super::held::{Lanes, running};
+use crate::chain::load::Load;
+use crate::math::lane::Lane;
+use crate::math::vector::Vec3;
+
+/// Loads from root to tip, and the forces at them. A lane that has none where others have one has nothing there.
+#[derive(Debug)]
+pub(super) struct PackLoads<T> {
+    pub loads: Vec<Load<T>>,
+    /// World axes, N.
+    pub forces: Vec<Vec3<T>>,
+}
+
+impl<T> Default for PackLoads<T> {
+    fn default() -> Self {
+        Self { loads: Vec::new(), forces: Vec::new() }
+    }
+}
+
+impl<T: Lane> PackLoads<T> {
+    /// Makes room for so many stations.
+    pub fn make_room(&mut self, stations: usize) {
+        self.loads.reserve(stations.saturating_sub(self.loads.len()));
+        self.forces.reserve(stations.saturating_sub(self.forces.len()));
+    }
+
+    /// There are none.
+    pub fn clear(&mut self) {
+        self.loads.clear();
+    }
+
+    /// Gives every station of the strands, of so many elements each, a place among the loads.
+    #[inline(always)]
+    pub fn lay_out(&mut self, elements: usize, strands: Lanes) {
+        strands.iter_mut().flatten().for_each(|held| held.slots.clear());
+        let mut count = 0;
+        for element in 0..elements {
+            let first = count;
+            for held in strands.iter_mut().flatten() {
+                let mut next = first;
+                while held.stations.get(held.slots.len()).is_some_and(|station| station.element == element) {
+                    held.slots.push(next as u32);
+                    next += 1;
+                }
+                while count < next {
+                    match self.loads.get_mut(count) {
+                        Some(load) => load.clear(element),
+                        None => self.loads.push(Load::none(element)),
+                    }
+                    count += 1;
+                }
+            }
+        }
+        self.loads.truncate(count);
+    }
+
+    /// Puts the strands' loads into their places.
+    #[inline(always)]
+    pub fn fill(&mut self, strands: Lanes) {
+        for (lane, held) in running(strands) {
+            for (slot, load) in held.slots.iter().zip(&held.loads) {
+                self.loads[*slot as usize].set_lane(lane, load);
+            }
+        }
+    }
+
+    /// No force acts.
+    #[inline(always)]
+    pub fn rest(&mut self) {
+        self.forces.clear();
+        self.forces.resize(self.loads.len(), Vec3::zero());
+    }
+
+    /// The strands' forces act, less what their springs pull with.
+    #[inline(always)]
+    pub fn pull(&mut self, strands: Lanes) {
+        self.rest();
+        for (lane, held) in running(strands) {
+            for (station, slot) in held.slots.iter().enumerate() {
+                let pull = held.forces[station] - held.pulled(station);
+                (0..3).for_each(|axis| self.forces[*slot as usize].0[axis].set_lane(lane, pull.0[axis]));
+            }
+        }
+    }
+}
