@@ -105,7 +105,12 @@ typedef int32_t shx_result;
 // The data is not a snapshot, is truncated or corrupt, or has another version.
 #define SHX_ERROR_SNAPSHOT (-7)
 
-// Out of memory.
+// Out of memory. Functions that add strands, bodies and constraints, take and restore snapshots, read,
+// sample, keep events, and read files ask for the memory that grows with your numbers before they use it: if
+// there is none, they change nothing. What cannot fail softly, since the program ends where it finds no
+// memory: blocks below 64 KiB, the working memory of shx_solver_step, shx_solver_settle, posing, fitting and
+// render hair, which grows with the longest strand and the number of strands in contact, and the memory that
+// another thread takes between asking and using.
 #define SHX_ERROR_OUT_OF_MEMORY (-8)
 
 // This version does not support the request. The message says what to use instead.
@@ -137,6 +142,10 @@ SHX_API const char *shx_result_name(shx_result result);
 SHX_API size_t shx_last_error(char *buffer, size_t capacity);
 
 // ---- Handles ----------------------------------------------------------------------------------------------
+
+// What follows one pose, for example all that belongs to a head. shx_attachment_create makes it, you own it,
+// shx_attachment_destroy frees it. Solver and attachment can be destroyed in any order.
+typedef struct shx_attachment shx_attachment;
 
 // Curves over time. shx_curve_cache_read makes it, you own it, shx_curve_cache_destroy frees it.
 // Immutable: any number of threads may use it at once.
@@ -267,10 +276,10 @@ typedef struct shx_output {
 // that turn too far, a parallel_for that skipped items.
 #define SHX_LOG_WARN 2
 
-// Rare events: a solver was created.
+// Rare events, each in one readable line: a solver was created, a snapshot restored.
 #define SHX_LOG_INFO 3
 
-// One line per step.
+// One line per step, and every option of a solver when it is created.
 #define SHX_LOG_DEBUG 4
 
 // Receives log messages of a solver. user is shx_solver_def.log_user, level is one of SHX_LOG_,
@@ -411,6 +420,9 @@ typedef struct shx_solver_def {
   double jump_acceleration;
   // Must be 0.
   uint64_t reserved[2];
+  // Your own number, for example a pointer; the library does not use it. Default 0.
+  // shx_solver_set_own_user_data changes it.
+  uint64_t user_data;
 } shx_solver_def;
 
 // Fills *def with defaults. size is sizeof(shx_solver_def).
@@ -431,6 +443,17 @@ SHX_API shx_result shx_solver_create(const shx_solver_def *def, shx_solver **out
 // Threads: exclusive. The handle must not be used afterwards.
 SHX_API void shx_solver_destroy(shx_solver *solver);
 
+// Returns the number that shx_solver_def.user_data or shx_solver_set_own_user_data gave the solver. Snapshots
+// do not contain it.
+// Errors: SHX_ERROR_NULL_ARGUMENT.
+// Threads: shared; also in callbacks of the solver and while it steps.
+SHX_API shx_result shx_solver_get_own_user_data(const shx_solver *solver, uint64_t *out_user_data);
+
+// Changes the number that shx_solver_get_own_user_data returns.
+// Errors: SHX_ERROR_NULL_ARGUMENT.
+// Threads: exclusive for this number alone: also in callbacks of the solver and while it steps.
+SHX_API shx_result shx_solver_set_own_user_data(shx_solver *solver, uint64_t user_data);
+
 // Sets gravity, m/s^2, from the next step on.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (not finite).
 // Threads: exclusive.
@@ -448,6 +471,71 @@ SHX_API shx_result shx_solver_set_wind(shx_solver *solver, const double wind[3])
 // Errors: SHX_ERROR_NULL_ARGUMENT.
 // Threads: shared.
 SHX_API shx_result shx_solver_memory_usage(const shx_solver *solver, uint64_t *out_bytes);
+
+// Options of a living solver: shx_solver_get_options reads them, shx_solver_set_options changes them. Meaning
+// and range of a field are those of the field of the same name in shx_solver_def.
+typedef struct shx_solver_options {
+  // Set by shx_solver_options_init.
+  uint32_t struct_size;
+  // SHX_INTEGRATOR_. Default SHX_INTEGRATOR_SECOND_ORDER. After a change strands start as if they had just
+  // been made, as far as the integrator looks back.
+  uint32_t integrator;
+  // SHX_LINEAR_SOLVER_. Default SHX_LINEAR_SOLVER_LINEAR_TIME.
+  uint32_t linear_solver;
+  // SHX_PRECISION_. Default SHX_PRECISION_F64.
+  uint32_t precision;
+  // Maximum number of Newton iterations per substep. Default 50.
+  uint32_t max_iterations;
+  // 1 (default): the exact Hessian. 0: Gauss-Newton.
+  uint32_t exact_hessian;
+  // How many times a strand's substep may be halved. Default 3.
+  uint32_t max_subdivisions;
+  // SHX_INSTRUCTION_SET_. Default SHX_INSTRUCTION_SET_BEST.
+  uint32_t instruction_set;
+  // Gravity, m/s^2. Default (0, 0, -9.81).
+  double gravity[3];
+  // Uniform wind, m/s. Default 0.
+  double wind[3];
+  // Tolerance of Newton's method, rad. Default 1e-6.
+  double tolerance;
+  // Largest error of a substep, as a fraction of the length of the strand. Default 0: not estimated.
+  double error_tolerance;
+  // SHX_INTEGRATOR_REFERENCE only: position error per second. Default 1e-8.
+  double reference_tolerance;
+  // Relative error of the integrals along an element. Default 1e-4.
+  double quadrature_tolerance;
+  // Acceleration above which a root jumps, m/s^2. Default 200.
+  double jump_acceleration;
+  // Maximum work per substep of steps that come without a limit of their own: see shx_step_limits. Default 0:
+  // the library's.
+  uint64_t max_work;
+  // Maximum duration of such a call, s. Default 0: no limit.
+  double max_seconds;
+  // Number of threads; 0: those of your task system. It is fixed when the solver is created:
+  // shx_solver_set_options refuses another number. Default 1.
+  uint32_t worker_count;
+  // Must be 0.
+  uint32_t reserved0;
+} shx_solver_options;
+
+// Fills *options with the defaults of a solver. size is sizeof(shx_solver_options). To change one option of a
+// solver read them first: shx_solver_get_options.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_solver_options_init(shx_solver_options *options, size_t size);
+
+// Writes the options of a solver to *out_options.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: shared.
+SHX_API shx_result shx_solver_get_options(const shx_solver *solver, shx_solver_options *out_options);
+
+// Changes the options of a solver from the next step on, all or none. Setting what shx_solver_get_options
+// gave changes nothing. Snapshots contain all of them but instruction_set and worker_count.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (the message names the
+// field), SHX_ERROR_UNSUPPORTED (another worker_count, a combination or an instruction set that is not
+// available).
+// Threads: exclusive.
+SHX_API shx_result shx_solver_set_options(shx_solver *solver, const shx_solver_options *options);
 
 // ---- Stepping ---------------------------------------------------------------------------------------------
 
@@ -471,12 +559,13 @@ typedef struct shx_step_limits {
   uint32_t reserved0;
   // Maximum work per substep on strands in contact or with constraints, in units of about one microsecond of
   // one core. Work is counted, not timed, so results are identical to the bit on every machine and for any
-  // number of threads. 0 (default): a limit that keeps an application responsive, about a quarter of a second
-  // of one core for up to 2280 elements and proportionally more beyond.
+  // number of threads. 0 (default): shx_solver_options.max_work, or where that is 0 too a limit that keeps an
+  // application responsive, about a quarter of a second of one core for up to 2280 elements and
+  // proportionally more beyond.
   uint64_t max_work;
-  // Maximum duration of the call, s. Results then depend on the clock. 0 (default): no
-  // limit. A step needs some time to finish after its last iteration; the solver
-  // learns how much from earlier steps and reserves it.
+  // Maximum duration of the call, s. Results then depend on the clock. 0 (default):
+  // shx_solver_options.max_seconds, or where that is 0 too no limit. A step needs some time to finish after
+  // its last iteration; the solver learns how much from earlier steps and reserves it.
   double max_seconds;
   // Null (default), or a flag that another thread sets to a non-zero value to cancel
   // the step. It is polled many times per millisecond.
@@ -556,6 +645,13 @@ typedef struct shx_step_report {
   // Number of contacts whose reported force was capped at what hair can exert: what moves the strand by its
   // own length within the substep and bends its elements by a radian; twice that where all contact laws hold.
   uint64_t capped_contact_forces;
+  // Time spent on the search for contacts, s. The three phases sum up to less than seconds; 0 where there is
+  // no clock.
+  double search_seconds;
+  // Time spent on the equations of motion of strands, s.
+  double strand_seconds;
+  // Time spent on the contact problems of islands, s. Sampling is not part of a step: time it yourself.
+  double contact_seconds;
 } shx_step_report;
 
 // Fills *report with defaults. size is sizeof(shx_step_report).
@@ -566,7 +662,8 @@ SHX_API shx_result shx_step_report_init(shx_step_report *report, size_t size);
 // Advances time by dt seconds (above zero) in the given number of equal substeps (at least 1); each is a full
 // solve. report may be null. A strand whose state becomes non-finite, or that contacts or constraints make
 // diverge, is rolled back and quarantined; the other strands go on, and the report and
-// shx_solver_strand_status say so. The same input gives the same bits for any number of threads.
+// shx_solver_strand_status say so. The same input gives the same bits for any number of threads. Limits of
+// the call are those of shx_solver_options.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps),
 // SHX_ERROR_UNSUPPORTED (SHX_INTEGRATOR_REFERENCE with contact or constraints: it steps free strands only).
 // Threads: exclusive.
@@ -695,6 +792,12 @@ SHX_API shx_result shx_solver_get_element_count(const shx_solver *solver, shx_st
 // Threads: shared.
 SHX_API shx_result shx_solver_get_element_lengths(const shx_solver *solver, shx_strand_id id,
     double *out_lengths, size_t capacity);
+
+// Writes the lengths of count strands, m, to out_lengths, which holds count numbers.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: shared.
+SHX_API shx_result shx_solver_strand_lengths(const shx_solver *solver, const shx_strand_id *ids, size_t count,
+    double *out_lengths);
 
 // Returns shx_strand_def.user_data of a strand.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
@@ -1181,9 +1284,10 @@ SHX_API shx_result shx_solver_change_elements(shx_solver *solver, const shx_stra
 
 // Cuts count strands, strand i at arclengths[i] (m from the root, above 0, at most its length), at any time
 // during a simulation. The rest keeps its shape, natural shape and velocities exactly. The element at the cut
-// becomes shorter and keeps its helix; elements beyond are removed. Each strand may appear once.
+// becomes shorter and keeps its helix; elements beyond are removed. Each strand may appear once. All or none:
+// the message names the index and the id of the strand that cannot be cut.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT
-// (also a strand with a constraint beyond the cut).
+// (an arclength beyond the strand's length, a strand with a constraint beyond the cut).
 // Threads: exclusive.
 SHX_API shx_result shx_solver_cut_strands(shx_solver *solver, const shx_strand_id *ids, size_t count,
     const double *arclengths);
@@ -1217,6 +1321,19 @@ typedef struct shx_sample_def {
   uint32_t points_per_strand;
   // Subtracted from positions before they are rounded to floats, m. Default 0.
   double origin[3];
+  // What one metre along the world's x axis becomes in the outputs, for hosts with other units and axes. The
+  // three axes must be at right angles and of one length, that of your unit: a rotation with a scale, or a
+  // reflection with a scale for left-handed hosts. Positions become origin-relative positions times these
+  // axes, plus translation; velocities the same without translation; radii are scaled; frames turn along.
+  // Reflected frames keep n0 and n1 and reverse n2, since quaternions are rotations. Default (1, 0, 0).
+  // Centimetres with y up, from z up: (100, 0, 0), (0, 0, -100), (0, 100, 0).
+  double x_axis[3];
+  // The same of the y axis. Default (0, 1, 0).
+  double y_axis[3];
+  // The same of the z axis. Default (0, 0, 1).
+  double z_axis[3];
+  // Added to positions at last, in your units. Default 0.
+  double translation[3];
 } shx_sample_def;
 
 // Fills *def with defaults. size is sizeof(shx_sample_def).
@@ -1249,6 +1366,14 @@ SHX_API shx_result shx_solver_sample_strands(const shx_solver *solver, const shx
 SHX_API shx_result shx_solver_sample_at(const shx_solver *solver, shx_strand_id id, const double *arclengths,
     size_t count, const double origin[3], const shx_output *points, const shx_output *frames,
     const shx_output *velocities);
+
+// Does the same as shx_solver_sample_at, with the origin and the axes of def; its points_per_strand is
+// ignored.
+// Errors: as shx_solver_sample_at; SHX_ERROR_STRUCT_SIZE.
+// Threads: shared.
+SHX_API shx_result shx_solver_sample_at_with(const shx_solver *solver, shx_strand_id id,
+    const double *arclengths, size_t count, const shx_sample_def *def, const shx_output *points,
+    const shx_output *frames, const shx_output *velocities);
 
 // Writes the wrench that each of count strands exerts on its follicle as of the last step: force (N) and
 // torque about the root's origin (N m), in world axes. At rest the force is the weight of the strand.
@@ -1353,6 +1478,8 @@ typedef struct shx_body_def {
   // Shared: a body from an earlier call. Its pose, surface
   // and groups are not copied. Default null id: set it.
   shx_body_id shape_of;
+  // Your own number; the library does not use it. Default 0.
+  uint64_t user_data;
 } shx_body_def;
 
 // Fills *def with defaults. size is sizeof(shx_body_def).
@@ -1379,6 +1506,12 @@ SHX_API shx_result shx_solver_remove_bodies(shx_solver *solver, const shx_body_i
 // solver, and a null or poisoned solver (shx_last_error then has the message).
 // Threads: shared.
 SHX_API bool shx_solver_has_body(const shx_solver *solver, shx_body_id id);
+
+// Returns shx_body_def.user_data of a body.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+// Threads: shared.
+SHX_API shx_result shx_solver_get_body_user_data(const shx_solver *solver, shx_body_id id,
+    uint64_t *out_user_data);
 
 // Returns the number of bodies.
 // Errors: SHX_ERROR_NULL_ARGUMENT.
@@ -1653,6 +1786,59 @@ SHX_API shx_result shx_solver_contact_count(const shx_solver *solver, size_t *ou
 SHX_API shx_result shx_solver_contacts(const shx_solver *solver, shx_contact *out_contacts, size_t stride,
     size_t capacity, size_t *out_count);
 
+// The two had no contact at the end of the step before, and have one now.
+#define SHX_CONTACT_EVENT_BEGIN 1
+
+// The two had a contact at the end of the step before, and have none now.
+#define SHX_CONTACT_EVENT_END 2
+
+// A strand and a body, or two strands, came into contact or lost it. Where and how: the contact of the two
+// with the largest force, at the end of the step in which it began, or of the last step in which there was
+// one.
+typedef struct shx_contact_event {
+  // SHX_CONTACT_EVENT_.
+  uint32_t event;
+  // What the strand is in contact with: SHX_PARTNER_.
+  uint32_t partner;
+  // The strand.
+  shx_strand_id strand;
+  // Arclength of the contact on the strand, m.
+  double arclength;
+  // Element of the strand on which it lies, counted from the root.
+  uint32_t element;
+  // Triangle of a mesh; otherwise 0.
+  uint32_t triangle;
+  // The body; null id for a strand.
+  shx_body_id body;
+  // The other strand; null id for a body.
+  shx_strand_id other_strand;
+  // Arclength on the other strand, m; 0 for a body.
+  double other_arclength;
+  // Point on the centreline of the strand, m, world.
+  double position[3];
+  // Unit normal from the partner to the strand, world.
+  double normal[3];
+  // Force on the strand, N, world.
+  double force[3];
+} shx_contact_event;
+
+// Makes the solver keep up to capacity events (at most 2^24) of contacts that begin and end between one
+// shx_solver_step and the next. 0: none, which is the state of a new solver and costs nothing. What waits is
+// discarded; contacts that exist already begin in the next step. Snapshots do not contain events: restoring
+// discards them.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_OUT_OF_MEMORY.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_keep_contact_events(shx_solver *solver, size_t capacity);
+
+// Moves the oldest events that wait, at most capacity of them, to out_events, which holds capacity items,
+// stride bytes apart (0: tightly packed; any alignment). Writes their number to *out_count, and to *out_lost
+// the number of events since the last call for which there was no room. Events of one step come in an order
+// that does not depend on the number of threads. Strands and bodies that were removed end no contact.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (stride).
+// Threads: exclusive.
+SHX_API shx_result shx_solver_drain_contact_events(shx_solver *solver, shx_contact_event *out_events,
+    size_t stride, size_t capacity, size_t *out_count, uint64_t *out_lost);
+
 // ---- Overlaps ---------------------------------------------------------------------------------------------
 
 // Computes how deep count strands currently overlap other strands (if hair_contact is set) and bodies, beyond
@@ -1792,6 +1978,8 @@ typedef struct shx_constraint_def {
   double friction_against;
   // Displacement of the point per unit of force, m/N; zero or above; must be 0 for rings. Default 0: rigid.
   double compliance;
+  // Your own number; the library does not use it. Default 0.
+  uint64_t user_data;
 } shx_constraint_def;
 
 // State of a constraint in the last substep.
@@ -1837,6 +2025,12 @@ SHX_API shx_result shx_solver_remove_constraints(shx_solver *solver, const shx_c
 // Threads: shared.
 SHX_API bool shx_solver_has_constraint(const shx_solver *solver, shx_constraint_id id);
 
+// Returns shx_constraint_def.user_data of a constraint.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID.
+// Threads: shared.
+SHX_API shx_result shx_solver_get_constraint_user_data(const shx_solver *solver, shx_constraint_id id,
+    uint64_t *out_user_data);
+
 // Returns the number of constraints.
 // Errors: SHX_ERROR_NULL_ARGUMENT.
 // Threads: shared.
@@ -1872,6 +2066,41 @@ SHX_API shx_result shx_solver_get_constraint_targets(const shx_solver *solver, c
 // Threads: shared.
 SHX_API shx_result shx_solver_constraint_states(const shx_solver *solver, const shx_constraint_id *ids,
     size_t count, shx_constraint_state *out_states, size_t stride);
+
+// ---- Rigid attachments ------------------------------------------------------------------------------------
+
+// Attaches the roots of strands, bodies, and targets of constraints to something whose pose is `pose` now:
+// from now on shx_attachment_move moves them all as one. Each array may be null if its count is 0. Ties have
+// no targets; they stay as they are. You own *out_attachment. Snapshots do not contain attachments; after
+// shx_solver_restore they hold for the ids that are valid again.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
+// Threads: shared.
+SHX_API shx_result shx_attachment_create(const shx_solver *solver, const shx_frame *pose,
+    const shx_strand_id *strand_ids, size_t strand_count, const shx_body_id *body_ids, size_t body_count,
+    const shx_constraint_id *constraint_ids, size_t constraint_count, shx_attachment **out_attachment);
+
+// Moves all that is attached smoothly to where it is when its carrier has the given pose, over the next
+// over_seconds of simulated time. 0: within the next substep. All or none. It does the same as
+// shx_solver_set_root_frames, shx_solver_set_body_frames and shx_solver_set_constraint_targets: each follows
+// its own smooth path to its new place.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID (something was removed since),
+// SHX_ERROR_INVALID_ARGUMENT.
+// Threads: exclusive, for the solver; shared, for the attachment.
+SHX_API shx_result shx_attachment_move(const shx_attachment *attachment, shx_solver *solver,
+    const shx_frame *pose, double over_seconds);
+
+// Puts all that is attached at once where it is when its carrier has the given pose: as
+// shx_solver_teleport_roots and shx_solver_teleport_bodies; targets of constraints are there within the next
+// substep. All or none.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID (something was removed since),
+// SHX_ERROR_INVALID_ARGUMENT.
+// Threads: exclusive, for the solver; shared, for the attachment.
+SHX_API shx_result shx_attachment_teleport(const shx_attachment *attachment, shx_solver *solver,
+    const shx_frame *pose);
+
+// Frees an attachment; what was attached stays where it is. Null is allowed.
+// Threads: exclusive. The handle must not be used afterwards.
+SHX_API void shx_attachment_destroy(shx_attachment *attachment);
 
 // ---- Haptics ----------------------------------------------------------------------------------------------
 
@@ -2306,18 +2535,89 @@ SHX_API shx_result shx_ring_comb_release(shx_ring_comb *comb, shx_solver *solver
 
 // Writes a snapshot of everything that a step depends on (strands, roots, states, bodies, constraints,
 // gravity, wind, options; not callbacks and threads) to out_image, which holds capacity bytes, and its size
-// to *out_size. With a null out_image and capacity 0 it only returns the size. Snapshots are for this version
-// of the library on machines of the same byte order.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
+// to *out_size. With a null out_image and capacity 0 it only returns the size, which is computed without
+// writing anything. Snapshots are for this version of the library on any machine. They contain the shapes of
+// bodies; shx_solver_snapshot_with can leave out those that never change.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL,
+// SHX_ERROR_OUT_OF_MEMORY.
 // Threads: shared.
 SHX_API shx_result shx_solver_snapshot(const shx_solver *solver, void *out_image, size_t capacity,
     size_t *out_size);
 
+// The snapshot contains the shapes of all bodies.
+#define SHX_SNAPSHOT_SHAPES_INCLUDED 1
+
+// Meshes, hulls and grids that never deformed are referred to by hashes of their contents, 16 bytes each.
+// Restoring finds them in the bodies of the solver that is restored, or in what shx_solver_snapshot_shapes
+// wrote.
+#define SHX_SNAPSHOT_SHAPES_REFERENCED 2
+
+// What a snapshot contains. Fill it with shx_snapshot_def_init.
+typedef struct shx_snapshot_def {
+  // Set by shx_snapshot_def_init.
+  uint32_t struct_size;
+  // SHX_SNAPSHOT_SHAPES_. Default SHX_SNAPSHOT_SHAPES_INCLUDED.
+  uint32_t shapes;
+} shx_snapshot_def;
+
+// Fills *def with defaults. size is sizeof(shx_snapshot_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_snapshot_def_init(shx_snapshot_def *def, size_t size);
+
+// Does the same as shx_solver_snapshot in the way that def says. To keep many snapshots of one scene, take
+// them with SHX_SNAPSHOT_SHAPES_REFERENCED, and shx_solver_snapshot_shapes once.
+// Errors: as shx_solver_snapshot; SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (def).
+// Threads: shared.
+SHX_API shx_result shx_solver_snapshot_with(const shx_solver *solver, const shx_snapshot_def *def,
+    void *out_image, size_t capacity, size_t *out_size);
+
+// Writes the shapes that snapshots of SHX_SNAPSHOT_SHAPES_REFERENCED refer to, each once, to out_image, which
+// holds capacity bytes, and their size to *out_size. With a null out_image and capacity 0 it only returns the
+// size. What it writes serves all snapshots until a body is added: pass it to shx_solver_restore_with.
+// Errors: as shx_solver_snapshot.
+// Threads: shared.
+SHX_API shx_result shx_solver_snapshot_shapes(const shx_solver *solver, void *out_image, size_t capacity,
+    size_t *out_size);
+
 // Restores a solver from a snapshot of size bytes. The ids that were valid when it was taken are valid again.
-// Further steps give the same bits as they did then.
-// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_SNAPSHOT (not a snapshot, corrupt, of another version).
+// The options of the solver (shx_solver_options, shx_contact_options) become those of the snapshot, but for
+// worker_count and instruction_set: further steps give the same bits as they did then.
+// shx_solver_restore_with can keep the solver's own options.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_SNAPSHOT (not a snapshot, corrupt, of another version, or
+// referring to a shape that is not there).
 // Threads: exclusive.
 SHX_API shx_result shx_solver_restore(shx_solver *solver, const void *image, size_t size);
+
+// The options become those of the snapshot: further steps give the same bits as when it was taken.
+#define SHX_RESTORE_OPTIONS_SNAPSHOT 1
+
+// The solver keeps its own options, contact options included.
+#define SHX_RESTORE_OPTIONS_KEEP 2
+
+// How a snapshot is restored. Fill it with shx_restore_def_init.
+typedef struct shx_restore_def {
+  // Set by shx_restore_def_init.
+  uint32_t struct_size;
+  // SHX_RESTORE_OPTIONS_. Default SHX_RESTORE_OPTIONS_SNAPSHOT.
+  uint32_t options;
+  // What shx_solver_snapshot_shapes wrote, for a snapshot that refers to shapes which no body of the solver
+  // has. Default null.
+  const void *shapes;
+  // Number of bytes of shapes. Default 0.
+  size_t shapes_size;
+} shx_restore_def;
+
+// Fills *def with defaults. size is sizeof(shx_restore_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_restore_def_init(shx_restore_def *def, size_t size);
+
+// Does the same as shx_solver_restore in the way that def says.
+// Errors: as shx_solver_restore; SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT (def).
+// Threads: exclusive.
+SHX_API shx_result shx_solver_restore_with(shx_solver *solver, const void *image, size_t size,
+    const shx_restore_def *def);
 
 // Returns a hash of everything that a step depends on. Equal states have equal hashes.
 // Errors: SHX_ERROR_NULL_ARGUMENT.
@@ -3037,7 +3337,9 @@ SHX_API shx_result shx_curve_cache_sample(const shx_curve_cache *cache, double t
 // Starts to write a cache, a .usda file. first gives the point counts and what does not change over
 // time (diameters, colours, units, up axis). Its points are not written; if it has velocities, every
 // frame must have them. Times are stored in units of 1/frames_per_second s; above 0. The file
-// appears when you finish the cache. You own *out_writer.
+// appears when you finish the cache. Until then the frames are in hidden files beside it (.name.0.part
+// and on); if your process is killed they remain, and the next writer of the same path removes them.
+// You own *out_writer.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_FILE.
 // Threads: any.
 SHX_API shx_result shx_curve_cache_writer_create(const char *path, const shx_curve_data *first,
@@ -3578,6 +3880,15 @@ typedef struct shx_render_view {
   shx_input previous_roots;
   // Must be 0.
   uint64_t reserved[4];
+  // What one metre along the world's x axis becomes in the outputs: axes and rules are those of
+  // shx_sample_def. Default (1, 0, 0).
+  double x_axis[3];
+  // The same of the y axis. Default (0, 1, 0).
+  double y_axis[3];
+  // The same of the z axis. Default (0, 0, 1).
+  double z_axis[3];
+  // Added to positions at last, in your units. Default 0.
+  double translation[3];
 } shx_render_view;
 
 // Fills *view with defaults. size is sizeof(shx_render_view).

@@ -256,6 +256,14 @@ TEST(options_change_and_snapshots_refer_to_shapes) {
   GET(hair.get_body_frames({body}, output(at)));
   NEAR(at.origin[0], 1.0, 1e-12);
   GET(head.teleport(hair, frame{{0, 0, 0}, {0, 0, 0, 1}}));
+  const constraint_id pin = GET(hair.add_constraint(constraint_def().with_strand(ids[0]).with_user_data(44)));
+  EXPECT(GET(hair.get_constraint_user_data(pin)) == 44);
+  // Centimetres, y up.
+  vec3 metres{}, there{};
+  GET(hair.sample_at(ids[1], {0.2}, output(metres)));
+  GET(hair.sample_at(ids[1], {0.2}, sample_def().with_x_axis({100, 0, 0}).with_y_axis({0, 0, -100}).with_z_axis({0, 100, 0}), output(there)));
+  NEAR(there[1], 100 * metres[2], 1e-9);
+  NEAR(there[2], -100 * metres[1], 1e-9);
   GET(hair.keep_contact_events(4));
   std::vector<contact_event> events(4);
   EXPECT(GET(hair.drain_contact_events(events)).count == 0);

@@ -103,6 +103,20 @@ namespace Superhelix.Tests
           Check.Near(at[0].Origin.X, 1, 1e-12, "the body went along");
           head.Teleport(hair, new Frame(new Vec3(0, 0, 0), new Quat(0, 0, 0, 1)));
         }
+        ConstraintDef pin = ConstraintDef.Default;
+        pin.Strand = ids[0];
+        pin.UserData = 44;
+        Check.That(hair.GetConstraintUserData(hair.AddConstraints(pin)[0]) == 44, "a constraint's number");
+        // Centimetres, y up.
+        SampleDef centimetres = SampleDef.Default;
+        centimetres.XAxis = new Vec3(100, 0, 0);
+        centimetres.YAxis = new Vec3(0, 0, -100);
+        centimetres.ZAxis = new Vec3(0, 100, 0);
+        Vec3[] metres = new Vec3[1], there = new Vec3[1];
+        hair.SampleAt(ids[1], new[] { 0.2 }, metres);
+        hair.SampleAt(ids[1], new[] { 0.2 }, centimetres, there);
+        Check.Near(there[0].Y, 100 * metres[0].Z, 1e-9, "up");
+        Check.Near(there[0].Z, -100 * metres[0].Y, 1e-9, "aside");
         hair.KeepContactEvents(4);
         long lost;
         Check.That(hair.DrainContactEvents(new ContactEvent[4], out lost) == 0 && lost == 0, "no events");
