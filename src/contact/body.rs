@@ -294,15 +294,16 @@ impl<'a> BodyAt<'a> {
         let (axes_start, axes_end) = (*start.rotation.to_rotation_matrix().matrix(), *end.rotation.to_rotation_matrix().matrix());
         let turn = rotation_vector(&(start.rotation.inverse() * end.rotation)).norm();
         let local = shape.bounds();
-        let radius = radius(&local);
-        let bounds = if local.low.x.is_finite() {
+        let (bounds, radius) = if local.low.x.is_finite() {
             let corners = local.corners();
+            let radius = corners.iter().map(|corner| corner.norm_squared()).fold(0.0, f64::max).sqrt();
             let place =
                 |frame: &Frame, axes: &Matrix3<f64>| Bounds::of_points(corners.map(|corner| frame.origin + axes * corner));
             // A point that turns by an angle φ about the pose's origin leaves its chord by at most r (1 − cos φ/2) ≤ r φ²/8.
-            place(&start, &axes_start).union(&place(&end, &axes_end)).grown(radius * (0.125 * turn * turn).min(1.0))
+            let bounds = place(&start, &axes_start).union(&place(&end, &axes_end));
+            (bounds.grown(radius * (0.125 * turn * turn).min(1.0)), radius)
         } else {
-            local
+            (local, 0.0)
         };
         let (friction, viscous_friction, group, mask) = (1.0, 1.0, 1, u32::MAX);
         Self {

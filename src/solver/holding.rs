@@ -354,6 +354,9 @@ impl Holding {
 
     /// Makes the ends the strands' states.
     fn finish(&mut self, scene: &mut Scene, h: f64) {
+        if self.count == 0 {
+            return;
+        }
         let islands = &self.islands[..self.island_count];
         let pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]).into_iter();
         let mut work = self.packs.gather(pairs, |(_, held)| (held.pack, held.lane));

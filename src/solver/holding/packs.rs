@@ -64,6 +64,9 @@ impl Packs {
 
     /// Packs those of the held strands that are to begin, and begins their step of `h` seconds.
     pub fn begin(&mut self, scene: &mut Scene, held: &mut [HeldStrand], h: f64, begins: impl Fn(&HeldStrand) -> bool) {
+        if held.is_empty() {
+            return;
+        }
         let (setting, set) = (scene.setting, scene.set);
         let width = packs::width(Precision::F64, set).min(MOST);
         self.order.clear();
