@@ -1,10 +1,10 @@
 //! What a solver says of its memory against what it asked the allocator for, and how much a strand takes.
-#![allow(unsafe_code)]
 
-use std::alloc::{GlobalAlloc, Layout, System};
+mod held_bytes;
+
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
+use held_bytes::held_bytes;
 use nalgebra::Vector3;
 use superhelix::contact::body::BodyDef;
 use superhelix::contact::options::StrandContact;
@@ -16,28 +16,6 @@ use superhelix::solver::constraints::{ConstraintDef, Hold};
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::solver::id::StrandId;
 use superhelix::step::options::Integrator;
-
-/// Counts the bytes that are held.
-struct Counting;
-
-static HELD: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: hands everything on to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        HELD.fetch_add(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller's layout.
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        HELD.fetch_sub(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller's pointer and layout.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
 
 /// Twice a number that fills tasks and packs of any width, also where there are two kinds.
 const STRANDS: usize = 512;
@@ -59,9 +37,9 @@ fn strands(count: usize, elements: impl Fn(usize) -> usize) -> Vec<StrandDef> {
 /// What is held, what the solver tells: both without what there is for no strand and for the threads, which a twin of half as many has too.
 fn compare(what: &str, made: impl Fn(usize) -> Solver) -> f64 {
     let of = |count: usize| {
-        let before = HELD.load(Ordering::Relaxed);
+        let before = held_bytes();
         let solver = made(count);
-        ((HELD.load(Ordering::Relaxed) - before) as f64, solver.memory_usage() as f64, solver.strand_count() as f64)
+        ((held_bytes() - before) as f64, solver.memory_usage() as f64, solver.strand_count() as f64)
     };
     let (few, many) = (of(STRANDS / 2), of(STRANDS));
     let strands = many.2 - few.2;

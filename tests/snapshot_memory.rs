@@ -1,10 +1,10 @@
 //! What it takes to scrub: a snapshot of each of a hundred frames of a real groom on its bust, the bust's grid kept once.
-#![allow(unsafe_code)]
 
-use std::alloc::{GlobalAlloc, Layout, System};
+mod held_bytes;
+
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
+use held_bytes::held_bytes;
 use nalgebra::{UnitQuaternion, Vector3};
 use superhelix::contact::body::BodyDef;
 use superhelix::contact::options::StrandContact;
@@ -15,28 +15,6 @@ use superhelix::groom::fit::{FitOptions, fit_polyline};
 use superhelix::math::frame::Frame;
 use superhelix::solver::definition::{SolverOptions, StrandDef, UsualLimits};
 use superhelix::solver::{SnapshotShapes, Solver};
-
-/// Counts the bytes that are held.
-struct Counting;
-
-static HELD: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: hands everything on to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        HELD.fetch_add(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller's layout.
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        HELD.fetch_sub(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller's pointer and layout.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
 
 const FRAMES: usize = 100;
 /// What the header advises for hair of this kind.
@@ -84,7 +62,7 @@ fn a_hundred_frames_of_a_groom_take_less_than_70_megabytes() {
     assert_eq!(solver.strand_count(), 228);
     let (strands, bodies) = (solver.strand_ids(), solver.body_ids());
     let frames: Vec<Frame> = strands.iter().map(|id| solver.root_frame(*id).unwrap()).collect();
-    let before = HELD.load(Ordering::Relaxed);
+    let before = held_bytes();
     let shapes = solver.snapshot_shapes().unwrap();
     let (mut images, mut hashes, mut working) = (Vec::new(), Vec::new(), 0);
     for frame in 0..FRAMES {
@@ -92,14 +70,14 @@ fn a_hundred_frames_of_a_groom_take_less_than_70_megabytes() {
         let turned = |at: &Frame| Frame { origin: turn * at.origin, rotation: turn * at.rotation };
         solver.set_root_frames(&strands, &frames.iter().map(turned).collect::<Vec<_>>(), 1.0 / 30.0).unwrap();
         solver.set_body_frames(&bodies, &[turned(&Frame::default())], 1.0 / 30.0).unwrap();
-        let held = HELD.load(Ordering::Relaxed);
+        let held = held_bytes();
         solver.step(1.0 / 30.0, 1).unwrap();
         // What the step itself needs is the solver's own, with or without snapshots.
-        working += HELD.load(Ordering::Relaxed) as isize - held as isize;
+        working += held_bytes() as isize - held as isize;
         images.push(solver.snapshot_with(SnapshotShapes::Referenced).unwrap());
         hashes.push(solver.state_hash());
     }
-    let held = HELD.load(Ordering::Relaxed) as isize - before as isize - working;
+    let held = held_bytes() as isize - before as isize - working;
     let whole = solver.snapshot_size(SnapshotShapes::Included);
     let megabytes = held as f64 / 1e6;
     let last = images[FRAMES - 1].len();
@@ -110,11 +88,11 @@ fn a_hundred_frames_of_a_groom_take_less_than_70_megabytes() {
     assert!(megabytes < 70.0, "{megabytes} MB");
     assert!(shapes.len() > last, "the bust is worth keeping once: {} {last}", shapes.len());
     // Back and forth, without a copy of the bust for each.
-    let scrubbing = HELD.load(Ordering::Relaxed);
+    let scrubbing = held_bytes();
     for frame in (0..FRAMES).rev().chain([50, 3, 99]) {
         solver.restore(&images[frame]).unwrap();
         assert_eq!(solver.state_hash(), hashes[frame], "frame {frame}");
     }
-    let grown = HELD.load(Ordering::Relaxed) as isize - scrubbing as isize;
+    let grown = held_bytes() as isize - scrubbing as isize;
     assert!(grown < 200_000, "{grown} bytes");
 }

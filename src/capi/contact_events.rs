@@ -3,12 +3,11 @@
 use std::mem::{offset_of, size_of};
 
 use super::buffers::{Place, Strided};
-use super::contacts::{SHX_PARTNER_BODY, SHX_PARTNER_STRAND};
+use super::contacts::shx_contact;
 use super::errors::shx_result;
 use super::guard::{shx_solver, write};
 use super::types::{shx_body_id, shx_strand_id};
 use crate::memory;
-use crate::solver::bodies::ContactPartner;
 use crate::solver::contact_events::{Change, ContactEvent};
 
 /// The two had no contact at the end of the step before, and have one now.
@@ -55,30 +54,23 @@ const _: () = {
 
 impl From<&ContactEvent> for shx_contact_event {
     fn from(event: &ContactEvent) -> Self {
-        let contact = &event.contact;
-        let (none, nothing) = (shx_strand_id { bits: 0 }, shx_body_id { bits: 0 });
-        let (partner, triangle, body, other_strand, other_arclength) = match contact.partner {
-            ContactPartner::Body { body, feature } => (SHX_PARTNER_BODY, feature, shx_body_id { bits: body.bits() }, none, 0.0),
-            ContactPartner::Strand { strand, arclength } => {
-                (SHX_PARTNER_STRAND, 0, nothing, shx_strand_id { bits: strand.bits() }, arclength)
-            }
-        };
+        let contact = shx_contact::from(&event.contact);
         Self {
             event: match event.change {
                 Change::Begin => SHX_CONTACT_EVENT_BEGIN,
                 Change::End => SHX_CONTACT_EVENT_END,
             },
-            partner,
-            strand: shx_strand_id { bits: contact.strand.bits() },
+            partner: contact.partner,
+            strand: contact.strand,
             arclength: contact.arclength,
             element: event.element,
-            triangle,
-            body,
-            other_strand,
-            other_arclength,
-            position: contact.position.into(),
-            normal: contact.normal.into(),
-            force: contact.force.into(),
+            triangle: contact.triangle,
+            body: contact.body,
+            other_strand: contact.other_strand,
+            other_arclength: contact.other_arclength,
+            position: contact.position,
+            normal: contact.normal,
+            force: contact.force,
         }
     }
 }

@@ -105,11 +105,11 @@ impl FreePath<'_> {
     /// Whether no point of it was ever deeper in one of the bodies than `spare` metres plus its allowance. False also where 256 balls do not decide
     /// it, and beside a body for which distances cannot ([`can_tell`]).
     pub fn is_clear_of<'a>(&self, bodies: impl IntoIterator<Item = &'a BodyAt<'a>>, spare: f64, scratch: &mut Scratch) -> bool {
-        let mut around = None;
+        let (mut around, length) = (None, self.lengths.iter().sum::<f64>());
         bodies.into_iter().all(|body| {
             let around = around.get_or_insert_with(|| self.around(scratch));
             // A point that goes straight in the body's axes, which turn by φ, leaves its chord by at most r φ²/8.
-            let arm = (self.root[0].origin - body.start.origin).norm() + self.lengths.iter().sum::<f64>();
+            let arm = (self.root[0].origin - body.start.origin).norm() + length;
             let aside = arm * (0.125 * body.turn * body.turn).min(1.0);
             !body.is_near(&around.grown(aside)) || self.is_clear_of_one(body, spare, scratch)
         })
@@ -125,9 +125,7 @@ impl FreePath<'_> {
             start += state.length;
             if start > self.exempt {
                 let ends = [state.origin_left, state.origin_right()].map(|end| to + Vector3::from(end));
-                // An arc lies this near its chord, since it turns no more.
-                let aside = 0.5 * state.length * (0.5 * state.kappa_squared.sqrt() * state.length).min(1.0);
-                around = around.union(&Bounds::of_points(ends).grown(aside + displacement));
+                around = around.union(&Bounds::of_points(ends).grown(state.off_chord() + displacement));
             }
         }
         around.grown(self.radius)

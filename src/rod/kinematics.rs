@@ -94,6 +94,14 @@ pub fn element_states<T: Lane>(
     }
 }
 
+impl ElementState<f64> {
+    /// No point of it is farther from its chord, m: a curve that turns by an angle leaves its chord by no more than half its length times half of
+    /// that, and never by more than half its length.
+    pub fn off_chord(&self) -> f64 {
+        0.5 * self.length * (0.5 * self.kappa_squared.sqrt() * self.length).min(1.0)
+    }
+}
+
 /// One lane's elements.
 #[inline(always)]
 pub fn lane_of_elements<T: Lane>(elements: &[ElementState<T>], lane: usize, out: &mut Vec<ElementState<f64>>) {

@@ -61,8 +61,6 @@ pub struct Held {
     spring: f64,
     /// The stiffness of the springs to try first, N/m.
     usual_spring: f64,
-    /// The first half of this iteration was done before.
-    again: bool,
     /// How far each station would go in this iteration without forces, world axes, m.
     pub free: Vec<Vec3<f64>>,
     /// What forces at the stations add to that.
@@ -99,7 +97,6 @@ impl Default for Held {
             anchors: Vec::new(),
             spring: 0.0,
             usual_spring: 0.0,
-            again: false,
             free: Vec::new(),
             delassus: Delassus::default(),
             gone: f64::INFINITY,
@@ -168,12 +165,7 @@ impl Held {
         self.forces.extend_from_slice(guess);
         self.bonds.clear();
         self.bonds.extend_from_slice(bonds);
-        self.again = false;
-    }
-
-    /// Whether the first half of this iteration was done before: it comes to the same.
-    pub fn is_done_again(&mut self, again: bool) {
-        self.again = again;
+        self.damping.begin();
     }
 
     /// Makes its loads; `exact`: with the geometric terms of the forces. `iterate` has it in a lane.
@@ -182,9 +174,6 @@ impl Held {
         let tension = |force: &Vec3<f64>| if exact { *force } else { Vec3::zero() };
         let loads = self.stations.iter().zip(&self.forces).map(|(station, force)| Load::at(&self.now, station, tension(force)));
         self.loads.extend(loads);
-        if !self.again {
-            self.damping.begin();
-        }
         self.usual_spring = if self.bonds.is_empty() {
             0.0
         } else {
@@ -271,10 +260,10 @@ impl Held {
 /// The strands of a pack that take part in half an iteration, by their lanes.
 pub type Lanes<'a, 'b> = &'a mut [Option<&'b mut Held>];
 
-/// Those that take part, with their lanes.
+/// What there is in some of the lanes, with the lanes.
 #[inline(always)]
-pub(super) fn running<'a, 'b>(strands: &'a mut [Option<&'b mut Held>]) -> impl Iterator<Item = (usize, &'a mut &'b mut Held)> {
-    strands.iter_mut().enumerate().filter_map(|(lane, held)| Some((lane, held.as_mut()?)))
+pub fn running<M>(lanes: &mut [Option<M>]) -> impl Iterator<Item = (usize, &mut M)> {
+    lanes.iter_mut().enumerate().filter_map(|(lane, member)| Some((lane, member.as_mut()?)))
 }
 
 /// How far the elements' ends are from where they were, at most.

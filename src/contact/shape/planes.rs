@@ -120,15 +120,21 @@ impl<'a> PlaneField<'a> {
         inside(0) & inside(1) & inside(2)
     }
 
-    /// Distance (m) and slopes at a place in cells from the lowest node; none outside the grid.
+    /// The node nearest to a place in cells from the lowest, and its plane; none outside the grid.
     #[inline(always)]
-    pub fn at(&self, place: [f32; 3]) -> Option<(f32, [f32; 3])> {
+    fn nearest(&self, place: [f32; 3]) -> Option<([u32; 3], &Plane)> {
         let node = place.map(|value| value + 0.5);
         if !self.is_inside(node) {
             return None;
         }
         let node = node.map(|value| value as u32);
-        let plane = *self.nodes.planes.get(self.bricks.index(node) as usize)?;
+        Some((node, self.nodes.planes.get(self.bricks.index(node) as usize)?))
+    }
+
+    /// Distance (m) and slopes at a place in cells from the lowest node; none outside the grid.
+    #[inline(always)]
+    pub fn at(&self, place: [f32; 3]) -> Option<(f32, [f32; 3])> {
+        let (node, &plane) = self.nearest(place)?;
         let slopes = [32, 40, 48].map(|shift| f32::from((plane >> shift) as i8) * (1.0 / 127.0));
         let away = [0, 1, 2].map(|axis| place[axis] - node[axis] as f32);
         let more = slopes[0] * away[0] + slopes[1] * away[1] + slopes[2] * away[2];
@@ -138,10 +144,7 @@ impl<'a> PlaneField<'a> {
     /// Asks memory for what [`PlaneField::at`] looks at.
     #[inline(always)]
     pub fn ask_for(&self, place: [f32; 3]) {
-        let node = place.map(|value| value + 0.5);
-        if self.is_inside(node)
-            && let Some(plane) = self.nodes.planes.get(self.bricks.index(node.map(|value| value as u32)) as usize)
-        {
+        if let Some((_, plane)) = self.nearest(place) {
             prefetch(plane);
         }
     }

@@ -120,14 +120,10 @@ impl<'a> Placed<'a> {
     pub fn room(&self, point: [f32; 3], clearance: f32) -> f32 {
         let (place, near) = (self.place(point), self.thickness + clearance);
         match &self.field {
-            Field::Grid(field, grid) => {
-                let outside = field.outside(place) * self.unit;
-                let within = || grid.closest(grid.low() + Vector3::from(place.map(f64::from)) * grid.cell());
-                match within().filter(|_| outside == 0.0) {
-                    Some(surface) => surface.distance as f32 - near - GRID_ERROR * self.unit,
-                    None => outside,
-                }
-            }
+            Field::Grid(field, grid) => match grid.closest(grid.low() + Vector3::from(place.map(f64::from)) * grid.cell()) {
+                Some(surface) => surface.distance as f32 - near - GRID_ERROR * self.unit,
+                None => field.outside(place) * self.unit,
+            },
             Field::Shape(_) => self.field.at(place, near + FAR).map_or(FAR, |(distance, _)| distance - near),
         }
     }

@@ -12,7 +12,7 @@ use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
 use crate::solver::strand::{Strand, root_after};
 use crate::solver::workers::Crew;
-use crate::step::held::Held;
+use crate::step::held::{Held, running};
 use crate::step::held_packs::AnyPack;
 use crate::step::members::{Kind, Members};
 use crate::step::state::StrandState;
@@ -99,7 +99,7 @@ impl Packs {
             let first_order = members.iter().flatten().any(|(_, held)| held.first_order);
             let mut strands = [const { None }; MOST];
             let mut lanes = [const { None }; MOST];
-            for (lane, (strand, held)) in members.iter_mut().enumerate().filter_map(|(lane, pair)| Some((lane, pair.as_mut()?))) {
+            for (lane, (strand, held)) in running(members) {
                 (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut held.held));
             }
             pack.begin(&Present(strands), setting, h, first_order, set, &mut lanes);
@@ -118,7 +118,7 @@ impl Packs {
     ) {
         crew.for_each(&mut self.of(strands), |Work { pack, members }, _| {
             let mut halves = [FirstHalf::None; MOST];
-            for (lane, held) in present(members) {
+            for (lane, held) in running(members) {
                 if asked(held) && !meter.is_halted() {
                     halves[lane] = held.hold(&islands[held.island as usize]);
                     meter.spend(held.half_work());
@@ -128,8 +128,7 @@ impl Packs {
                 return;
             }
             let mut lanes = [const { None }; MOST];
-            for (lane, held) in present(members).filter(|(lane, _)| halves[*lane] != FirstHalf::None) {
-                held.held.is_done_again(halves[lane] == FirstHalf::Done);
+            for (lane, held) in running(members).filter(|(lane, _)| halves[*lane] != FirstHalf::None) {
                 lanes[lane] = Some(&mut held.held);
             }
             pack.linearise(&mut lanes);
@@ -140,7 +139,7 @@ impl Packs {
     pub fn advance(&mut self, strands: &mut [HeldStrand], islands: &[Island], setting: &Setting, crew: &Crew, meter: &Meter) {
         crew.for_each(&mut self.of(strands), |Work { pack, members }, _| {
             let mut goes = [false; MOST];
-            for (lane, held) in present(members) {
+            for (lane, held) in running(members) {
                 let island = &islands[held.island as usize];
                 // (Where the contact problem was left there are no forces to go by.)
                 if !island.done && !meter.is_halted() {
@@ -152,11 +151,11 @@ impl Packs {
                 return;
             }
             let mut lanes: [Option<&mut Held>; MOST] = [const { None }; MOST];
-            for (lane, held) in present(members).filter(|(lane, _)| goes[*lane]) {
+            for (lane, held) in running(members).filter(|(lane, _)| goes[*lane]) {
                 lanes[lane] = Some(&mut held.held);
             }
             pack.advance(setting, &mut lanes);
-            present(members).filter(|(lane, _)| goes[*lane]).for_each(|(_, held)| held.advanced());
+            running(members).filter(|(lane, _)| goes[*lane]).for_each(|(_, held)| held.advanced());
         });
     }
 
@@ -166,20 +165,12 @@ impl Packs {
     }
 }
 
-/// Those that there are, with their lanes.
-pub(super) fn present<'a, 'b>(
-    members: &'a mut [Option<&'b mut HeldStrand>; MOST],
-) -> impl Iterator<Item = (usize, &'a mut &'b mut HeldStrand)> {
-    members.iter_mut().enumerate().filter_map(|(lane, held)| Some((lane, held.as_mut()?)))
-}
-
 impl Work<'_, Pair<'_>> {
     /// Works out the ends of the strands that `ends` is true of.
     pub fn finish(&mut self, setting: &Setting, h: f64, ends: impl Fn(&HeldStrand) -> bool) {
         let mut strands = [const { None }; MOST];
         let mut lanes = [const { None }; MOST];
-        let members = self.members.iter_mut().enumerate().filter_map(|(lane, pair)| Some((lane, pair.as_mut()?)));
-        for (lane, (strand, held)) in members.filter(|(_, (_, held))| ends(held)) {
+        for (lane, (strand, held)) in running(&mut self.members).filter(|(_, (_, held))| ends(held)) {
             (strands[lane], lanes[lane]) = (Some(&mut **strand), Some(&mut held.held));
         }
         if lanes.iter().any(Option::is_some) {

@@ -268,12 +268,11 @@ fn led_to(held: &Held, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
     moved
 }
 
-/// A box around a strand. (An arc lies within half its length of the middle of its ends.)
+/// A box around a strand.
 fn around(curve: &StrandCurve) -> Bounds {
     let of_element = |state: &ElementState<f64>| {
         let [left, right] = [state.origin_left, state.origin_right()].map(|end| curve.origin + Vector3::from(end));
-        let across = 0.5 * state.length * (0.5 * state.kappa_squared.sqrt() * state.length).min(1.0);
-        Bounds::of_points([left, right]).grown(across)
+        Bounds::of_points([left, right]).grown(state.off_chord())
     };
     curve.elements.iter().map(of_element).fold(Bounds::EMPTY, |all, bounds| all.union(&bounds))
 }
