@@ -238,7 +238,7 @@ def motion():
 def whirl():
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.5))
     data = defaultdict(list)
-    lines = ["| shaft | spin / critical | growth / ω | theory | goes round at / ω | theory |", "|---" * 6 + "|"]
+    lines = ["| shaft | spin / critical | growth / ω | theory | whirls at / ω | theory |", "|---" * 6 + "|"]
     for row in table("whirl", "whirl"):
         data[row["case"]].append([float(row[key]) for key in ("spin_by_critical", "growth_by_omega", "theory")])
         lines.append("| " + " | ".join(row[key] for key in row) + " |")
@@ -269,7 +269,7 @@ def whirl():
 def extremes():
     if not (FIGURES / "extremes.csv").exists():
         return
-    lines = ["| integrator | draws | cases | failed | steps | strand-seconds | iterations a step | unconverged | in parts | not finite | quiet stretches | energy grew in | the same, unconverged | "
+    lines = ["| integrator | draws | cases | failed | steps | strand-seconds | iterations a step | unconverged | in substeps | not finite | quiet stretches | energy grew in | the same, unconverged | "
              "worst stretch | worst frame | converged, checked | worst, L | wound up |", "|---" * 18 + "|"]
     for row in rows("extremes.csv"):
         steps = int(row["steps"])
