@@ -15,7 +15,7 @@ use crate::step::state::StrandState;
 
 /// A strand that is in a body by no more than this part of what contact tolerates touches nothing: where it grows out of a head, or lies on it as it
 /// was drawn, its distance is zero.
-const SLACK: f64 = 0.1;
+const SLACK: f64 = 1e-3;
 
 /// The strands of one task that try a free step.
 #[derive(Debug, Default)]
