@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::error::{Error, Result};
 
-/// The highest order (degree and one) that is evaluated.
+/// The highest order (degree plus one) that is supported.
 pub const MOST_ORDER: usize = 16;
 
 /// A rational B-spline: order, knots and weights.
@@ -17,12 +17,12 @@ pub struct Nurbs<'a> {
 }
 
 impl<'a> Nurbs<'a> {
-    /// A curve over so many control points; `weights` one a control point, or all alike.
+    /// A curve over `controls` control points; `weights` has one per control point, or is absent where all are equal.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for an order below 2, above 16 or above the number of control points, knots that are not as many as
-    /// control points and order together, that descend or that leave no parameter to the curve, and for weights that are not above zero or
-    /// not one a control point.
+    /// [`Error::InvalidArgument`] for an order below 2, above 16 or above the number of control points; for knots that descend,
+    /// leave the curve no parameter, or do not number as many as control points plus order; for weights that are not above zero
+    /// or not one per control point.
     pub fn new(order: usize, knots: &'a [f64], weights: Option<&'a [f64]>, controls: usize) -> Result<Self> {
         if !(2..=MOST_ORDER).contains(&order) || order > controls {
             return Err(Error::invalid("order", order, format!("2 to {MOST_ORDER}, and at most {controls}, the control points")));
@@ -49,8 +49,8 @@ impl<'a> Nurbs<'a> {
         Ok(Self { order, knots, weights, controls })
     }
 
-    /// The parameters at which [`Nurbs::at`] is asked: `per_span` a span that has an extent, evenly, and the end. A span is its last
-    /// knot's number.
+    /// The parameters at which to evaluate the curve with [`Nurbs::at`]: `per_span` in every span of nonzero length, evenly
+    /// spaced, and the end. A span's number is that of its last knot.
     pub fn parameters(&self, per_span: usize) -> Vec<(usize, f64)> {
         let spans = (self.order - 1..self.controls).filter(|span| self.knots[*span] < self.knots[span + 1]);
         let mut places = Vec::new();
@@ -64,7 +64,7 @@ impl<'a> Nurbs<'a> {
         places
     }
 
-    /// The curve at a parameter of a span, both from [`Nurbs::parameters`]. `control` is asked for control points by their numbers.
+    /// The curve at a parameter of a span, both from [`Nurbs::parameters`]. `control` returns control points by number.
     pub fn at(&self, (span, parameter): (usize, f64), control: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
         let degree = self.order - 1;
         let mut points = [(Vector3::zeros(), 0.0); MOST_ORDER];

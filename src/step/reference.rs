@@ -1,8 +1,11 @@
-//! The reference integrator: Radau IIA of order 5 in the curvatures with step doubling. Every step is taken once whole and once in two
-//! halves; the difference tells the error of the halves, which are kept, and the size of the next step.
+//! The reference integrator: Radau IIA of order 5 in the curvatures, with step doubling.
 //!
-//! The error is measured at the quadrature points, in units of the strand's length: how far positions are off, plus how far the
-//! velocities being off would carry them in the strand's own time. A step of h seconds may err by `reference_tolerance`·h, and by rounding.
+//! Every step is taken once whole and once in two halves. The difference estimates the error of the halves, which are kept, and
+//! sets the size of the next step.
+//!
+//! The error is measured at the quadrature points relative to the strand's length: the error of positions, plus the displacement
+//! that the error of velocities would cause in the strand's own time. A step of h seconds may err by `reference_tolerance`·h, and
+//! by rounding.
 
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
@@ -22,29 +25,29 @@ use crate::math::vector::Vec3;
 use crate::rod::strand::StrandModel;
 use crate::rod::velocity::{self, RootMotion};
 
-/// Attempts within one call before the strand is given up: what is left of the call is taken by implicit Euler and reported.
+/// Attempts within one call before the strand is given up: implicit Euler takes the rest of the call, and the report says so.
 const MAX_ATTEMPTS: u32 = 100_000;
-/// Rejections in a row before the same: each makes the step smaller by a half at least.
+/// Rejections in a row before the same: each at least halves the step.
 const MAX_REJECTIONS: u32 = 60;
-/// What rounding puts into the position of a point, in units of the length: no step is asked to err by less.
+/// Rounding error of a point's position, relative to the length: no step needs to err by less.
 const ROUNDING: f64 = 2e-15;
-/// Newton's error in units of the error allowed.
+/// Newton's error as a fraction of the permitted error.
 const NEWTON_SHARE: f64 = 1e-2;
-/// What a step is made smaller by than the error asks for.
+/// Safety factor on the next step's size.
 const SAFETY: f64 = 0.8;
-/// Bounds of the change of size from step to step.
+/// Bounds on the change of size from step to step.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 4.0;
-/// The longest time, s, over which a velocity's error is counted.
+/// The longest time, s, over which an error of velocity counts.
 const LONGEST_TIME: f64 = 1.0;
-/// Times over which it is, the strand's own and shorter ones: 4¹² spans the modes of any hair.
+/// Times to try, from the strand's own downwards: 4¹² spans the modes of any hair.
 const TIMES_TRIED: u32 = 12;
-/// An attempt's elements may turn by so much more than at its start, and by so many radians.
+/// An attempt's elements may turn by this factor more than at its start, plus as many radians.
 const FINE_MARGIN: f64 = 1.3;
-/// A root's velocity that differs by this much of the speeds at hand has jumped.
+/// A root's velocity jumped if it differs by this fraction of the velocities involved.
 const JUMP: f64 = 1e-8;
 
-/// Takes one strand through `h` seconds; see [`super::take`].
+/// Takes one strand through `h` seconds: see [`super::take`].
 pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, scratch: &mut RuleScratch) -> StrandOutcome {
     let Setting { surroundings, options, rules } = *setting;
     let One { model, root_at, .. } = *one;
@@ -65,7 +68,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
         angular: state.root_angular_velocity.into(),
     };
     let Some(pieces) = RootPath::pieces(root_at, h) else {
-        // A root that jumps about is not to be followed to any tolerance.
+        // No tolerance can follow a root whose path is nowhere smooth.
         let outcome = implicit_euler(setting, one, h, bench, scratch);
         return StrandOutcome { converged: false, ..outcome };
     };
@@ -79,7 +82,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
         let dynamics = Dynamics { model, rule: rules.rule(rule), surroundings, path };
         known = run.know(&dynamics, rule, &motion, end);
         if end < path.end {
-            // The best that is left: the strand as far as it came, and a forgiving step over the rest.
+            // The best remaining choice: keep the strand as far as it came, and take a robust step over the rest.
             publish(state, &motion, &known, root_at(end));
             let rest = |seconds: f64| root_at(end + seconds);
             let last = implicit_euler(setting, &mut One { model, state, root_at: &rest }, h - end, bench, scratch);
@@ -97,7 +100,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
     run.outcome
 }
 
-/// A forgiving step; a state that is not finite is not kept.
+/// A robust step; a state that is not finite is not kept.
 fn implicit_euler(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, rule: &mut RuleScratch) -> StrandOutcome {
     let outcome = f64::attempt(one, setting, h, bench);
     if !outcome.quarantined {
@@ -106,7 +109,7 @@ fn implicit_euler(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f6
     outcome
 }
 
-/// What a strand was last seen to do.
+/// What is known of the strand at the end of a piece.
 struct Known {
     velocities: Vec<Vec3<f64>>,
     rule: usize,
@@ -114,7 +117,7 @@ struct Known {
     angular: Vec3<f64>,
 }
 
-/// The strand at the call's start; frozen curvatures are natural and do not move.
+/// The strand at the start of the call; frozen curvatures are natural and do not move.
 fn start(model: &StrandModel, state: &StrandState) -> Motion {
     let mut motion = Motion {
         curvatures: state.curvatures.clone(),
@@ -130,7 +133,7 @@ fn start(model: &StrandModel, state: &StrandState) -> Motion {
     motion
 }
 
-/// Makes a motion the strand's state.
+/// Writes a motion into the strand's state.
 fn publish(state: &mut StrandState, motion: &Motion, known: &Known, root: Frame) {
     state.curvatures.clone_from(&motion.curvatures);
     state.rates.clone_from(&motion.rates);
@@ -152,7 +155,7 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Goes along a smooth piece as far as the tolerance can be met; gives back how far that is.
+    /// Advances along a smooth piece as far as the tolerance allows; returns how far that is.
     fn along(&mut self, path: &RootPath, motion: &mut Motion) -> f64 {
         let time_scale = self.time_scale();
         let mut t = path.start;
@@ -174,7 +177,7 @@ impl Run<'_> {
                     if ratio <= 1.0 {
                         *motion = next;
                         t = if last { path.end } else { t + h };
-                        // Right after a rejection a step that grows is likely to be rejected again.
+                        // Right after a rejection a larger step is likely to fail again.
                         wanted = h * if rejections > 0 { factor.min(1.0) } else { factor };
                         rejections = 0;
                         continue;
@@ -192,7 +195,7 @@ impl Run<'_> {
         path.end
     }
 
-    /// One step in two halves, and its error by the whole step, in units of the length.
+    /// One step in two halves, and its error by the whole step, relative to the length.
     fn doubled(
         &mut self,
         dynamics: &Dynamics,
@@ -215,16 +218,17 @@ impl Run<'_> {
         let middle = solve(&half, from, t)?;
         let end = solve(&half, &middle, t + 0.5 * h)?;
         let distance = self.distance(dynamics, &derivatives.inertia, t + h, &whole, &end, time_scale);
-        // The halves are 2⁵ times nearer to the truth than the whole.
+        // The halves are 2⁵ times closer to the truth than the whole.
         let error = distance / (2.0_f64.powi(radau::ORDER) - 1.0);
         error.is_finite().then_some((end, error))
     }
 
-    /// How far two motions are apart, in units of the length: as they are, and where the difference of their rates would carry them.
+    /// The distance of two motions relative to the length: that of their positions, and the displacement that the difference of
+    /// their rates would cause.
     ///
-    /// A mode of frequency Ω that is off by a velocity v goes off by v/Ω, one that friction holds by less. Without taking modes apart: an
-    /// implicit Euler step of τ turns v into vτ/(1 + Ω²τ²), whose largest value over τ is v/2Ω. The times tried go down from the strand's
-    /// own by factors of 4.
+    /// A mode of frequency Ω with a velocity error v goes off by v/Ω, one that friction holds by less. An implicit Euler step of
+    /// τ gives this without a modal analysis: it turns v into vτ/(1 + Ω²τ²), whose largest value over τ is v/2Ω. The times tried
+    /// go down from the strand's own by factors of 4.
     fn distance(&self, dynamics: &Dynamics, inertia: &Mat<f64>, t: f64, one: &Motion, other: &Motion, time_scale: f64) -> f64 {
         let (kinematics, _) = dynamics.kinematics(t, &one.curvatures);
         let (second, _) = dynamics.kinematics(t, &other.curvatures);
@@ -260,13 +264,13 @@ impl Run<'_> {
         let mut worst = 0.0_f64;
         for (apart, carried) in apart.iter_mut().zip(&carried) {
             *apart += carried;
-            // A number that is not one must not be lost in max().
+            // max() must not hide a NaN.
             worst = if *apart <= worst { worst } else { *apart };
         }
         worst / self.model.length()
     }
 
-    /// The strand's own time: how long a wrong velocity goes on before stiffness or weight turn it round.
+    /// The strand's own time: how long a wrong velocity persists before stiffness or weight reverses it.
     fn time_scale(&self) -> f64 {
         let length = self.model.length();
         let stiffness = self.model.stiffness[1].min(self.model.stiffness[2]);
@@ -275,13 +279,13 @@ impl Run<'_> {
         (1.0 / squared_frequency.sqrt()).min(LONGEST_TIME)
     }
 
-    /// A rule whose error stays below any tolerance, whatever the options say of quadrature.
+    /// A rule whose error stays below any tolerance, whatever the quadrature option.
     fn fine_rule(&self, curvatures: &Rows) -> usize {
         let angle = self.model.largest_angle(curvatures);
         self.rules.for_angle_within(FINE_MARGIN * angle + FINE_MARGIN - 1.0, quadrature::TIGHTEST)
     }
 
-    /// Where the root's velocity jumps, the strand is struck through its clamp: rates change so that no generalised momentum does.
+    /// Where the root's velocity jumps, the clamp strikes the strand: the rates change so that every generalised momentum stays.
     fn meet_jump(&self, path: &RootPath, motion: &mut Motion, known: &Known) {
         let dynamics = Dynamics { model: self.model, rule: self.rules.rule(known.rule), surroundings: self.surroundings, path };
         let (kinematics, root) = dynamics.kinematics(path.start, &motion.curvatures);
@@ -306,7 +310,7 @@ impl Run<'_> {
             self.model.stiffness[axis] / self.model.lengths[element]
         };
         let stiffness_trace: f64 = (0..size).map(stiffness).sum();
-        // What has no inertia has no momentum: a trace of stiffness keeps its rate as it is.
+        // A mode without inertia has no momentum: a trace of stiffness keeps its rate.
         for i in 0..size {
             matrix[(i, i)] += 1e-14 * trace * stiffness(i) / stiffness_trace;
         }
@@ -322,7 +326,7 @@ impl Run<'_> {
         motion.accelerations.fill([0.0; 3]);
     }
 
-    /// What can be seen of the strand at the end of a piece.
+    /// The observable state of the strand at the end of a piece.
     fn know(&self, dynamics: &Dynamics, rule: usize, motion: &Motion, t: f64) -> Known {
         let (kinematics, root) = dynamics.kinematics(t, &motion.curvatures);
         let mut velocities = vec![Vec3::zero(); kinematics.points.len()];
