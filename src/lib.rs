@@ -11,7 +11,7 @@
 //! - `chain/`: The linear systems of one strand: the linear-time elimination from tip to root, and the dense reference it is tested against.
 //! - `contact/`: Contact and constraints: bodies and hair against hair.
 //! - `energy/`: The terms of the incremental potential, one file per term.
-//! - `files/`: Files: grooms in and out, motions in, caches in and out.
+//! - `files/`: Files: grooms, motions and caches, read and written.
 //! - `groom/`: From measured and modelled hair to strands.
 //! - `haptics/`: Force feedback: a tool in a hand, through a haptic device, in simulated hair.
 //! - `math/`: Numbers: lanes, entire functions, small vectors and matrices, quadrature, splines, rigid poses and their motion.

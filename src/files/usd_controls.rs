@@ -1,4 +1,4 @@
-//! What goes with the control points of a prim's curves made into what goes with the points of its polylines.
+//! Conversion of data per control point of a prim's curves into data per point of its polylines.
 
 use nalgebra::Vector3;
 
@@ -7,32 +7,32 @@ use crate::files::usda_values::Interpolation;
 use crate::math::nurbs::Nurbs;
 use crate::math::spline::{Spline, SplineEnds, SplineKind};
 
-/// Points a span of a cubic curve or of NURBS.
+/// Points per span of a cubic curve or NURBS.
 const PER_SPAN: usize = 4;
-/// Chords between two of these points that arclengths of NURBS are summed from.
+/// Chords between two of these points; arclengths of NURBS are their sums.
 const CHORDS: usize = 8;
 
-/// How the control points of a curve are made into points.
+/// How the control points of a curve become points.
 pub(super) enum Way<'a> {
     Linear,
     Cubic(SplineKind, SplineEnds),
     Nurbs { orders: &'a [u32], knots: &'a [f64], weights: Option<&'a [f64]> },
 }
 
-/// Makes an error out of what is wrong with the prim's curves.
+/// Makes an error from a fault of the prim's curves.
 pub(super) type Bad<'a> = &'a dyn Fn(std::fmt::Arguments<'_>) -> Error;
 
 pub(super) fn wide(point: [f32; 3]) -> Vector3<f64> {
     Vector3::from(point.map(f64::from))
 }
 
-/// As floats, if they have room for it.
+/// As floats, if they are in range.
 pub(super) fn narrow(point: Vector3<f64>) -> Option<[f32; 3]> {
     let narrowed = [point.x as f32, point.y as f32, point.z as f32];
     narrowed.iter().all(|value| value.is_finite()).then_some(narrowed)
 }
 
-/// The control points of a prim's curves: makes what goes with them into what goes with points.
+/// The control points of a prim's curves: converts data per control point into data per point.
 pub(super) struct Controls<'a> {
     pub counts: &'a [u32],
     pub total: usize,
@@ -59,7 +59,7 @@ impl Controls<'_> {
         Spline::new(kind, ends, self.counts[curve] as usize).map_err(|error| bad(format_args!("curve {curve}: {error}")))
     }
 
-    /// Points of each curve that is made.
+    /// Numbers of points of the curves made.
     pub fn counts(&self, way: &Way<'_>, bad: Bad<'_>) -> Result<Vec<u32>> {
         let ranges = self.ranges().enumerate();
         match way {
@@ -92,7 +92,7 @@ impl Controls<'_> {
         Ok(())
     }
 
-    /// Three numbers a control point: three a point.
+    /// Converts three numbers per control point to three per point.
     pub fn vectors(&self, way: &Way<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
         let narrow = |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point leaves the range of floats")));
         let mut made = Vec::new();
@@ -127,7 +127,7 @@ impl Controls<'_> {
         Ok(made)
     }
 
-    /// How far along its curve each point lies, from 0 at each root, of control points that have been placed; nothing of polylines.
+    /// Arclength of each point along its curve, from 0 at each root, for control points already placed; `None` for polylines.
     pub fn arclengths(&self, way: &Way<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Vec<f32>> {
         let mut made = Vec::new();
         match way {
@@ -164,7 +164,7 @@ impl Controls<'_> {
         }
     }
 
-    /// Three numbers each, interpolated as said: three a point.
+    /// Three numbers each, with the given interpolation: three per point.
     pub fn triples(
         &self,
         way: &Way<'_>,
@@ -181,7 +181,7 @@ impl Controls<'_> {
         }
     }
 
-    /// One number each, interpolated as said: one a point.
+    /// One number each, with the given interpolation: one per point.
     pub fn numbers(&self, way: &Way<'_>, items: &[f32], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<f32>> {
         match self.spread(way, items, how, what, bad, |a, b, share| a + (b - a) * share)? {
             Spread::Controls(list) if matches!(way, Way::Linear) => Ok(list),
@@ -193,7 +193,8 @@ impl Controls<'_> {
         }
     }
 
-    /// What is said for all, a curve, a span's end or a control point, said for each control point, or where a basis would bend it, point.
+    /// Expands data for all curves, per curve, per end of a span or per control point to data per control point or, where a basis
+    /// would bend it, per point.
     fn spread<T: Copy>(
         &self,
         way: &Way<'_>,
@@ -242,7 +243,7 @@ impl Controls<'_> {
     }
 }
 
-/// What goes with control points, or with points.
+/// Data per control point, or per point.
 enum Spread<T> {
     Controls(Vec<T>),
     Points(Vec<T>),

@@ -1,7 +1,7 @@
 //! The curves of a USD layer at a time, as polylines in the world.
 //!
-//! Linear curves are their points. Cubic curves and NURBS are made into points, four a span; what goes along with control points goes
-//! along with them. Placements (`xformOp`s of the prim and of those it is in) are applied; where there is none the numbers stay as they are.
+//! Linear curves are their points. Cubic curves and NURBS become points, four per span, and data per control point is
+//! interpolated along. Placements (`xformOp`s of the prim and its ancestors) are applied; without any the numbers stay unchanged.
 
 use nalgebra::{Matrix3, Matrix4, Vector3};
 
@@ -12,7 +12,7 @@ use crate::files::usda_layer::{CurvesPrim, Layer};
 use crate::files::usda_values::{Attribute, Interpolation, indexed};
 use crate::math::spline::{SplineEnds, SplineKind};
 
-/// The times at which any curve of the layer is sampled, in time codes, ascending; none if they stand still.
+/// The times at which any curve of the layer has samples, in time codes, ascending; empty for static curves.
 pub(super) fn times(layer: &Layer) -> Vec<f64> {
     let mut times: Vec<f64> = Vec::new();
     for (_, curves) in layer.curves() {
@@ -49,7 +49,7 @@ pub(super) fn at(layer: &Layer, file: &str, time: f64) -> Result<Curves> {
     Curves::from_parts(CurvesFormat::Usda, all.counts, all.points, extras)
 }
 
-/// Numbers that some prims may have and others not: those that have not get zeros.
+/// Numbers that only some prims have: the others get zeros.
 struct Optional<T>(Option<Vec<T>>);
 
 impl<T> Default for Optional<T> {
@@ -59,7 +59,7 @@ impl<T> Default for Optional<T> {
 }
 
 impl<T: Copy> Optional<T> {
-    /// Adds what a prim has, after `before` entries of others; a prim has `count`.
+    /// Appends a prim's data after `before` entries of other prims; a prim has `count`.
     fn add(&mut self, items: Option<Vec<T>>, before: usize, count: usize, otherwise: T) {
         match (&mut self.0, items) {
             (None, None) => {}
@@ -82,14 +82,14 @@ struct All {
     transparency: Optional<f32>,
     colors: Optional<[f32; 3]>,
     velocities: Optional<[f32; 3]>,
-    /// From the first spline on; of polylines before it too.
+    /// From the first spline on, including earlier polylines.
     arclengths: Option<Vec<f32>>,
     held: Optional<bool>,
     strand_thickness: Optional<f32>,
     strand_uvs: Optional<[f32; 2]>,
 }
 
-/// How far along its polyline each point lies.
+/// Arclength of each point along its polyline.
 fn along_edges(points: &[[f32; 3]], counts: &[u32]) -> Vec<f32> {
     let (mut rest, mut arclengths) = (points, Vec::with_capacity(points.len()));
     for count in counts {
@@ -123,7 +123,7 @@ impl One<'_> {
         let bad: Bad<'_> = &|reason| self.error(reason);
         let points = self.points()?;
         if points.is_empty() {
-            // A prim that stands for hair that is not there yet.
+            // A prim for hair that does not exist yet.
             return Ok(());
         }
         let counts = self.prim.counts.at(self.time).map_or(&[][..], Vec::as_slice);
@@ -214,7 +214,7 @@ impl One<'_> {
         };
         all.colors.add(colors, before.0, point_count, [0.0; 3]);
 
-        // What this library's own files say beyond USD's own names.
+        // What this library's own files hold beyond USD's own names.
         let held = self.prim.held.at(self.time).filter(|held| matches!(way, Way::Linear) && held.len() == points.len());
         all.held.add(held.map(|held| held.iter().map(|held| *held != 0).collect()), before.0, point_count, false);
         let thickness = self.prim.strand_thickness.at(self.time).filter(|list| list.len() == curve_count);
@@ -226,7 +226,7 @@ impl One<'_> {
         Ok(())
     }
 
-    /// Points, between samples if the time is.
+    /// Points, interpolated between samples.
     fn points(&self) -> Result<Vec<[f32; 3]>> {
         self.prim.points.vectors_at(self.time).map_or_else(|| Ok(Vec::new()), Ok)
     }
@@ -294,7 +294,7 @@ struct Moved {
     matrix: Matrix4<f64>,
     /// Per time code.
     rate: Option<Matrix4<f64>>,
-    /// The cube root of what it multiplies volumes by: what widths are multiplied by.
+    /// The cube root of its factor on volumes, which multiplies widths.
     scale: f64,
 }
 
@@ -306,8 +306,8 @@ impl Moved {
         if now == Matrix4::identity() && !moves {
             return Ok(None);
         }
-        // Between samples placements are straight lines: a difference over a small part of a frame is exact but for rounding, and at a
-        // sample the mean of both sides.
+        // Placements are linear between samples: a difference over a small part of a frame is exact but for rounding, and at a
+        // sample it is the mean of both sides.
         const PART: f64 = 1e-3;
         let rate = if moves { Some((matrix(one.time + PART)? - matrix(one.time - PART)?) / (2.0 * PART)) } else { None };
         let scale = now.fixed_view::<3, 3>(0, 0).determinant().abs().cbrt();
@@ -323,7 +323,7 @@ impl Moved {
         (placed / placed.w).xyz()
     }
 
-    /// What points do by themselves, and what the placement does to them.
+    /// The points' own velocities, and those of the placement.
     fn velocities(
         &self,
         points: &[[f32; 3]],

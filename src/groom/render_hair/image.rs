@@ -1,8 +1,8 @@
-//! A map as bytes, and back.
+//! Serialises the map.
 //!
-//! Little-endian: "SHXRHAIR", format version (u32), length of the body (u64), the body, FNV-1a hash of the body (u64). The body holds the
-//! settings (workers and instruction set are the host's and stay out), the guides at binding and the strands. What follows of those is
-//! worked out again.
+//! Little-endian: "SHXRHAIR", format version (u32), length of the body (u64), the body, FNV-1a hash of the body (u64). The body
+//! holds the settings (workers and instruction set belong to the host and are left out), the guides at binding, and the strands.
+//! Derived data is recomputed.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -15,11 +15,11 @@ use crate::error::{Error, Result};
 use crate::math::frame::UNIT_QUATERNION_TOLERANCE;
 use crate::workers::Workers;
 
-/// Changes whenever the bytes of an older version could not be read.
+/// Changes whenever older bytes can no longer be read.
 pub const RENDER_HAIR_VERSION: u32 = 1;
 const MAGIC: &[u8; 8] = b"SHXRHAIR";
 const HEAD: usize = 8 + 4 + 8;
-/// Words of 4 bytes that a strand takes, without and with what curvatures are mixed by.
+/// 4-byte words per strand, without and with the data for mixing curvatures.
 const STRAND_WORDS: usize = 2 * MOST_GUIDES + 3 * MOST_GUIDES + 2 + 2 + 2 + 3 + 3 + 3;
 const CURL_WORDS: usize = 4 * MOST_GUIDES + 1;
 
@@ -110,7 +110,7 @@ impl Reader<'_> {
         Ok(out)
     }
 
-    /// How many items of so many bytes there are; no more than there are bytes for.
+    /// A number of items of this many bytes each; at most as many as there are bytes for.
     fn count(&mut self, bytes: usize, what: &str) -> Result<usize> {
         let count = self.u64()?;
         if count > (self.0.len() / bytes) as u64 {
@@ -121,7 +121,7 @@ impl Reader<'_> {
 }
 
 impl RenderHair {
-    /// The map as bytes, which [`RenderHair::from_bytes`] makes the same map of.
+    /// The map as bytes; [`RenderHair::from_bytes`] restores it.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut body = Writer::default();
         let s = &self.settings;
@@ -169,10 +169,11 @@ impl RenderHair {
         image.0
     }
 
-    /// The map that was made these bytes of, evaluated by `workers`: its strands come out as they did, to the bit.
+    /// Restores a map from its bytes, to be evaluated by `workers`: its strands are the same to the bit.
     ///
     /// # Errors
-    /// [`Error::Snapshot`] for bytes that are no map, of another version, damaged or cut off; those of [`RenderHair::bind`] for workers.
+    /// [`Error::Snapshot`] for bytes that are not a map, of another version, damaged or truncated; for workers as
+    /// [`RenderHair::bind`].
     pub fn from_bytes(image: &[u8], workers: Workers) -> Result<Self> {
         if image.len() < HEAD + 8 || &image[..8] != MAGIC {
             return Err(bad("it is no render hair: it does not begin with SHXRHAIR, or is cut off"));
@@ -280,7 +281,7 @@ fn curl(body: &mut Reader) -> Result<RenderCurl> {
 }
 
 impl Reference {
-    /// From guides that have been checked, as they were at binding.
+    /// From checked guides, as they were at binding.
     fn restored(
         rest: Vec<Vector3<f64>>,
         points: usize,
@@ -301,7 +302,7 @@ impl Reference {
     }
 }
 
-/// All numbers of settings, in the order in which they are kept.
+/// All numbers of the settings, in file order.
 fn numbers(settings: &RenderSettings) -> [f64; 20] {
     let mut copy = settings.clone();
     numbers_mut(&mut copy).map(|number| *number)
