@@ -19,7 +19,7 @@
 //! - `solver/`: The scene: strands, their roots, the step, and everything a host reads back.
 //! - `step/`: Time integration of one strand.
 //! - `study/`: Studies on top of the solver: what is asked of strands beside their motion, what a measurement says about them, what settings cost and are good for.
-//! - `styling/`: Styling by hand: the bodies of tools from a few numbers, and combs whose teeth hold the strands that they meet until these are combed.
+//! - `styling/`: Styling by hand: bodies of tools, and combs whose teeth hold the strands that they meet until these are combed.
 
 pub mod capi;
 pub mod chain;

@@ -1,4 +1,4 @@
-//! Reading a strand's material points at any arclength.
+//! Samples a strand's material points at any arclengths.
 
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 
@@ -22,7 +22,7 @@ pub struct Sample {
     pub velocity: Vector3<f64>,
 }
 
-/// Walks along a strand; asking for ascending arclengths costs one pass. Works out what is asked for and no more.
+/// Samples along a strand; ascending arclengths cost one pass. Computes only what is requested.
 pub(super) struct Sampler<'a> {
     strand: &'a Strand,
     rules: &'a Rules,
@@ -31,7 +31,7 @@ pub(super) struct Sampler<'a> {
     element: ElementState<f64>,
 }
 
-/// A place of a strand that the sampler has gone to.
+/// A place of a strand at which the sampler is.
 pub(super) struct Place<'a> {
     strand: &'a Strand,
     rule: &'a Rule,
@@ -55,13 +55,13 @@ impl<'a> Sampler<'a> {
         )
     }
 
-    /// The point at `arclength`, which lies in [0, L].
+    /// The point at `arclength`, which must be in [0, L].
     pub fn at(&mut self, arclength: f64) -> Sample {
         let place = self.go(arclength);
         Sample { arclength, position: place.position(), rotation: place.rotation(), velocity: place.velocity() }
     }
 
-    /// Goes to `arclength`, which lies in [0, L].
+    /// Moves to `arclength`, which must be in [0, L].
     pub fn go(&mut self, arclength: f64) -> Place<'_> {
         if arclength < self.start {
             (self.index, self.start, self.element) = (0, 0.0, Self::first(self.strand));
@@ -96,7 +96,7 @@ impl Place<'_> {
         material_rotation(self.element, &self.point)
     }
 
-    /// The material point's velocity, m/s: the field is a polynomial on each element through the values at its nodes.
+    /// The material point's velocity, m/s: a polynomial on each element through the values at its nodes.
     pub fn velocity(&self) -> Vector3<f64> {
         let first = self.index * self.rule.len();
         let mut sum = Vec3::<f64>::zero();

@@ -1,4 +1,4 @@
-//! Bodies: shapes (each once, however many bodies share it), where they are and how they move.
+//! Bodies in a snapshot: shapes (each once, however many bodies share it), poses and motions.
 
 use std::sync::Arc;
 
@@ -14,11 +14,11 @@ use crate::solver::bodies::SceneBody;
 use crate::solver::id::{BodyId, SlotMap};
 use crate::solver::report::Wrench;
 
-/// Stands for a shape that is kept elsewhere, by its content's hash.
+/// Marks a shape that is stored elsewhere, by its content's hash.
 const REFERENCE: u32 = 9;
 
 impl Writer {
-    /// All bodies, shapes that stay as they are as `shapes` says; `id` writes what stands at the end of each.
+    /// All bodies, with static shapes as `shapes` says; `id` writes the end of each.
     pub fn bodies(&mut self, bodies: &[SceneBody], shapes: SnapshotShapes, id: impl Fn(&mut Self, &SceneBody)) {
         let mut owners: Vec<&SceneBody> = Vec::new();
         let mut known = std::collections::HashMap::new();
@@ -135,7 +135,7 @@ impl Writer {
 }
 
 impl Reader<'_> {
-    /// All bodies; `slots` are their identifiers', `find` finds shapes that are kept elsewhere.
+    /// All bodies; `slots` are their identifiers', `find` finds shapes stored elsewhere.
     pub fn bodies(&mut self, slots: &SlotMap<BodyId>, find: &dyn Fn(u128) -> Result<Arc<Shape>>) -> Result<Vec<SceneBody>> {
         let shapes = (0..self.count(4 + 8)?).map(|_| self.owned_shape(find)).collect::<Result<Vec<_>>>()?;
         let count = self.count(4 + 7 * 8)?;
@@ -185,7 +185,7 @@ impl Reader<'_> {
         Ok((body, Wrench { force: self.vector()?, torque: self.vector()? }))
     }
 
-    /// A shape, and its content's hash where that is known.
+    /// A shape, and its content's hash if known.
     fn owned_shape(&mut self, find: &dyn Fn(u128) -> Result<Arc<Shape>>) -> Result<(Arc<Shape>, Option<u128>)> {
         match self.u32()? {
             REFERENCE => {
@@ -196,7 +196,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A shape that is written whole.
+    /// A shape stored in full.
     pub fn shape(&mut self) -> Result<Shape> {
         let sort = self.u32()?;
         self.shape_of_sort(sort)

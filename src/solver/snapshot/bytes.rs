@@ -1,4 +1,4 @@
-//! Numbers into bytes and back: little-endian, every length checked against what is left before memory is taken.
+//! Numbers to bytes and back: little-endian, every length checked against the remaining bytes before allocation.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -12,20 +12,20 @@ pub fn bad(reason: impl Into<String>) -> Error {
     Error::Snapshot { reason: reason.into() }
 }
 
-/// An error of something that an image holds.
+/// An error in a part of an image.
 pub fn of_part(part: &str, error: &Error) -> Error {
     bad(format!("{part}: {error}"))
 }
 
-/// Where numbers go.
+/// The destination of numbers.
 pub enum Sink {
     /// Into an image.
     Bytes(Vec<u8>),
-    /// Nowhere: their bytes are counted.
+    /// Nowhere: only counts bytes.
     Count(usize),
-    /// Into a hash of 64 bits, see [`fnv1a`].
+    /// Into a 64-bit hash: see [`fnv1a`].
     Hash(u64),
-    /// Into one of 128 bits, by which contents are told apart.
+    /// Into a 128-bit hash, which identifies contents.
     Content(u128),
 }
 
@@ -33,18 +33,18 @@ pub enum Sink {
 pub const FNV_START: u64 = 0xcbf2_9ce4_8422_2325;
 const CONTENT_START: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
 
-/// FNV-1a, 64 bits, gone on with.
+/// FNV-1a, 64 bits, continued.
 pub fn fnv1a(start: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(start, |hash, byte| (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
-/// FNV-1a, 128 bits, gone on with.
+/// FNV-1a, 128 bits, continued.
 fn fnv1a_128(start: u128, bytes: &[u8]) -> u128 {
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
     bytes.iter().fold(start, |hash, byte| (hash ^ u128::from(*byte)).wrapping_mul(PRIME))
 }
 
-/// The hash of a content.
+/// The hash of contents.
 pub fn content_hash(bytes: &[u8]) -> u128 {
     fnv1a_128(CONTENT_START, bytes)
 }
@@ -71,7 +71,7 @@ impl Writer {
         Self { sink: Sink::Content(CONTENT_START) }
     }
 
-    /// How many bytes were written, where they are kept or counted.
+    /// The number of bytes written, if they are kept or counted.
     pub fn size(&self) -> usize {
         match &self.sink {
             Sink::Bytes(bytes) => bytes.len(),
@@ -80,7 +80,7 @@ impl Writer {
         }
     }
 
-    /// What was written.
+    /// The bytes written.
     pub fn finished(self) -> Vec<u8> {
         match self.sink {
             Sink::Bytes(bytes) => bytes,
@@ -88,7 +88,7 @@ impl Writer {
         }
     }
 
-    /// The hash of 64 bits.
+    /// The 64-bit hash.
     pub fn hash(&self) -> u64 {
         match self.sink {
             Sink::Hash(hash) => hash,
@@ -96,7 +96,7 @@ impl Writer {
         }
     }
 
-    /// The hash of 128 bits.
+    /// The 128-bit hash.
     pub fn content_hash(&self) -> u128 {
         match self.sink {
             Sink::Content(hash) => hash,
@@ -113,7 +113,7 @@ impl Writer {
         }
     }
 
-    /// Counts bytes that are not made when only their number is asked for; says whether it is.
+    /// Adds to the count without making the bytes, if only their number is wanted; returns whether that is so.
     pub fn only_counts(&mut self, bytes: usize) -> bool {
         match &mut self.sink {
             Sink::Count(count) => {
@@ -156,7 +156,7 @@ impl Writer {
         vectors.iter().for_each(|v| self.vector(*v));
     }
 
-    /// A way from pose to pose, and how many seconds of it are done.
+    /// A motion from pose to pose, and its elapsed seconds.
     pub fn way(&mut self, way: Option<&(PoseMove, f64)>) {
         self.flag(way.is_some());
         if let Some((way, elapsed)) = way {
@@ -169,7 +169,7 @@ impl Writer {
         }
     }
 
-    /// The identifiers of a sort.
+    /// The identifiers of a type.
     pub fn slots<I>(&mut self, slots: &SlotMap<I>) {
         self.u32(u32::from(slots.mark));
         self.u64(slots.slots.len() as u64);
@@ -231,7 +231,7 @@ impl<'a> Reader<'a> {
     pub fn rows(&mut self, count: usize) -> Result<Vec<[f64; 3]>> {
         (0..count).map(|_| Ok([self.f64()?, self.f64()?, self.f64()?])).collect()
     }
-    /// So many bytes.
+    /// The next `count` bytes.
     pub fn bytes(&mut self, count: usize) -> Result<&'a [u8]> {
         let Some((head, tail)) = self.left.split_at_checked(count) else {
             return Err(bad("its body ends early"));
@@ -253,7 +253,7 @@ impl<'a> Reader<'a> {
         if unit && frame.origin.iter().all(|x| x.is_finite()) { Ok(frame) } else { Err(bad(format!("{what} is no pose"))) }
     }
 
-    /// A way from pose to pose, and how many seconds of it are done.
+    /// A motion from pose to pose, and its elapsed seconds.
     pub fn way(&mut self) -> Result<Option<(PoseMove, f64)>> {
         if !self.flag()? {
             return Ok(None);
@@ -268,7 +268,7 @@ impl<'a> Reader<'a> {
         Ok(Some((way, self.f64()?)))
     }
 
-    /// [`Reader::way`] of which every number is one.
+    /// [`Reader::way`] with finite numbers only.
     pub fn finite_way(&mut self, what: &str) -> Result<Option<(PoseMove, f64)>> {
         if !self.flag()? {
             return Ok(None);
@@ -287,7 +287,7 @@ impl<'a> Reader<'a> {
         Ok(Some((way, elapsed)))
     }
 
-    /// The identifiers of a sort.
+    /// The identifiers of a type.
     pub fn slots<I: Identifier>(&mut self) -> Result<SlotMap<I>> {
         let mark = self.u32()? as u16;
         let slot_count = self.count(12)?;
@@ -307,7 +307,7 @@ impl<'a> Reader<'a> {
         Ok(slots)
     }
 
-    /// The identifier of the thing at `index`, by its slots.
+    /// The identifier of the thing at `index`, from its slots.
     pub fn id<I: Identifier>(&mut self, what: &str, slots: &SlotMap<I>, index: usize) -> Result<I> {
         let id = I::from_bits(self.u64()?);
         if slots.index(id) == Some(index) { Ok(id) } else { Err(bad(format!("{what} {index} and its identifier disagree"))) }

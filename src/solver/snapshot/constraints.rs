@@ -1,4 +1,4 @@
-//! Constraints: what they ask, where their targets are on their way, what they did last.
+//! Constraints in a snapshot: definitions, motions of their targets, last results.
 
 use nalgebra::Vector3;
 
@@ -10,7 +10,7 @@ use crate::solver::id::{ConstraintId, SlotMap, StrandId};
 use crate::solver::strand::Strand;
 
 impl Writer {
-    /// All constraints, their strands by index; `id` writes what stands at the end of each.
+    /// All constraints, their strands by index; `id` writes the end of each.
     pub fn constraints(&mut self, constraints: &[Constraint], strands: &SlotMap<StrandId>, id: impl Fn(&mut Self, &Constraint)) {
         self.u64(constraints.len() as u64);
         for constraint in constraints {
@@ -21,7 +21,7 @@ impl Writer {
 
     fn constraint(&mut self, constraint: &Constraint, strands: &SlotMap<StrandId>) {
         let Constraint { def, way, state, forces, .. } = constraint;
-        // A constraint goes with its strands: there is always an index.
+        // A constraint is removed with its strands: there is always an index.
         let index = |id: StrandId| strands.index(id).unwrap_or(usize::MAX) as u64;
         self.u64(index(def.strand));
         self.f64(def.arclength);

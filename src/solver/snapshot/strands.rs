@@ -1,4 +1,4 @@
-//! Strands: constants and states.
+//! Strands in a snapshot: constants and states.
 
 use super::bytes::{Reader, Writer, bad, of_part};
 use crate::error::Result;
@@ -15,11 +15,11 @@ use crate::solver::sections::Sections;
 use crate::solver::strand::{Authored, Fared, Holds, Strand};
 use crate::step::state::{Earlier, Past, StrandState};
 
-/// Says that a strand stands still.
+/// Marks a frozen strand.
 const FROZEN: u32 = 5;
 
 impl Writer {
-    /// The natural shape as it was given, where it has other elements. Apart from the strand: no step depends on it.
+    /// The original natural shape, if it has other elements. Separate from the strand: no step depends on it.
     pub fn authored(&mut self, authored: Option<&Authored>) {
         self.u64(authored.map_or(0, |authored| authored.lengths.len() as u64));
         if let Some(authored) = authored {
@@ -28,7 +28,7 @@ impl Writer {
         }
     }
 
-    /// What is kept of a strand that a substep did not bring through.
+    /// The record of a diverged strand.
     fn astray(&mut self, astray: Option<&Astray>) {
         let Some(Astray { bodies, state }) = astray else { return self.u32(0) };
         match state {
@@ -54,7 +54,7 @@ impl Writer {
         bodies.iter().for_each(|body| self.frame(body));
     }
 
-    /// A strand that stands still, in the place of what is kept of one that has strayed.
+    /// A frozen strand, in place of the record of a diverged one.
     fn frozen(&mut self, bodies: &[Known]) {
         self.u32(FROZEN);
         self.u64(bodies.len() as u64);
@@ -71,7 +71,7 @@ impl Writer {
         }
     }
 
-    /// A strand's constants and state; the identifier stands apart.
+    /// A strand's constants and state, without the identifier.
     pub fn strand(&mut self, strand: &Strand) {
         let (model, state, material) = (&strand.model, &strand.state, &strand.model.material);
         self.u64(strand.user_data);
@@ -122,7 +122,7 @@ impl Writer {
 }
 
 impl Reader<'_> {
-    /// What the bodies of a strand that stands still are to it.
+    /// The bodies near a frozen strand.
     fn frozen(&mut self) -> Result<Vec<Known>> {
         let count = self.count(8 * 9)?;
         let known = |reader: &mut Self| {
@@ -172,7 +172,7 @@ impl Reader<'_> {
         Ok(Past::new(step, Earlier { curvatures, velocities, root: self.frame()? }))
     }
 
-    /// The natural shape as it was given of a strand of that length.
+    /// The original natural shape of a strand of this length.
     pub fn authored(&mut self, length: f64) -> Result<Option<Box<Authored>>> {
         let count = self.count(8 * 4)?;
         if count == 0 {
@@ -189,7 +189,7 @@ impl Reader<'_> {
         Ok(Some(Box::new(Authored { lengths: lengths.into(), natural: natural.into() })))
     }
 
-    /// A strand, but for what it is to contact and the natural shape as it was given.
+    /// A strand without its contact parameters and its original natural shape.
     pub fn strand(&mut self, id: StrandId, rules: &Rules, sections: &mut Sections) -> Result<Strand> {
         let user_data = self.u64()?;
         let count = self.count(8 * 10)?;
