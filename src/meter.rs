@@ -34,14 +34,14 @@ pub enum Stopped {
 }
 
 /// Units of work for this many elements or fewer, and for every further one: see [`usual_work`].
-const LEAST_WORK: f64 = 136_800.0;
-const FEWEST_ELEMENTS: usize = 2280;
+const MIN_WORK: f64 = 136_800.0;
+const MIN_ELEMENTS: usize = 2280;
 const WORK_PER_ELEMENT: f64 = 200.0;
 
 /// The default work of a substep, in units: a quarter of a second of one core for 228 strands of ten elements and for less. Every
 /// further element adds enough for a thousand strands on each other and on a head that is shaken as hard as a head can be.
 pub fn usual_work(elements: usize) -> u64 {
-    (LEAST_WORK + WORK_PER_ELEMENT * elements.saturating_sub(FEWEST_ELEMENTS) as f64) as u64
+    (MIN_WORK + WORK_PER_ELEMENT * elements.saturating_sub(MIN_ELEMENTS) as f64) as u64
 }
 
 /// Nanoseconds of work in a unit, approximately.

@@ -65,7 +65,7 @@ const CHUNK: usize = 8;
 /// Least number of tasks per thread: enough for the last thread to finish soon after the first.
 const TASKS_PER_THREAD: usize = 4;
 /// The most groups that items are divided into; with more threads some start with the same group.
-const MOST_SHARES: usize = 32;
+const MAX_GROUPS: usize = 32;
 
 /// The threads, and their scratch memory.
 pub(crate) struct Crew<S> {
@@ -170,7 +170,7 @@ impl<S: Default + Send> Crew<S> {
         let chunk = (items.len() / tasks / least * least).clamp(least, most);
         match &self.runner {
             Runner::Pool(Pool { pool: Some(pool), .. }) if threads > 1 && items.len() > chunk => {
-                let shares = Shares::new(items, chunk, threads);
+                let shares = Groups::new(items, chunk, threads);
                 let do_share = |thread| {
                     self.with_scratch(thread, |scratch| shares.work(thread, &mut |chunk: &mut [T]| work(chunk, scratch)));
                 };
@@ -264,14 +264,14 @@ impl<S: Default + Send> Crew<S> {
 
 /// Items in chunks, and chunks in groups, one group per thread. Loops over the same strands give a strand to the same thread each
 /// time, whose caches hold it: a shared queue loses half of what a second thread gains in contact.
-struct Shares<'a, T> {
-    shares: [Mutex<std::slice::ChunksMut<'a, T>>; MOST_SHARES],
+struct Groups<'a, T> {
+    shares: [Mutex<std::slice::ChunksMut<'a, T>>; MAX_GROUPS],
     count: usize,
 }
 
-impl<'a, T: Send> Shares<'a, T> {
+impl<'a, T: Send> Groups<'a, T> {
     fn new(items: &'a mut [T], chunk: usize, threads: usize) -> Self {
-        let count = threads.min(MOST_SHARES);
+        let count = threads.min(MAX_GROUPS);
         let (all, mut rest, mut taken) = (items.len().div_ceil(chunk), items, 0);
         let shares = std::array::from_fn(|k| {
             let to = all * (k + 1).min(count) / count;
@@ -324,7 +324,7 @@ mod tests {
     #[test]
     fn a_thread_begins_with_its_own_share_and_ends_with_what_others_left() {
         let mut items: Vec<usize> = (0..100).collect();
-        let shares = Shares::new(&mut items, 8, 3);
+        let shares = Groups::new(&mut items, 8, 3);
         let mut order = Vec::new();
         shares.work(1, &mut |chunk: &mut [usize]| order.push(chunk[0]));
         assert_eq!(order, [32, 40, 48, 56, 96, 88, 80, 72, 64, 24, 16, 8, 0]);

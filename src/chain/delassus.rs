@@ -25,12 +25,12 @@ pub struct Delassus {
     /// Column after column, three rows and three columns a point: entry `(3 j + b) * 3 * stations + 3 i + a` is how far point i
     /// moves along axis a under a unit force along axis b at point j, m/N. Symmetric to the bit.
     pub columns: Vec<f64>,
-    scratch: Scratch,
+    scratch: PassScratch,
 }
 
 /// y of every element, for each type of lanes.
 #[derive(Debug, Clone, Default)]
-struct Scratch {
+struct PassScratch {
     #[cfg(target_arch = "x86_64")]
     four: Vec<[F64x4; 3]>,
     #[cfg(any(target_arch = "x86_64", target_arch = "aarch64", target_arch = "wasm32"))]

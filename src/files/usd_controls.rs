@@ -13,7 +13,7 @@ const PER_SPAN: usize = 4;
 const CHORDS: usize = 8;
 
 /// How the control points of a curve become points.
-pub(super) enum Way<'a> {
+pub(super) enum Basis<'a> {
     Linear,
     Cubic(SplineKind, SplineEnds),
     Nurbs { orders: &'a [u32], knots: &'a [f64], weights: Option<&'a [f64]> },
@@ -60,14 +60,14 @@ impl Controls<'_> {
     }
 
     /// Numbers of points of the curves made.
-    pub fn counts(&self, way: &Way<'_>, bad: Bad<'_>) -> Result<Vec<u32>> {
+    pub fn counts(&self, way: &Basis<'_>, bad: Bad<'_>) -> Result<Vec<u32>> {
         let ranges = self.ranges().enumerate();
         match way {
-            Way::Linear => Ok(self.counts.to_vec()),
-            Way::Cubic(kind, ends) => {
+            Basis::Linear => Ok(self.counts.to_vec()),
+            Basis::Cubic(kind, ends) => {
                 ranges.map(|(curve, _)| Ok(self.spline(*kind, *ends, curve, bad)?.point_count(PER_SPAN) as u32)).collect()
             }
-            Way::Nurbs { .. } => {
+            Basis::Nurbs { .. } => {
                 let mut counts = Vec::with_capacity(self.counts.len());
                 self.each_nurbs(way, bad, |nurbs, _| counts.push(nurbs.parameters(PER_SPAN).len() as u32))?;
                 Ok(counts)
@@ -75,8 +75,8 @@ impl Controls<'_> {
         }
     }
 
-    fn each_nurbs(&self, way: &Way<'_>, bad: Bad<'_>, mut each: impl FnMut(&Nurbs<'_>, std::ops::Range<usize>)) -> Result<()> {
-        let Way::Nurbs { orders, knots, weights } = way else { return Ok(()) };
+    fn each_nurbs(&self, way: &Basis<'_>, bad: Bad<'_>, mut each: impl FnMut(&Nurbs<'_>, std::ops::Range<usize>)) -> Result<()> {
+        let Basis::Nurbs { orders, knots, weights } = way else { return Ok(()) };
         let mut knot = 0;
         for (curve, range) in self.ranges().enumerate() {
             let end = knot + range.len() + orders[curve] as usize;
@@ -93,12 +93,12 @@ impl Controls<'_> {
     }
 
     /// Converts three numbers per control point to three per point.
-    pub fn vectors(&self, way: &Way<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
+    pub fn vectors(&self, way: &Basis<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
         let narrow = |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point leaves the range of floats")));
         let mut made = Vec::new();
         match way {
-            Way::Linear => return Ok(vectors.to_vec()),
-            Way::Cubic(kind, ends) => {
+            Basis::Linear => return Ok(vectors.to_vec()),
+            Basis::Cubic(kind, ends) => {
                 for (curve, range) in self.ranges().enumerate() {
                     let spline = self.spline(*kind, *ends, curve, bad)?;
                     let controls: Vec<Vector3<f64>> = vectors[range].iter().map(|vector| wide(*vector)).collect();
@@ -109,7 +109,7 @@ impl Controls<'_> {
                     }
                 }
             }
-            Way::Nurbs { .. } => {
+            Basis::Nurbs { .. } => {
                 let mut failure = None;
                 self.each_nurbs(way, bad, |nurbs, range| {
                     for place in nurbs.parameters(PER_SPAN) {
@@ -128,11 +128,11 @@ impl Controls<'_> {
     }
 
     /// Arclength of each point along its curve, from 0 at each root, for control points already placed; `None` for polylines.
-    pub fn arclengths(&self, way: &Way<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Vec<f32>> {
+    pub fn arclengths(&self, way: &Basis<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Vec<f32>> {
         let mut made = Vec::new();
         match way {
-            Way::Linear => {}
-            Way::Cubic(kind, ends) => {
+            Basis::Linear => {}
+            Basis::Cubic(kind, ends) => {
                 for (curve, range) in self.ranges().enumerate() {
                     let spline = self.spline(*kind, *ends, curve, bad)?;
                     let (_, arclengths) =
@@ -140,7 +140,7 @@ impl Controls<'_> {
                     made.extend(arclengths.iter().map(|arclength| *arclength as f32));
                 }
             }
-            Way::Nurbs { .. } => self.each_nurbs(way, bad, |nurbs, range| {
+            Basis::Nurbs { .. } => self.each_nurbs(way, bad, |nurbs, range| {
                 let along = |parts: usize| {
                     let places = nurbs.parameters(parts * PER_SPAN);
                     let points: Vec<_> =
@@ -167,7 +167,7 @@ impl Controls<'_> {
     /// Three numbers each, with the given interpolation: three per point.
     pub fn triples(
         &self,
-        way: &Way<'_>,
+        way: &Basis<'_>,
         items: &[[f32; 3]],
         how: Interpolation,
         what: &str,
@@ -182,9 +182,9 @@ impl Controls<'_> {
     }
 
     /// One number each, with the given interpolation: one per point.
-    pub fn numbers(&self, way: &Way<'_>, items: &[f32], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<f32>> {
+    pub fn numbers(&self, way: &Basis<'_>, items: &[f32], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<f32>> {
         match self.spread(way, items, how, what, bad, |a, b, share| a + (b - a) * share)? {
-            Spread::Controls(list) if matches!(way, Way::Linear) => Ok(list),
+            Spread::Controls(list) if matches!(way, Basis::Linear) => Ok(list),
             Spread::Controls(list) => {
                 let vectors: Vec<[f32; 3]> = list.into_iter().map(|number| [number, 0.0, 0.0]).collect();
                 Ok(self.vectors(way, &vectors, bad)?.into_iter().map(|[number, _, _]| number).collect())
@@ -197,7 +197,7 @@ impl Controls<'_> {
     /// would bend it, per point.
     fn spread<T: Copy>(
         &self,
-        way: &Way<'_>,
+        way: &Basis<'_>,
         items: &[T],
         how: Interpolation,
         what: &str,
@@ -217,7 +217,7 @@ impl Controls<'_> {
             )),
             Interpolation::Vertex | Interpolation::FaceVarying if items.len() != self.total => wrong(self.total, "a point"),
             Interpolation::Vertex | Interpolation::FaceVarying => Ok(Spread::Controls(items.to_vec())),
-            Interpolation::Varying if matches!(way, Way::Linear) => match items.len() == self.total {
+            Interpolation::Varying if matches!(way, Basis::Linear) => match items.len() == self.total {
                 true => Ok(Spread::Controls(items.to_vec())),
                 false => wrong(self.total, "a point"),
             },

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Matrix4, Vector3};
 
 use crate::error::{Error, Result};
 use crate::files::curves::{Curves, CurvesFormat, Extras};
-use crate::files::usd_controls::{Bad, Controls, Way, narrow, wide};
+use crate::files::usd_controls::{Bad, Basis, Controls, narrow, wide};
 use crate::files::usda_layer::{CurvesPrim, Layer};
 use crate::files::usda_values::{Attribute, Interpolation, indexed};
 use crate::math::spline::{SplineEnds, SplineKind};
@@ -149,7 +149,7 @@ impl One<'_> {
                 moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
             }
         });
-        if !matches!(way, Way::Linear) {
+        if !matches!(way, Basis::Linear) {
             let place = |point: &[f32; 3]| moved.as_ref().map_or(wide(*point), |moved| moved.place(wide(*point)));
             let placed: Vec<Vector3<f64>> = points.iter().map(place).collect();
             let arclengths = controls.arclengths(&way, &placed, bad)?;
@@ -215,7 +215,7 @@ impl One<'_> {
         all.colors.add(colors, before.0, point_count, [0.0; 3]);
 
         // What this library's own files hold beyond USD's own names.
-        let held = self.prim.held.at(self.time).filter(|held| matches!(way, Way::Linear) && held.len() == points.len());
+        let held = self.prim.held.at(self.time).filter(|held| matches!(way, Basis::Linear) && held.len() == points.len());
         all.held.add(held.map(|held| held.iter().map(|held| *held != 0).collect()), before.0, point_count, false);
         let thickness = self.prim.strand_thickness.at(self.time).filter(|list| list.len() == curve_count);
         all.strand_thickness.add(thickness.cloned(), before.1, curve_count, 1.0);
@@ -241,7 +241,7 @@ impl One<'_> {
         }
     }
 
-    fn way(&self, counts: &[u32]) -> Result<Way<'_>> {
+    fn way(&self, counts: &[u32]) -> Result<Basis<'_>> {
         let prim = self.prim;
         if prim.nurbs {
             let orders = prim.orders.at(self.time).map_or(&[][..], Vec::as_slice);
@@ -261,7 +261,7 @@ impl One<'_> {
                 let there = weights.len();
                 return Err(self.error(format_args!("pointWeights has {there} numbers; expected one a point, {points}")));
             }
-            return Ok(Way::Nurbs { orders, knots, weights });
+            return Ok(Basis::Nurbs { orders, knots, weights });
         }
         match prim.kind.as_deref().unwrap_or("cubic") {
             "linear" => {}
@@ -275,7 +275,7 @@ impl One<'_> {
             other => return Err(self.error(format_args!("wrap is {other:?}; expected \"nonperiodic\" or \"pinned\""))),
         };
         if prim.kind.as_deref() == Some("linear") {
-            return Ok(Way::Linear);
+            return Ok(Basis::Linear);
         }
         let kind = match prim.basis.as_deref().unwrap_or("bezier") {
             "bezier" => SplineKind::Bezier,
@@ -285,7 +285,7 @@ impl One<'_> {
                 return Err(self.error(format_args!("basis is {other:?}; expected \"bezier\", \"bspline\" or \"catmullRom\"")));
             }
         };
-        Ok(Way::Cubic(kind, ends))
+        Ok(Basis::Cubic(kind, ends))
     }
 }
 

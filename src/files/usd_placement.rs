@@ -7,7 +7,7 @@ use crate::files::usda_scan::Scan;
 use crate::files::usda_values::{Attribute, flat, list};
 
 /// The most operations of a prim: more are a mistake, and slow to search.
-const MOST: usize = 256;
+const MAX_OPERATIONS: usize = 256;
 
 /// The operations of a prim, and their order.
 #[derive(Debug, Default)]
@@ -25,8 +25,8 @@ impl Placement {
         }
         let index = match self.operations.iter().position(|(there, _)| **there == *name) {
             Some(index) => index,
-            None if self.operations.len() == MOST => {
-                return Err(scan.error(format_args!("more than {MOST} operations")));
+            None if self.operations.len() == MAX_OPERATIONS => {
+                return Err(scan.error(format_args!("more than {MAX_OPERATIONS} operations")));
             }
             None => {
                 self.operations.push((name.into(), Attribute::default()));

@@ -38,7 +38,7 @@ use measure::Errors;
 use samples::Sample;
 use search::Search;
 use shape::Shape;
-use start::{Kind, Nodes};
+use start::{Nodes, Start};
 use target::Target;
 
 /// Options of a fit.
@@ -76,7 +76,7 @@ pub struct FitOptions {
 }
 
 /// The largest number of starts.
-pub const MAX_STARTS: usize = start::KINDS.len();
+pub const MAX_STARTS: usize = start::STARTS.len();
 
 impl Default for FitOptions {
     fn default() -> Self {
@@ -216,8 +216,8 @@ pub struct Fit {
 /// Memory for fitting, reused from strand to strand.
 #[derive(Default)]
 pub struct FitScratch {
-    search: search::Scratch,
-    start: start::Scratch,
+    search: search::SearchScratch,
+    start: start::StartScratch,
     target: Target,
     shape: Shape,
     best: Shape,
@@ -396,11 +396,12 @@ impl FitScratch {
 }
 
 /// The starts to try, and whether their nodes are free.
-fn attempts(options: &FitOptions, count: usize, has_normals: bool) -> impl Iterator<Item = (Kind, bool)> {
+fn attempts(options: &FitOptions, count: usize, has_normals: bool) -> impl Iterator<Item = (Start, bool)> {
     let FitOptions { starts, twist, lengths, .. } = *options;
     let free = lengths != ElementLengths::Equal && count > 1;
-    let allowed = move |kind: &Kind| !kind.twisted || twist && !has_normals;
-    let first = (free && lengths == ElementLengths::WhereNeeded).then_some((Kind { nodes: Nodes::Equal, twisted: false }, false));
-    let kinds = start::KINDS.into_iter().filter(move |kind| allowed(kind) && (free || kind.nodes == Nodes::Equal));
+    let allowed = move |kind: &Start| !kind.twisted || twist && !has_normals;
+    let first =
+        (free && lengths == ElementLengths::WhereNeeded).then_some((Start { nodes: Nodes::Equal, twisted: false }, false));
+    let kinds = start::STARTS.into_iter().filter(move |kind| allowed(kind) && (free || kind.nodes == Nodes::Equal));
     first.into_iter().chain(kinds.take(starts).map(move |kind| (kind, free)))
 }

@@ -56,7 +56,7 @@ pub struct Sliders {
 /// The least curvature at curliness 1, rad/m.
 const CURLY: f64 = 400.0;
 /// Twist over curvature of straight hair when it curls: that of Caucasian 2 hair, p/r = 0.5 cm/(2π 0.6 cm).
-const TWIST_SHARE: f64 = 0.132_629;
+const TWIST_FRACTION: f64 = 0.132_629;
 /// Frizz at discipline −1, rad/m.
 const FRIZZ: f64 = 60.0;
 /// Variation along and between strands at discipline −1.
@@ -126,8 +126,8 @@ impl HairParameters {
             hair.material.air_drag = drag + x * (drag.min(DISCIPLINED_DRAG) - drag);
         } else {
             let variation = &mut hair.variation;
-            variation.along = (own.along - LOOSE * x).min(Variation::MOST.max(own.along));
-            variation.between = (own.between - LOOSE * x).min(Variation::MOST.max(own.between));
+            variation.along = (own.along - LOOSE * x).min(Variation::MAX_DEVIATION.max(own.along));
+            variation.between = (own.between - LOOSE * x).min(Variation::MAX_DEVIATION.max(own.between));
             variation.frizz = own.frizz - FRIZZ * x;
             hair.material.air_drag = drag - x * (drag.max(FUZZY_DRAG) - drag);
         }
@@ -187,7 +187,7 @@ fn curled([twist, first, second]: [f64; 3], x: f64) -> [f64; 3] {
     }
     let wanted = curvature + x * ((1.5 * curvature).max(CURLY) - curvature);
     if curvature == 0.0 {
-        return [twist + TWIST_SHARE * wanted, wanted, 0.0];
+        return [twist + TWIST_FRACTION * wanted, wanted, 0.0];
     }
     [twist, first, second].map(|value| value * (wanted / curvature))
 }

@@ -11,7 +11,7 @@ const SLOPE: f64 = 0.5;
 /// Points this much too close are close enough, m.
 const CLOSE: f64 = 1e-5;
 /// Largest number of rounds of pushing points out and restoring edge lengths, and of steps of a point.
-const MOST_ROUNDS: u32 = 60;
+const MAX_ROUNDS: u32 = 60;
 
 /// A path out may lead no farther than this many times the depth, plus this, m.
 const FAR_OF_DEPTH: f64 = 2.0;
@@ -108,7 +108,7 @@ impl<'a> Drawn<'a> {
 
     /// Pushes points out and restores edge lengths until none is too deep; returns the largest displacement of a point.
     fn out(&self, points: &mut [Vector3<f64>], push: fn(&Self, &mut [Vector3<f64>]) -> bool) -> Option<f64> {
-        let is_out = (0..MOST_ROUNDS).any(|_| {
+        let is_out = (0..MAX_ROUNDS).any(|_| {
             let pushed = push(self, points);
             if pushed {
                 self.follow(points);
@@ -154,7 +154,7 @@ impl<'a> Drawn<'a> {
             if let Some(direction) = sum.try_normalize(0.0) {
                 for (point, wanted) in points[k..end].iter_mut().zip(&self.wanted[k..end]) {
                     // Nowhere along the path is the surface closer than this.
-                    for _ in 0..MOST_ROUNDS {
+                    for _ in 0..MAX_ROUNDS {
                         let Some(depth) = self.depth(point, *wanted) else { break };
                         *point += direction * depth.by;
                     }

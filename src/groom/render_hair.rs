@@ -70,7 +70,7 @@ pub use pose::{RenderPose, VELOCITY_STEP};
 pub use settings::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, Space};
 
 use crate::workers::Crew;
-use evaluate::Scratch;
+use evaluate::EvaluateScratch;
 use profile::Profiles;
 use shape::Reference;
 use silhouette::Silhouette;
@@ -90,7 +90,7 @@ pub struct RenderHair {
     strands: Vec<RenderStrand>,
     /// Empty if positions are mixed.
     curls: Vec<RenderCurl>,
-    crew: Crew<Scratch>,
+    crew: Crew<EvaluateScratch>,
 }
 
 impl std::fmt::Debug for RenderHair {

@@ -64,7 +64,7 @@ enum Of {
 
 impl Variation {
     /// The greatest relative deviation: beyond it a number three and a half deviations below its mean would change its sign.
-    pub const MOST: f64 = 0.25;
+    pub const MAX_DEVIATION: f64 = 0.25;
 
     /// No variation; 2 cm.
     pub const fn none() -> Self {
@@ -82,7 +82,7 @@ impl Variation {
     /// [`Error::InvalidArgument`] naming the first value out of range.
     pub fn check(&self, argument: &str) -> Result<()> {
         for (name, value) in [("between", self.between), ("along", self.along), ("thickness", self.thickness)] {
-            if !(0.0..=Self::MOST).contains(&value) {
+            if !(0.0..=Self::MAX_DEVIATION).contains(&value) {
                 return Err(Error::invalid(format!("{argument}.{name}"), value, "a number from 0 to 0.25"));
             }
         }

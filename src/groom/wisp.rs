@@ -16,7 +16,7 @@ const LACQUERED_MARGIN: f64 = 0.9;
 /// The Kelvin–Voigt time of whatever holds lacquered hair together, s: locks come to rest within half a second.
 const CALMING: f64 = 0.1;
 /// Most hairs of a wisp: more than a head has.
-const MOST_HAIRS: f64 = 1e6;
+const MAX_HAIRS: f64 = 1e6;
 
 /// What a guide represents.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +45,7 @@ impl Wisp {
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
     pub fn check(&self, argument: &str) -> Result<()> {
-        if !(1.0..=MOST_HAIRS).contains(&self.hairs) {
+        if !(1.0..=MAX_HAIRS).contains(&self.hairs) {
             return Err(Error::invalid(format!("{argument}.hairs"), self.hairs, "a number from 1 to 1e6"));
         }
         if !(0.0..=1.0).contains(&self.hold) {

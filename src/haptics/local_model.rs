@@ -14,7 +14,7 @@ use crate::solver::report::Wrench;
 use crate::solver::touch_compliance::{BodyTouch, TouchCompliance, of_strands};
 
 /// Most contacts per strand in a local model.
-const MOST_OF_STRAND: usize = 16;
+const MAX_PER_STRAND: usize = 16;
 /// Numbers of a message beside contacts, and per contact.
 const HEADER: usize = 64;
 const OF_TOUCH: usize = 28;
@@ -27,7 +27,7 @@ pub(super) fn has_touches(options: &HapticOptions) -> bool {
 /// Capacity of a message.
 pub(super) fn capacity(options: &HapticOptions) -> usize {
     let touches = if has_touches(options) { options.max_touches as usize } else { 0 };
-    HEADER + touches * (OF_TOUCH + 9 * MOST_OF_STRAND)
+    HEADER + touches * (OF_TOUCH + 9 * MAX_PER_STRAND)
 }
 
 /// The contents of a message.
@@ -74,7 +74,7 @@ impl LocalModel {
             left_out: 0,
             touches: Vec::with_capacity(touches),
             counts: Vec::with_capacity(touches),
-            response: Vec::with_capacity(touches * 9 * MOST_OF_STRAND),
+            response: Vec::with_capacity(touches * 9 * MAX_PER_STRAND),
         }
     }
 
@@ -149,7 +149,7 @@ impl Choice {
         let (mut left, mut left_out) = (most, 0);
         for k in &self.order {
             let (k, strand) = (*k as usize, self.strand_of[*k as usize] as usize);
-            if left > 0 && self.counts[strand] < MOST_OF_STRAND {
+            if left > 0 && self.counts[strand] < MAX_PER_STRAND {
                 self.is_chosen[k] = true;
                 self.counts[strand] += 1;
                 left -= 1;

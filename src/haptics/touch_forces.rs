@@ -33,11 +33,11 @@ const SAME_SIDE: f64 = 0.2;
 const FAR: f64 = 1.0;
 
 /// The largest slide of a contact into the surface within a step, m.
-const MOST_SLID: f64 = 1e-4;
+const MAX_SLIDE: f64 = 1e-4;
 
 /// A contact's part in the solve.
 #[derive(Debug, Clone, Copy)]
-struct Row {
+struct ContactRow {
     law: LawSolve,
     /// Displacement of the strand's point per force on it.
     own: Matrix3<f64>,
@@ -72,7 +72,7 @@ pub(super) struct Solved {
 /// The contacts of the current local model.
 #[derive(Debug)]
 pub(super) struct TouchForces {
-    rows: Vec<Row>,
+    rows: Vec<ContactRow>,
     teeth: Vec<Tooth>,
 }
 
@@ -112,11 +112,11 @@ impl TouchForces {
                 let slid = match self.teeth.get(touch.body as usize) {
                     Some(tooth) if touch.force != Vector3::zeros() => {
                         let near = tooth.nearest(&model.handle, touch.strand_point(), touch.tangent, touch.reach);
-                        near.map_or(0.0, |near| near.distance - touch.margin - touch.gap).clamp(-MOST_SLID, 0.0)
+                        near.map_or(0.0, |near| near.distance - touch.margin - touch.gap).clamp(-MAX_SLIDE, 0.0)
                     }
                     _ => 0.0,
                 };
-                self.rows.push(Row {
+                self.rows.push(ContactRow {
                     law,
                     own,
                     response: own,
@@ -133,7 +133,7 @@ impl TouchForces {
     /// Displacement of the strand's point of contact `k` by the difference of the forces from the model's; `matrix` is the
     /// strand's.
     #[inline(always)]
-    fn given_way(rows: &[Row], touches: &[BodyTouch], matrix: &[f64], k: usize) -> Vector3<f64> {
+    fn given_way(rows: &[ContactRow], touches: &[BodyTouch], matrix: &[f64], k: usize) -> Vector3<f64> {
         let size = 3 * touches.len();
         // Symmetric: three columns are three rows.
         let own = &matrix[3 * k * size..][..3 * size];

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use crate::error::{Error, Result};
 
 /// The highest order (degree plus one) that is supported.
-pub const MOST_ORDER: usize = 16;
+pub const MAX_ORDER: usize = 16;
 
 /// A rational B-spline: order, knots and weights.
 #[derive(Debug, Clone, Copy)]
@@ -24,8 +24,8 @@ impl<'a> Nurbs<'a> {
     /// leave the curve no parameter, or do not number as many as control points plus order; for weights that are not above zero
     /// or not one per control point.
     pub fn new(order: usize, knots: &'a [f64], weights: Option<&'a [f64]>, controls: usize) -> Result<Self> {
-        if !(2..=MOST_ORDER).contains(&order) || order > controls {
-            return Err(Error::invalid("order", order, format!("2 to {MOST_ORDER}, and at most {controls}, the control points")));
+        if !(2..=MAX_ORDER).contains(&order) || order > controls {
+            return Err(Error::invalid("order", order, format!("2 to {MAX_ORDER}, and at most {controls}, the control points")));
         }
         if knots.len() != controls + order {
             let expected = format!("{}, one a control point and as many more as the order", controls + order);
@@ -67,7 +67,7 @@ impl<'a> Nurbs<'a> {
     /// The curve at a parameter of a span, both from [`Nurbs::parameters`]. `control` returns control points by number.
     pub fn at(&self, (span, parameter): (usize, f64), control: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
         let degree = self.order - 1;
-        let mut points = [(Vector3::zeros(), 0.0); MOST_ORDER];
+        let mut points = [(Vector3::zeros(), 0.0); MAX_ORDER];
         for (index, point) in points.iter_mut().enumerate().take(self.order) {
             let number = span - degree + index;
             let weight = self.weights.map_or(1.0, |weights| weights[number]);

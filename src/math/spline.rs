@@ -38,7 +38,7 @@ pub struct Spline {
 }
 
 /// The most points per span.
-pub const MOST_POINTS_PER_SPAN: usize = 1024;
+pub const MAX_POINTS_PER_SPAN: usize = 1024;
 
 /// Nodes and weights of the four-point Gauss–Legendre rule on [0, 1].
 const RULE: [(f64, f64); 4] = [
@@ -82,7 +82,7 @@ impl Spline {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for control points that are not finite or of the wrong number, and for no point per span or
-    /// more than [`MOST_POINTS_PER_SPAN`].
+    /// more than [`MAX_POINTS_PER_SPAN`].
     pub fn points(&self, controls: &[Vector3<f64>], per_span: usize) -> Result<(Vec<Vector3<f64>>, Vec<f64>)> {
         self.check(controls.len(), per_span)?;
         for (index, point) in controls.iter().enumerate() {
@@ -133,8 +133,8 @@ impl Spline {
         if controls != self.controls {
             return Err(Error::invalid("controls", format!("{controls} control points"), format!("{}", self.controls)));
         }
-        if !(1..=MOST_POINTS_PER_SPAN).contains(&per_span) {
-            return Err(Error::invalid("per_span", per_span, format!("1 to {MOST_POINTS_PER_SPAN}")));
+        if !(1..=MAX_POINTS_PER_SPAN).contains(&per_span) {
+            return Err(Error::invalid("per_span", per_span, format!("1 to {MAX_POINTS_PER_SPAN}")));
         }
         Ok(())
     }

@@ -20,12 +20,12 @@ const LOST_FOR: f64 = 0.1;
 const RETURNS_IN: f64 = 0.25;
 
 /// The least fraction of its lead by which a body follows for a strand.
-const LEAST_SHARE: f64 = 1.0 / 64.0;
+const MIN_FRACTION: f64 = 1.0 / 64.0;
 
 /// A body follows at once for the last of its lead, up to this fraction of what a strand can follow.
 const NEAR_ENOUGH: f64 = 0.1;
 /// After each substep that could not follow, a body follows by half as much, at most this often.
-const MOST_HALVINGS: u32 = 20;
+const MAX_HALVINGS: u32 = 20;
 
 /// The record of a strand that is not where a substep would have brought it.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,13 +63,13 @@ impl Strand {
             return;
         }
         // Where a substep could not follow, the next one takes less.
-        let failed = (self.carried_for() / h).min(f64::from(MOST_HALVINGS)).round() as u32;
+        let failed = (self.carried_for() / h).min(f64::from(MAX_HALVINGS)).round() as u32;
         let share_asked = 1.0 / f64::from(1_u32 << failed);
         let (root, length) = (self.root_during(h), self.model.length());
         ways.extend(bodies.iter().zip(from).map(|(body, from)| {
             let passing = Passing::new(from, body, &root, length);
             let near = !self.is_carried() || passing.travel <= NEAR_ENOUGH * passing.limit;
-            let share = if near { 1.0 } else { (passing.limit / passing.travel).clamp(LEAST_SHARE, 1.0) * share_asked };
+            let share = if near { 1.0 } else { (passing.limit / passing.travel).clamp(MIN_FRACTION, 1.0) * share_asked };
             [*from, if share < 1.0 { between(&passing.along, &body.end, share) } else { body.end }]
         }));
     }

@@ -25,13 +25,13 @@ use crate::rod::uniform_points::{Lanes, Real, WIDTH, Walk};
 const TILE: usize = 16;
 
 /// The largest number of nodes of a rule whose velocities go side by side.
-const MOST_NODES: usize = 16;
+const MAX_NODES: usize = 16;
 
 /// How many strands ahead to prefetch.
 const AHEAD: usize = 16;
 
 /// Approximate number of points per task: enough to be worth handing out.
-const POINTS_A_PART: usize = 1024;
+const POINTS_PER_TASK: usize = 1024;
 
 /// What to sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,11 +101,11 @@ impl Solver {
         if strands.windows(2).any(|pair| pair[0].elements != pair[1].elements) {
             strands.sort_by_key(|asked| asked.elements);
         }
-        let each = (POINTS_A_PART / wanted.points_per_strand / WIDTH).max(1) * WIDTH;
+        let each = (POINTS_PER_TASK / wanted.points_per_strand / WIDTH).max(1) * WIDTH;
         let mut parts: Vec<&[Asked]> = strands.chunks(each).collect();
         let set = self.instruction_set();
         self.crew.for_each_on_own(&mut parts, |part, _| {
-            let part = Part { strands: part, wanted, rules: &self.rules, sink, number: PhantomData::<T> };
+            let part = SampleTask { strands: part, wanted, rules: &self.rules, sink, number: PhantomData::<T> };
             match set {
                 #[cfg(target_arch = "x86_64")]
                 InstructionSet::Avx512 => F64x8::call(part),
@@ -132,7 +132,7 @@ struct Room<T> {
     rotations: [[Lanes<T>; 4]; TILE],
     velocities: [[Lanes<T>; 3]; TILE],
     /// Velocities at the nodes of an element.
-    values: [[Lanes<f64>; 3]; MOST_NODES],
+    values: [[Lanes<f64>; 3]; MAX_NODES],
 }
 
 impl<T: Real> Room<T> {
@@ -142,7 +142,7 @@ impl<T: Real> Room<T> {
             positions: [[none; 3]; TILE],
             rotations: [[none; 4]; TILE],
             velocities: [[none; 3]; TILE],
-            values: [[[0.0; WIDTH]; 3]; MOST_NODES],
+            values: [[[0.0; WIDTH]; 3]; MAX_NODES],
         }
     }
 
@@ -160,7 +160,7 @@ impl<T: Real> Room<T> {
 }
 
 /// Some of the strands of a call, in numbers T.
-struct Part<'a, T, S> {
+struct SampleTask<'a, T, S> {
     strands: &'a [Asked<'a>],
     wanted: &'a Wanted,
     rules: &'a Rules,
@@ -168,7 +168,7 @@ struct Part<'a, T, S> {
     number: PhantomData<T>,
 }
 
-impl<T: Real, S: SampleSink<T>> Kernel for Part<'_, T, S> {
+impl<T: Real, S: SampleSink<T>> Kernel for SampleTask<'_, T, S> {
     type Output = ();
 
     #[inline(always)]
@@ -297,7 +297,7 @@ fn side_by_side<T: Real>(
     let walks = wanted.positions || wanted.rotations;
     // Velocities go side by side if all strands have the same nodes, and few enough of them.
     let rule = pack[0].strand.state.rule;
-    let alike = || pack.iter().all(|asked| asked.strand.state.rule == rule) && rules.rule(rule).len() <= MOST_NODES;
+    let alike = || pack.iter().all(|asked| asked.strand.state.rule == rule) && rules.rule(rule).len() <= MAX_NODES;
     let common_rule = (wanted.velocities && alike()).then_some(rule);
     for element in 0..places.elements {
         if walks {

@@ -24,9 +24,9 @@ const THIN: f64 = 0.05;
 const THICK: f64 = 0.02;
 const SWING: f64 = 0.25;
 /// The largest number of substeps.
-const MOST: u32 = 32;
+const MAX_PARTS: u32 = 32;
 /// The largest number of substeps for a body that follows for a strand: it may take several steps.
-const MOST_TO_COME_AFTER: f64 = 4.0;
+const MAX_PARTS_TO_FOLLOW: f64 = 4.0;
 
 /// A body that passes a strand in the next substep, as seen from the strand's root.
 pub(super) struct Passing {
@@ -86,7 +86,7 @@ impl Solver {
             let fastest = if extent <= THICK { *fastest.get_or_insert_with(|| self.fastest()) } else { f64::INFINITY };
             self.strands.iter().map(|strand| strand.parts(&body, travel, extent, fastest, h)).fold(most, f64::max)
         });
-        most.ceil().min(f64::from(MOST)) as u32
+        most.ceil().min(f64::from(MAX_PARTS)) as u32
     }
 
     /// The largest speed of any point of a strand, m/s.
@@ -117,7 +117,7 @@ impl Strand {
         let root = self.root_during(h);
         if let Some(from) = self.bodies_from().get(at.index as usize) {
             let passing = Passing::new(from, at, &root, length);
-            return (passing.travel / passing.limit).min(MOST_TO_COME_AFTER);
+            return (passing.travel / passing.limit).min(MAX_PARTS_TO_FOLLOW);
         }
         let turn = root[1].rotation * root[0].rotation.inverse();
         // (An angle is at most π times the sine of its half.)

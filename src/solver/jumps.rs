@@ -15,9 +15,9 @@ use crate::math::frame::Frame;
 use crate::math::rotation::{from_rotation_vector, rotation_vector};
 
 /// A root jumps if it ends farther than this, in units of its strand's length, from where its velocity would take it.
-const PART: f64 = 0.25;
+const JUMP_FRACTION: f64 = 0.25;
 /// The least displacement of a jumping body, m.
-const LEAST: f64 = 0.01;
+const MIN_BODY_JUMP: f64 = 0.01;
 
 /// An upper bound on the distance of any point within `radius` of a frame's origin from where the frame's velocities would take
 /// it.
@@ -34,7 +34,7 @@ impl Strand {
         let (from, to) = (&self.state.root, strand::root_after(&self.root_move, &self.state.root, dt));
         let (velocity, spin) = (self.instant_velocity(), self.instant_angular_velocity());
         let length = self.model.length();
-        let most = (PART * length).max(most * dt * dt);
+        let most = (JUMP_FRACTION * length).max(most * dt * dt);
         // An angle is at most π times the sine of its half: nearly all roots are decided without trigonometry.
         let half_sine = (to.rotation * from.rotation.inverse()).quaternion().imag().norm();
         if (to.origin - from.origin - velocity * dt).norm() + length * (PI * half_sine + spin.norm() * dt) <= most {
@@ -67,11 +67,11 @@ impl Solver {
             let body = &mut scene_body.body;
             let to = body.way.after(dt);
             let (velocity, spin) = body.way.velocity();
-            let jumps = surprise(&body.way.pose, &to, velocity, spin, dt, body.radius()) > LEAST.max(most * dt * dt);
+            let jumps = surprise(&body.way.pose, &to, velocity, spin, dt, body.radius()) > MIN_BODY_JUMP.max(most * dt * dt);
             if jumps {
                 body.way.send(to, 0.0);
             }
-            let bends = body.end_bending_where_it_jumps(dt, LEAST.max(most * dt * dt));
+            let bends = body.end_bending_where_it_jumps(dt, MIN_BODY_JUMP.max(most * dt * dt));
             from.push(if jumps || bends { to } else { body.way.pose });
         }
         for astray in self.strands.iter_mut().filter_map(|strand| strand.astray.as_deref_mut()) {

@@ -14,8 +14,8 @@ use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
 
 /// Smallest and largest number of strands per task.
-const LEAST: usize = 4;
-const MOST: usize = 64;
+const MIN_STRANDS_PER_TASK: usize = 4;
+const MAX_STRANDS_PER_TASK: usize = 64;
 
 /// A strand on its way to another shape.
 struct Posed<T> {
@@ -101,7 +101,7 @@ impl Solver {
             Vec::new()
         };
         let strands = &self.strands;
-        self.crew.for_each_task(&mut posed, LEAST, MOST, |posed, _| {
+        self.crew.for_each_task(&mut posed, MIN_STRANDS_PER_TASK, MAX_STRANDS_PER_TASK, |posed, _| {
             let (mut scratch, mut near) = (PoseScratch::default(), Vec::new());
             for (k, posed) in posed {
                 let strand = &strands[posed.index];

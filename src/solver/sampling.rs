@@ -32,7 +32,7 @@ pub(super) struct Sampler<'a> {
 }
 
 /// A place of a strand at which the sampler is.
-pub(super) struct Place<'a> {
+pub(super) struct SampledPoint<'a> {
     strand: &'a Strand,
     rule: &'a Rule,
     index: usize,
@@ -62,7 +62,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// Moves to `arclength`, which must be in [0, L].
-    pub fn go(&mut self, arclength: f64) -> Place<'_> {
+    pub fn go(&mut self, arclength: f64) -> SampledPoint<'_> {
         if arclength < self.start {
             (self.index, self.start, self.element) = (0, 0.0, Self::first(self.strand));
         }
@@ -75,7 +75,7 @@ impl<'a> Sampler<'a> {
         }
         let point = self.element.point((arclength - self.start).min(self.element.length));
         let rule = self.rules.rule(state.rule);
-        Place { strand: self.strand, rule, index: self.index, element: &self.element, point }
+        SampledPoint { strand: self.strand, rule, index: self.index, element: &self.element, point }
     }
 }
 
@@ -85,7 +85,7 @@ pub(super) fn material_rotation(element: &ElementState<f64>, point: &PointState<
     UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(element.frame_left.mul(&frame).into()))
 }
 
-impl Place<'_> {
+impl SampledPoint<'_> {
     /// In the world, m.
     pub fn position(&self) -> Vector3<f64> {
         self.strand.state.root.origin + Vector3::from(self.point.position)

@@ -85,7 +85,7 @@ struct Left {
 }
 
 /// The position of a substep in its call.
-struct Place {
+struct SubstepPosition {
     is_last: bool,
     /// Whether it is part of a substep in which a body moves far.
     is_fast: bool,
@@ -249,13 +249,14 @@ impl Solver {
                     // Nothing more can be done in any of them: all strands move with their roots, at once.
                     let rest = h * (substeps - 1.0 + to_do / all_parts);
                     self.ready_ways(rest);
-                    let phases = self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false });
+                    let phases =
+                        self.take_substep(rest, &meter, &mut contact, total, SubstepPosition { is_last: true, is_fast: false });
                     spent.phases.add(&phases);
                     spent.add(&meter, true);
                     break 'substeps;
                 }
                 let is_last = substep + 1 == clock.substeps && part + 1 == parts;
-                let place = Place { is_last, is_fast: parts > 1 };
+                let place = SubstepPosition { is_last, is_fast: parts > 1 };
                 let phases = self.take_substep(h / all_parts, &meter, &mut contact, total, place);
                 spent.phases.add(&phases);
                 let left = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
@@ -271,8 +272,15 @@ impl Solver {
     }
 
     /// A substep of `h` seconds, or a part of one. Returns the time of its phases.
-    fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, place: Place) -> Phases {
-        let Place { is_last, is_fast } = place;
+    fn take_substep(
+        &mut self,
+        h: f64,
+        meter: &Meter,
+        contact: &mut ContactTally,
+        total: &Mutex<Tally>,
+        place: SubstepPosition,
+    ) -> Phases {
+        let SubstepPosition { is_last, is_fast } = place;
         for scene_body in &mut self.bodies {
             scene_body.body.begin(h);
         }

@@ -151,14 +151,14 @@ impl<T: Lane, const D: usize, const MASK: u32> Kernel for Foresee<'_, T, D, MASK
 #[inline(always)]
 pub fn place_accepted<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
     let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
-    T::call(Place { problem, kinematics, curvatures, system, point_base, curvature_base, point_target, curvature_target })
+    T::call(Evaluate { problem, kinematics, curvatures, system, point_base, curvature_base, point_target, curvature_target })
 }
 
 /// Evaluates the trial state.
 #[inline(always)]
 pub(super) fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T) {
     let Iterate { trial, system, point_base, curvature_base, point_target, curvature_target, trial_curvatures, .. } = it;
-    T::call(Place {
+    T::call(Evaluate {
         problem,
         kinematics: trial,
         curvatures: trial_curvatures,
@@ -171,7 +171,7 @@ pub(super) fn place_trial<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) ->
 }
 
 /// Updates the kinematics to curvatures, and evaluates the potential there.
-struct Place<'a, T> {
+struct Evaluate<'a, T> {
     problem: &'a Problem<'a, T>,
     kinematics: &'a mut Kinematics<T>,
     curvatures: &'a [[T; 3]],
@@ -182,7 +182,7 @@ struct Place<'a, T> {
     curvature_target: &'a [[T; 3]],
 }
 
-impl<T: Lane> Kernel for Place<'_, T> {
+impl<T: Lane> Kernel for Evaluate<'_, T> {
     type Output = (T, T);
     #[inline(always)]
     fn run(self) -> (T, T) {
@@ -215,17 +215,17 @@ pub(super) fn place_rests<T: Lane>(it: &mut Iterate<T>) {
     if T::PRECISION == Precision::F32 {
         let Iterate { kinematics, rests, point_rests, .. } = it;
         point_rests.resize(kinematics.points.len(), Vec3::zero());
-        T::call(PlaceRests { kinematics, rests, point_rests });
+        T::call(PlaceRemainders { kinematics, rests, point_rests });
     }
 }
 
-struct PlaceRests<'a, T> {
+struct PlaceRemainders<'a, T> {
     kinematics: &'a Kinematics<T>,
     rests: &'a [[T; 3]],
     point_rests: &'a mut [Vec3<T>],
 }
 
-impl<T: Lane> Kernel for PlaceRests<'_, T> {
+impl<T: Lane> Kernel for PlaceRemainders<'_, T> {
     type Output = ();
     #[inline(always)]
     fn run(self) {

@@ -32,7 +32,7 @@ const MAX_REJECTIONS: u32 = 60;
 /// Rounding error of a point's position, relative to the length: no step needs to err by less.
 const ROUNDING: f64 = 2e-15;
 /// Newton's error as a fraction of the permitted error.
-const NEWTON_SHARE: f64 = 1e-2;
+const NEWTON_FRACTION: f64 = 1e-2;
 /// Safety factor on the next step's size.
 const SAFETY: f64 = 0.8;
 /// Bounds on the change of size from step to step.
@@ -206,7 +206,7 @@ impl Run<'_> {
         time_scale: f64,
     ) -> Option<(Motion, f64)> {
         let derivatives = dynamics.derivatives(t, &from.curvatures, &from.rates, &from.accelerations);
-        let newton_tolerance = NEWTON_SHARE * allowed;
+        let newton_tolerance = NEWTON_FRACTION * allowed;
         let mut solve = |step: &Step, from: &Motion, t: f64| {
             let solved = step.solve(dynamics, from, t, newton_tolerance, time_scale, self.options.max_iterations);
             self.outcome.iterations += solved.iterations;

@@ -18,7 +18,7 @@ const SMOOTH: f64 = 1e-12;
 /// The shortest piece in units of the step: a shorter rest around a kink is skipped.
 const SHORTEST: f64 = 1e-11;
 /// Largest number of polynomials to try.
-const MOST_CUTS: u32 = 2000;
+const MAX_CUTS: u32 = 2000;
 
 type Values = [Vector3<f64>; POINTS];
 
@@ -80,7 +80,7 @@ impl RootPath {
     /// All smooth pieces from 0 to `h`, in order. `None` for a path that is nowhere smooth.
     pub fn pieces(root_at: &dyn Fn(f64) -> Frame, h: f64) -> Option<Vec<RootPath>> {
         let mut pieces = Vec::new();
-        let mut left = MOST_CUTS;
+        let mut left = MAX_CUTS;
         Self::cut(root_at, h, 0.0, h, &mut pieces, &mut left).then_some(pieces)
     }
 

@@ -13,14 +13,14 @@ use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::math::frame::Frame;
 
 /// The most teeth in a row, and the most rows.
-pub const MOST_TEETH: u32 = 1000;
+pub const MAX_TEETH: u32 = 1000;
 
 /// A styling tool. Lengths in m, above zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Tool {
     /// A row of capsules, one body per tooth.
     Comb {
-        /// How many, 1 to [`MOST_TEETH`].
+        /// How many, 1 to [`MAX_TEETH`].
         teeth: u32,
         /// From axis to axis.
         spacing: f64,
@@ -31,9 +31,9 @@ pub enum Tool {
     },
     /// Rows of capsules, one body per bristle.
     Brush {
-        /// Bristles in a row, 1 to [`MOST_TEETH`].
+        /// Bristles in a row, 1 to [`MAX_TEETH`].
         bristles: u32,
-        /// Rows, 1 to [`MOST_TEETH`]; every other row is offset by half a spacing.
+        /// Rows, 1 to [`MAX_TEETH`]; every other row is offset by half a spacing.
         rows: u32,
         /// From axis to axis in a row.
         spacing: f64,
@@ -91,8 +91,8 @@ impl Tool {
             fields.iter().try_for_each(|(name, value)| check_positive(|| format!("{argument}.{name}"), *value))
         };
         let count = |name: &str, value: u32| {
-            let expected = || format!("1 to {MOST_TEETH}");
-            if (1..=MOST_TEETH).contains(&value) {
+            let expected = || format!("1 to {MAX_TEETH}");
+            if (1..=MAX_TEETH).contains(&value) {
                 Ok(())
             } else {
                 Err(Error::invalid(format!("{argument}.{name}"), value, expected()))

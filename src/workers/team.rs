@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 
 /// The most pieces in a round.
-const MOST_PIECES: usize = 1 << 15;
+const MAX_PIECES: usize = 1 << 15;
 /// How often a thread checks for work before it yields its processor.
 const LOOKS: u32 = 1000;
 
@@ -39,7 +39,7 @@ impl<'a> Team<'a> {
         if self.alone || pieces == 1 {
             return (0..pieces).for_each(self.work);
         }
-        assert!(pieces <= MOST_PIECES, "{pieces} pieces in a round");
+        assert!(pieces <= MAX_PIECES, "{pieces} pieces in a round");
         let Rounds { ticket, done, failed, .. } = &self.rounds;
         // All pieces of the last round are done: nobody else writes here now.
         done.store(0, Ordering::Relaxed);

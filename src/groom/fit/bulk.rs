@@ -5,8 +5,8 @@ use crate::error::Result;
 use crate::workers::{Crew, Workers};
 
 /// Smallest and largest number of curves per task: one may be as long as thousands of others.
-const LEAST: usize = 4;
-const MOST: usize = 256;
+const MIN_CURVES_PER_TASK: usize = 4;
+const MAX_CURVES_PER_TASK: usize = 256;
 
 /// Fits a strand to each curve, with several workers. Results are in the curves' order and do not depend on the number of
 /// workers. A curve that cannot be fitted (real grooms have some without length) gets its error, as from [`fit_curve`], and does
@@ -43,7 +43,7 @@ pub fn fit_each<T: Send>(
     workers.check("workers")?;
     let crew = Crew::<FitScratch>::new(workers)?;
     let mut slots: Vec<(usize, Option<T>)> = (0..count).map(|index| (index, None)).collect();
-    crew.for_each_task(&mut slots, LEAST, MOST, |slots, scratch| {
+    crew.for_each_task(&mut slots, MIN_CURVES_PER_TASK, MAX_CURVES_PER_TASK, |slots, scratch| {
         for (index, slot) in slots {
             *slot = Some(one(*index, scratch));
         }

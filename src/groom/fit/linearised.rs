@@ -167,7 +167,7 @@ impl Default for Vec3Default {
 
 /// Memory of the elimination.
 #[derive(Default)]
-pub(super) struct Elimination {
+pub(super) struct FitElimination {
     two: Vec<Eliminated<2>>,
     three: Vec<Eliminated<3>>,
     four: Vec<Eliminated<4>>,
@@ -181,7 +181,7 @@ pub(super) struct Damping {
     pub node: f64,
 }
 
-impl Elimination {
+impl FitElimination {
     /// The step from a state. Without free twist there are no free nodes either.
     pub fn solve(
         &mut self,

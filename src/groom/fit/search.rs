@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::linearised::{Damping, Elimination, Freedom, State, Step, Weights};
+use super::linearised::{Damping, FitElimination, Freedom, State, Step, Weights};
 use super::samples::Sample;
 use super::shape::{Root, Shape};
 use crate::math::rotation::from_rotation_vector;
@@ -26,11 +26,11 @@ pub(super) struct Search {
 
 /// Memory of the search.
 #[derive(Default)]
-pub(super) struct Scratch {
+pub(super) struct SearchScratch {
     state: State,
     trial_state: State,
     trial: Shape,
-    elimination: Elimination,
+    elimination: FitElimination,
     step: Step,
 }
 
@@ -45,7 +45,7 @@ const TURN_LIMIT: f64 = 0.5;
 /// How often an iteration increases its damping before it gives up.
 const TRIALS: usize = 8;
 
-impl Scratch {
+impl SearchScratch {
     /// Improves `shape`; returns the remaining cost, and the mean squared distance alone.
     pub fn minimise(&mut self, shape: &mut Shape, samples: &[Sample], search: &Search) -> (f64, f64) {
         let count = shape.rows.len() as f64;

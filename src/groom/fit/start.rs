@@ -25,21 +25,21 @@ pub(super) enum Nodes {
 
 /// A start.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Kind {
+pub(super) struct Start {
     pub nodes: Nodes,
     pub twisted: bool,
 }
 
 /// The starts, in the order of trial (`docs/notebook/groom_fit.md` compares them on real grooms).
-pub(super) const KINDS: [Kind; 8] = [
-    Kind { nodes: Nodes::Varied, twisted: false },
-    Kind { nodes: Nodes::Varied, twisted: true },
-    Kind { nodes: Nodes::Waves(1), twisted: false },
-    Kind { nodes: Nodes::Equal, twisted: true },
-    Kind { nodes: Nodes::Equal, twisted: false },
-    Kind { nodes: Nodes::Waves(1), twisted: true },
-    Kind { nodes: Nodes::Waves(2), twisted: false },
-    Kind { nodes: Nodes::Waves(2), twisted: true },
+pub(super) const STARTS: [Start; 8] = [
+    Start { nodes: Nodes::Varied, twisted: false },
+    Start { nodes: Nodes::Varied, twisted: true },
+    Start { nodes: Nodes::Waves(1), twisted: false },
+    Start { nodes: Nodes::Equal, twisted: true },
+    Start { nodes: Nodes::Equal, twisted: false },
+    Start { nodes: Nodes::Waves(1), twisted: true },
+    Start { nodes: Nodes::Waves(2), twisted: false },
+    Start { nodes: Nodes::Waves(2), twisted: true },
 ];
 
 /// The turning at a corner of the polyline, spread evenly from `from` to `to`, relative to the length.
@@ -53,19 +53,19 @@ struct Turning {
 
 /// What starts are built from.
 #[derive(Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct StartScratch {
     corners: Vec<(f64, Vec3<f64>)>,
     turnings: Vec<Turning>,
     /// Stretches and their densities of nodes: the end, and the density.
     densities: Vec<(f64, f64)>,
     /// The angle about the tangent from the twist-free frames to the target normal, at places along the curve.
     angles: Vec<(f64, f64)>,
-    shares: Vec<Share>,
+    shares: Vec<TurningPart>,
 }
 
 /// A part of a turning.
 #[derive(Debug, Clone, Copy)]
-struct Share {
+struct TurningPart {
     middle: f64,
     turn: [f64; 2],
 }
@@ -75,7 +75,7 @@ const BELIEVED: f64 = 1.05;
 /// Corners that an element can resolve: closer ones are merged.
 const CORNERS: f64 = 24.0;
 
-impl Scratch {
+impl StartScratch {
     /// Reads the curve's corners at the resolution of this many elements.
     pub fn look_at(&mut self, target: &Target, elements: usize) {
         let samples = target.coarse();
@@ -227,7 +227,7 @@ impl Scratch {
                 let part = (to - from) / (turning.to - turning.from);
                 if part > 0.0 {
                     let turn = turning.turn.map(|turn| turn * part);
-                    self.shares.push(Share { middle: 0.5 * (from + to) - left, turn });
+                    self.shares.push(TurningPart { middle: 0.5 * (from + to) - left, turn });
                 }
             }
             let plain = about(&self.shares, 0.0);
@@ -299,7 +299,7 @@ fn square([re, im]: [f64; 2]) -> f64 {
 }
 
 /// Σ turn exp(−i rate s): the turning about axes that rotate at a rate.
-fn about(shares: &[Share], rate: f64) -> [f64; 2] {
+fn about(shares: &[TurningPart], rate: f64) -> [f64; 2] {
     let mut sum = [0.0; 2];
     for share in shares {
         let (sine, cosine) = if rate == 0.0 { (0.0, 1.0) } else { sine_cosine(rate * share.middle) };
@@ -310,7 +310,7 @@ fn about(shares: &[Share], rate: f64) -> [f64; 2] {
 }
 
 /// The rate at which the curvature rotates: the mean rate of its phase from one part to the next, weighted by both.
-fn going_round(shares: &[Share]) -> f64 {
+fn going_round(shares: &[TurningPart]) -> f64 {
     let (mut sum, mut weights) = (0.0, 0.0);
     for pair in shares.windows(2) {
         let ([a, b], way) = ([pair[0].turn, pair[1].turn], pair[1].middle - pair[0].middle);

@@ -44,9 +44,9 @@ const PULL: f64 = 1e4;
 /// When its search ends.
 const END: End = End { most: 12, gain: 1e-2, turn: f64::INFINITY, near: 0.0 };
 /// Points per element that are examined: this many per brush radius, with a minimum and a maximum.
-const A_RADIUS: f64 = 4.0;
-const LEAST: f64 = 3.0;
-const MOST: f64 = 16.0;
+const POINTS_PER_RADIUS: f64 = 4.0;
+const MIN_POINTS: f64 = 3.0;
+const MAX_POINTS: f64 = 16.0;
 
 impl Brush {
     /// The fraction of the movement that a point follows; `None` outside.
@@ -112,7 +112,7 @@ impl StrandShape {
             if (middle - brush.centre).norm() > 0.5 * element.length + brush.radius {
                 continue;
             }
-            let count = (A_RADIUS * element.length / brush.radius).ceil().clamp(LEAST, MOST);
+            let count = (POINTS_PER_RADIUS * element.length / brush.radius).ceil().clamp(MIN_POINTS, MAX_POINTS);
             for k in 0..count as usize {
                 let s = (k as f64 + 0.5) / count * element.length;
                 let at = element.point(s).position;

@@ -57,11 +57,11 @@ pub(super) struct Step {
 
 /// Memory of the elimination.
 #[derive(Default)]
-pub(super) struct Elimination {
+pub(super) struct PoseElimination {
     done: Vec<Eliminated>,
 }
 
-impl Elimination {
+impl PoseElimination {
     /// The step from a state.
     pub fn solve(&mut self, model: &Model, step: &mut Step) {
         let mut down = Tensed { down: Downstream::nothing(), moment: Vec3::zero(), force: Vec3::zero() };

@@ -11,7 +11,7 @@
 
 use nalgebra::Vector3;
 
-use super::elimination::{Elimination, Model, Step};
+use super::elimination::{Model, PoseElimination, Step};
 use super::springs::Spring;
 use crate::contact::body::BodyAt;
 use crate::contact::strand_body::{self, PathBounds, Span};
@@ -131,7 +131,7 @@ pub(super) struct Search {
     in_the_way: Vec<bool>,
     bounds: PathBounds,
     touching: strand_body::Scratch,
-    elimination: Elimination,
+    elimination: PoseElimination,
     step: Step,
     /// Iterations since [`Search::begin`].
     pub iterations: u32,

@@ -107,7 +107,7 @@ pub trait StrandSink: Sync {
 
 /// A worker's memory.
 #[derive(Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct EvaluateScratch {
     now: Vec<f32>,
     before: Vec<f32>,
     rotations: Vec<f32>,
@@ -237,7 +237,7 @@ struct TileWork<'a, S> {
     evaluation: u64,
     first: usize,
     count: usize,
-    scratch: &'a mut Scratch,
+    scratch: &'a mut EvaluateScratch,
     sink: &'a S,
 }
 
@@ -250,8 +250,19 @@ impl<S: StrandSink> Kernel for TileWork<'_, S> {
         let hair = &**pose.hair();
         let (stride, points, size) = (hair.reference.stride, hair.reference.points, hair.reference.size());
         let clearance = hair.settings.clearance as f32;
-        let Scratch { now, before, rotations, guide_n1, room, lengths, lengths_before, reach, reach_before, bends, bends_before } =
-            scratch;
+        let EvaluateScratch {
+            now,
+            before,
+            rotations,
+            guide_n1,
+            room,
+            lengths,
+            lengths_before,
+            reach,
+            reach_before,
+            bends,
+            bends_before,
+        } = scratch;
         now.resize(4 * stride, 0.0);
         before.resize(4 * stride, 0.0);
         rotations.resize(4 * stride, 0.0);

@@ -4,7 +4,7 @@
 /// stretched.
 const LONGER: f32 = 1.1;
 /// The largest stretch of a path: what guides on two sides of a parting leave of a strand between them would stand up from it.
-const MOST_STRETCH: f32 = 1.3;
+const MAX_STRETCH: f32 = 1.3;
 
 /// A point and its arclength on the path, m.
 type Knot = [f32; 4];
@@ -63,7 +63,7 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
     knots[0] = beyond(knots[1], knots[2], third.then(|| knots[3.min(points)]));
     knots[points + 1] = beyond(knots[points], knots[points - 1], third.then(|| knots[points - 2]));
     let end = if let Wanted::Along(along, share) = wanted { share * along[points - 1] } else { 0.0 };
-    let stretch = (end / (LONGER * whole).max(f32::MIN_POSITIVE)).clamp(1.0, MOST_STRETCH);
+    let stretch = (end / (LONGER * whole).max(f32::MIN_POSITIVE)).clamp(1.0, MAX_STRETCH);
     if stretch > 1.0 {
         let root = knots[1];
         for knot in knots.iter_mut() {

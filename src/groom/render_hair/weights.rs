@@ -19,9 +19,9 @@ const CANDIDATES: usize = 4;
 
 /// A direction with less than this fraction of the roots' spread counts as having none: across the scalp, and where only two
 /// guides count.
-const LEAST_SPREAD: f64 = 0.03;
+const MIN_SPREAD: f64 = 0.03;
 /// The lower bound on weights: it limits extrapolation beyond the guides.
-const LEAST: f64 = -0.25;
+const MIN_WEIGHT: f64 = -0.25;
 
 /// Guides at binding.
 pub(super) struct Guides {
@@ -100,14 +100,14 @@ impl Guides {
         }
         // Inverted at size one, since squares of small positions are lost; directions without spread stay (Tikhonov).
         let spread = spread / size;
-        let Some(inverse) = (spread * spread + Matrix3::identity() * (LEAST_SPREAD * LEAST_SPREAD)).try_inverse() else { return };
+        let Some(inverse) = (spread * spread + Matrix3::identity() * (MIN_SPREAD * MIN_SPREAD)).try_inverse() else { return };
         let slope = inverse * spread * (root - middle) / size;
         let changes: [f64; MOST_GUIDES] =
             std::array::from_fn(|k| if k < count { followed.weights[k] * slope.dot(&(of(k) - middle)) } else { 0.0 });
         let mut share: f64 = 1.0;
         for k in 0..count {
             if changes[k] < 0.0 {
-                share = share.min((followed.weights[k] - LEAST) / -changes[k]);
+                share = share.min((followed.weights[k] - MIN_WEIGHT) / -changes[k]);
             }
         }
         for k in 0..count {

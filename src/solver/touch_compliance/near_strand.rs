@@ -27,7 +27,7 @@ const ONE_PLACE: f64 = 5e-4;
 const ONE_SIDE: f64 = 0.9;
 /// Iterations on a strand's displacement, if by the linear model one of its places moves by more than this fraction of its
 /// length.
-const MOST_ITERATIONS: u32 = 1;
+const MAX_ITERATIONS: u32 = 1;
 const LINEAR: f64 = 0.01;
 
 /// A place where something acts on a strand.
@@ -144,7 +144,7 @@ impl NearStrand {
         alone.begin(&One { model: &strand.model, state, root_at: &root_at }, setting, seconds, true);
         alone.linearise(stations, forces);
         // (The first linear model has no tension.)
-        for _ in 0..MOST_ITERATIONS {
+        for _ in 0..MAX_ITERATIONS {
             let farthest = (0..places.len()).map(|k| led_to(&alone.held, forces, k).norm_squared()).fold(0.0, f64::max);
             if farthest <= (LINEAR * strand.model.length()).powi(2) {
                 break;

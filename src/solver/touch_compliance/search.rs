@@ -14,7 +14,7 @@ use crate::rod::strand::place_on;
 const SPACING: f64 = 8e-3;
 const TURN: f64 = 0.5;
 /// Secants per minimum, and the slope that counts as level.
-const MOST_SECANTS: usize = 4;
+const MAX_SECANTS: usize = 4;
 /// Surfaces count as this round, m, until something better is known.
 const ROUND: f64 = 1e-3;
 const LEVEL: f64 = 0.02;
@@ -137,7 +137,7 @@ fn lowest(
     let (distance, normal, mut slope) = look(from.element, from.s, from.at)?;
     let mut best = (along, distance, normal);
     let mut step = -slope * (distance.max(0.0) + ROUND);
-    for _ in 0..MOST_SECANTS {
+    for _ in 0..MAX_SECANTS {
         let to = (along + step).clamp(ends[0], ends[1]);
         if slope.abs() <= LEVEL || to == along {
             break;
