@@ -170,9 +170,9 @@ impl<S: Default + Send> Crew<S> {
         let chunk = (items.len() / tasks / least * least).clamp(least, most);
         match &self.runner {
             Runner::Pool(Pool { pool: Some(pool), .. }) if threads > 1 && items.len() > chunk => {
-                let shares = Groups::new(items, chunk, threads);
+                let groups = Groups::new(items, chunk, threads);
                 let do_share = |thread| {
-                    self.with_scratch(thread, |scratch| shares.work(thread, &mut |chunk: &mut [T]| work(chunk, scratch)));
+                    self.with_scratch(thread, |scratch| groups.work(thread, &mut |chunk: &mut [T]| work(chunk, scratch)));
                 };
                 pool.in_place_scope(|scope| {
                     for thread in 1..threads {
@@ -265,7 +265,7 @@ impl<S: Default + Send> Crew<S> {
 /// Items in chunks, and chunks in groups, one group per thread. Loops over the same strands give a strand to the same thread each
 /// time, whose caches hold it: a shared queue loses half of what a second thread gains in contact.
 struct Groups<'a, T> {
-    shares: [Mutex<std::slice::ChunksMut<'a, T>>; MAX_GROUPS],
+    groups: [Mutex<std::slice::ChunksMut<'a, T>>; MAX_GROUPS],
     count: usize,
 }
 
@@ -273,23 +273,23 @@ impl<'a, T: Send> Groups<'a, T> {
     fn new(items: &'a mut [T], chunk: usize, threads: usize) -> Self {
         let count = threads.min(MAX_GROUPS);
         let (all, mut rest, mut taken) = (items.len().div_ceil(chunk), items, 0);
-        let shares = std::array::from_fn(|k| {
+        let groups = std::array::from_fn(|k| {
             let to = all * (k + 1).min(count) / count;
             let length = ((to - taken) * chunk).min(rest.len());
             let (own, others) = std::mem::take(&mut rest).split_at_mut(length);
             (rest, taken) = (others, to);
             Mutex::new(own.chunks_mut(chunk))
         });
-        Self { shares, count }
+        Self { groups, count }
     }
 
     /// Works through a thread's own group from its front, then through the rest of the others' groups from their backs.
     fn work(&self, thread: usize, run: &mut impl FnMut(&mut [T])) {
         for k in 0..self.count {
-            let share = &self.shares[(thread + k) % self.count];
+            let group = &self.groups[(thread + k) % self.count];
             let next = || {
-                let mut share = share.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-                if k == 0 { share.next() } else { share.next_back() }
+                let mut group = group.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                if k == 0 { group.next() } else { group.next_back() }
             };
             while let Some(chunk) = next() {
                 run(chunk);
@@ -324,9 +324,9 @@ mod tests {
     #[test]
     fn a_thread_begins_with_its_own_share_and_ends_with_what_others_left() {
         let mut items: Vec<usize> = (0..100).collect();
-        let shares = Groups::new(&mut items, 8, 3);
+        let groups = Groups::new(&mut items, 8, 3);
         let mut order = Vec::new();
-        shares.work(1, &mut |chunk: &mut [usize]| order.push(chunk[0]));
+        groups.work(1, &mut |chunk: &mut [usize]| order.push(chunk[0]));
         assert_eq!(order, [32, 40, 48, 56, 96, 88, 80, 72, 64, 24, 16, 8, 0]);
     }
 
@@ -339,7 +339,7 @@ mod tests {
         }
     }
 
-    fn crews() -> Vec<Workers> {
+    fn all_workers() -> Vec<Workers> {
         vec![
             Workers::Serial,
             Workers::Pool(2),
@@ -359,7 +359,7 @@ mod tests {
     #[test]
     fn a_team_goes_through_rounds_together() {
         const PIECES: usize = 4;
-        for (k, workers) in crews().iter().enumerate() {
+        for (k, workers) in all_workers().iter().enumerate() {
             let crew = Crew::<()>::new(workers).unwrap();
             // Each piece needs the results of all pieces of the round before: none may start before those are done.
             let next = |values: &[u64; PIECES], piece: usize| {
@@ -390,7 +390,7 @@ mod tests {
 
     #[test]
     fn a_team_in_which_one_panics_ends_in_that_panic() {
-        for (k, workers) in crews()[..3].iter().enumerate() {
+        for (k, workers) in all_workers()[..3].iter().enumerate() {
             let crew = Crew::<()>::new(workers).unwrap();
             for piece in 0..8 {
                 let work = |own: usize| assert_ne!(own, piece);

@@ -150,9 +150,9 @@ fn direction<T: Lane, const D: usize>(
             change[index][axes[i]] = delta[i];
         }
         while let Some(load) = loads.get(moved.len()).filter(|load| load.element == index) {
-            let way = element.frame_left.apply(load.moved(psi, rho, Vec3(change[index])));
-            descent += way.dot(forces[moved.len()]);
-            moved.push(way);
+            let displacement = element.frame_left.apply(load.moved(psi, rho, Vec3(change[index])));
+            descent += displacement.dot(forces[moved.len()]);
+            moved.push(displacement);
         }
         let (mut next_psi, mut next_rho) = (psi, rho + psi.cross(element.end));
         for i in 0..D {

@@ -60,23 +60,28 @@ impl Controls<'_> {
     }
 
     /// Numbers of points of the curves made.
-    pub fn counts(&self, way: &Basis<'_>, bad: Bad<'_>) -> Result<Vec<u32>> {
+    pub fn counts(&self, basis: &Basis<'_>, bad: Bad<'_>) -> Result<Vec<u32>> {
         let ranges = self.ranges().enumerate();
-        match way {
+        match basis {
             Basis::Linear => Ok(self.counts.to_vec()),
             Basis::Cubic(kind, ends) => {
                 ranges.map(|(curve, _)| Ok(self.spline(*kind, *ends, curve, bad)?.point_count(PER_SPAN) as u32)).collect()
             }
             Basis::Nurbs { .. } => {
                 let mut counts = Vec::with_capacity(self.counts.len());
-                self.each_nurbs(way, bad, |nurbs, _| counts.push(nurbs.parameters(PER_SPAN).len() as u32))?;
+                self.each_nurbs(basis, bad, |nurbs, _| counts.push(nurbs.parameters(PER_SPAN).len() as u32))?;
                 Ok(counts)
             }
         }
     }
 
-    fn each_nurbs(&self, way: &Basis<'_>, bad: Bad<'_>, mut each: impl FnMut(&Nurbs<'_>, std::ops::Range<usize>)) -> Result<()> {
-        let Basis::Nurbs { orders, knots, weights } = way else { return Ok(()) };
+    fn each_nurbs(
+        &self,
+        basis: &Basis<'_>,
+        bad: Bad<'_>,
+        mut each: impl FnMut(&Nurbs<'_>, std::ops::Range<usize>),
+    ) -> Result<()> {
+        let Basis::Nurbs { orders, knots, weights } = basis else { return Ok(()) };
         let mut knot = 0;
         for (curve, range) in self.ranges().enumerate() {
             let end = knot + range.len() + orders[curve] as usize;
@@ -93,10 +98,10 @@ impl Controls<'_> {
     }
 
     /// Converts three numbers per control point to three per point.
-    pub fn vectors(&self, way: &Basis<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
+    pub fn vectors(&self, basis: &Basis<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
         let narrow = |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point leaves the range of floats")));
         let mut made = Vec::new();
-        match way {
+        match basis {
             Basis::Linear => return Ok(vectors.to_vec()),
             Basis::Cubic(kind, ends) => {
                 for (curve, range) in self.ranges().enumerate() {
@@ -111,7 +116,7 @@ impl Controls<'_> {
             }
             Basis::Nurbs { .. } => {
                 let mut failure = None;
-                self.each_nurbs(way, bad, |nurbs, range| {
+                self.each_nurbs(basis, bad, |nurbs, range| {
                     for place in nurbs.parameters(PER_SPAN) {
                         match narrow(nurbs.at(place, |control| wide(vectors[range.start + control]))) {
                             Ok(point) => made.push(point),
@@ -128,9 +133,9 @@ impl Controls<'_> {
     }
 
     /// Arclength of each point along its curve, from 0 at each root, for control points already placed; `None` for polylines.
-    pub fn arclengths(&self, way: &Basis<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Vec<f32>> {
+    pub fn arclengths(&self, basis: &Basis<'_>, controls: &[Vector3<f64>], bad: Bad<'_>) -> Result<Vec<f32>> {
         let mut made = Vec::new();
-        match way {
+        match basis {
             Basis::Linear => {}
             Basis::Cubic(kind, ends) => {
                 for (curve, range) in self.ranges().enumerate() {
@@ -140,7 +145,7 @@ impl Controls<'_> {
                     made.extend(arclengths.iter().map(|arclength| *arclength as f32));
                 }
             }
-            Basis::Nurbs { .. } => self.each_nurbs(way, bad, |nurbs, range| {
+            Basis::Nurbs { .. } => self.each_nurbs(basis, bad, |nurbs, range| {
                 let along = |parts: usize| {
                     let places = nurbs.parameters(parts * PER_SPAN);
                     let points: Vec<_> =
@@ -167,27 +172,27 @@ impl Controls<'_> {
     /// Three numbers each, with the given interpolation: three per point.
     pub fn triples(
         &self,
-        way: &Basis<'_>,
+        basis: &Basis<'_>,
         items: &[[f32; 3]],
         how: Interpolation,
         what: &str,
         bad: Bad<'_>,
     ) -> Result<Vec<[f32; 3]>> {
         let at_controls =
-            self.spread(way, items, how, what, bad, |a, b, share| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * share))?;
+            self.spread(basis, items, how, what, bad, |a, b, fraction| std::array::from_fn(|i| a[i] + (b[i] - a[i]) * fraction))?;
         match at_controls {
-            Spread::Controls(list) => self.vectors(way, &list, bad),
+            Spread::Controls(list) => self.vectors(basis, &list, bad),
             Spread::Points(list) => Ok(list),
         }
     }
 
     /// One number each, with the given interpolation: one per point.
-    pub fn numbers(&self, way: &Basis<'_>, items: &[f32], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<f32>> {
-        match self.spread(way, items, how, what, bad, |a, b, share| a + (b - a) * share)? {
-            Spread::Controls(list) if matches!(way, Basis::Linear) => Ok(list),
+    pub fn numbers(&self, basis: &Basis<'_>, items: &[f32], how: Interpolation, what: &str, bad: Bad<'_>) -> Result<Vec<f32>> {
+        match self.spread(basis, items, how, what, bad, |a, b, fraction| a + (b - a) * fraction)? {
+            Spread::Controls(list) if matches!(basis, Basis::Linear) => Ok(list),
             Spread::Controls(list) => {
                 let vectors: Vec<[f32; 3]> = list.into_iter().map(|number| [number, 0.0, 0.0]).collect();
-                Ok(self.vectors(way, &vectors, bad)?.into_iter().map(|[number, _, _]| number).collect())
+                Ok(self.vectors(basis, &vectors, bad)?.into_iter().map(|[number, _, _]| number).collect())
             }
             Spread::Points(list) => Ok(list),
         }
@@ -197,7 +202,7 @@ impl Controls<'_> {
     /// would bend it, per point.
     fn spread<T: Copy>(
         &self,
-        way: &Basis<'_>,
+        basis: &Basis<'_>,
         items: &[T],
         how: Interpolation,
         what: &str,
@@ -207,7 +212,7 @@ impl Controls<'_> {
         let wrong = |expected: usize, of: &str| {
             Err(bad(format_args!("{what} has {} entries; expected {expected}, one {of}", items.len())))
         };
-        let made_counts = self.counts(way, bad)?;
+        let made_counts = self.counts(basis, bad)?;
         match how {
             Interpolation::Constant if items.len() != 1 => wrong(1, "for all curves"),
             Interpolation::Constant => Ok(Spread::Points(vec![items[0]; made_counts.iter().map(|count| *count as usize).sum()])),
@@ -217,7 +222,7 @@ impl Controls<'_> {
             )),
             Interpolation::Vertex | Interpolation::FaceVarying if items.len() != self.total => wrong(self.total, "a point"),
             Interpolation::Vertex | Interpolation::FaceVarying => Ok(Spread::Controls(items.to_vec())),
-            Interpolation::Varying if matches!(way, Basis::Linear) => match items.len() == self.total {
+            Interpolation::Varying if matches!(basis, Basis::Linear) => match items.len() == self.total {
                 true => Ok(Spread::Controls(items.to_vec())),
                 false => wrong(self.total, "a point"),
             },

@@ -135,10 +135,10 @@ impl One<'_> {
         if let Some(curve) = counts.iter().position(|count| *count < 2) {
             return Err(self.error(format_args!("curve {curve} has {} points; expected at least two", counts[curve])));
         }
-        let way = self.way(counts)?;
+        let basis = self.basis_of(counts)?;
         let controls = Controls { counts, total: points.len() };
-        let made = controls.vectors(&way, &points, bad)?;
-        let mut made_counts = controls.counts(&way, bad)?;
+        let made = controls.vectors(&basis, &points, bad)?;
+        let mut made_counts = controls.counts(&basis, bad)?;
         let before = (all.points.len(), all.counts.len());
         let (point_count, curve_count) = (made.len(), counts.len());
 
@@ -149,10 +149,10 @@ impl One<'_> {
                 moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
             }
         });
-        if !matches!(way, Basis::Linear) {
+        if !matches!(basis, Basis::Linear) {
             let place = |point: &[f32; 3]| moved.as_ref().map_or(wide(*point), |moved| moved.place(wide(*point)));
             let placed: Vec<Vector3<f64>> = points.iter().map(place).collect();
-            let arclengths = controls.arclengths(&way, &placed, bad)?;
+            let arclengths = controls.arclengths(&basis, &placed, bad)?;
             all.arclengths.get_or_insert_with(|| along_edges(&all.points[..before.0], &all.counts)).extend(arclengths);
         } else if let Some(arclengths) = &mut all.arclengths {
             arclengths.extend(along_edges(&all.points[before.0..], &made_counts));
@@ -160,7 +160,7 @@ impl One<'_> {
         let velocities = match self.prim.velocities.vectors_at(self.time) {
             Some(list) => {
                 controls.check("velocities", list.len(), bad)?;
-                Some(controls.vectors(&way, &list, bad)?)
+                Some(controls.vectors(&basis, &list, bad)?)
             }
             None => None,
         };
@@ -180,7 +180,7 @@ impl One<'_> {
                 } else {
                     Interpolation::Vertex
                 });
-                let mut widths = controls.numbers(&way, &widths, how, "widths", bad)?;
+                let mut widths = controls.numbers(&basis, &widths, how, "widths", bad)?;
                 if let Some(moved) = &moved {
                     widths.iter_mut().for_each(|width| *width = (f64::from(*width) * moved.scale) as f32);
                 }
@@ -195,7 +195,7 @@ impl One<'_> {
         let transparency = match opacities {
             Some(list) => {
                 let how = self.prim.opacities.interpolation.unwrap_or(Interpolation::Constant);
-                let mut list = controls.numbers(&way, &list, how, "primvars:displayOpacity", bad)?;
+                let mut list = controls.numbers(&basis, &list, how, "primvars:displayOpacity", bad)?;
                 list.iter_mut().for_each(|opacity| *opacity = 1.0 - *opacity);
                 Some(list)
             }
@@ -208,14 +208,14 @@ impl One<'_> {
         let colors = match colors {
             Some(list) => {
                 let how = self.prim.colors.interpolation.unwrap_or(Interpolation::Constant);
-                Some(controls.triples(&way, &list, how, "primvars:displayColor", bad)?)
+                Some(controls.triples(&basis, &list, how, "primvars:displayColor", bad)?)
             }
             None => None,
         };
         all.colors.add(colors, before.0, point_count, [0.0; 3]);
 
         // What this library's own files hold beyond USD's own names.
-        let held = self.prim.held.at(self.time).filter(|held| matches!(way, Basis::Linear) && held.len() == points.len());
+        let held = self.prim.held.at(self.time).filter(|held| matches!(basis, Basis::Linear) && held.len() == points.len());
         all.held.add(held.map(|held| held.iter().map(|held| *held != 0).collect()), before.0, point_count, false);
         let thickness = self.prim.strand_thickness.at(self.time).filter(|list| list.len() == curve_count);
         all.strand_thickness.add(thickness.cloned(), before.1, curve_count, 1.0);
@@ -233,15 +233,15 @@ impl One<'_> {
 
     fn singles_at(&self, attribute: &Attribute<Vec<f32>>) -> Option<Vec<f32>> {
         match attribute.between(self.time) {
-            Some((before, after, share)) if before.len() == after.len() => {
+            Some((before, after, fraction)) if before.len() == after.len() => {
                 let pairs = before.iter().zip(after);
-                Some(pairs.map(|(a, b)| (f64::from(*a) + (f64::from(*b) - f64::from(*a)) * share) as f32).collect())
+                Some(pairs.map(|(a, b)| (f64::from(*a) + (f64::from(*b) - f64::from(*a)) * fraction) as f32).collect())
             }
             _ => attribute.at(self.time).cloned(),
         }
     }
 
-    fn way(&self, counts: &[u32]) -> Result<Basis<'_>> {
+    fn basis_of(&self, counts: &[u32]) -> Result<Basis<'_>> {
         let prim = self.prim;
         if prim.nurbs {
             let orders = prim.orders.at(self.time).map_or(&[][..], Vec::as_slice);

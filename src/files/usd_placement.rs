@@ -60,7 +60,7 @@ impl Placement {
             let operation = self.operations.iter().find(|(there, _)| **there == *name).map(|(_, operation)| operation);
             let Some(operation) = operation else { return Err(bad("is in xformOpOrder and has no value".to_owned())) };
             let step = match operation.between(time) {
-                Some((before, after, share)) => between(name, before, after, share),
+                Some((before, after, fraction)) => between(name, before, after, fraction),
                 None => operation.at(time).and_then(|values| one(name, values)),
             };
             let step =
@@ -82,15 +82,15 @@ fn kind(name: &str) -> &str {
 }
 
 /// An operation between two samples: numbers are interpolated linearly, quaternions along the shorter arc.
-fn between(name: &str, before: &[f64], after: &[f64], share: f64) -> Option<Matrix4<f64>> {
+fn between(name: &str, before: &[f64], after: &[f64], fraction: f64) -> Option<Matrix4<f64>> {
     if before.len() != after.len() {
         return one(name, before);
     }
     if kind(name) == "orient" {
-        let turn = quaternion(before)?.slerp(&quaternion(after)?, share);
+        let turn = quaternion(before)?.slerp(&quaternion(after)?, fraction);
         return Some(turn.to_homogeneous());
     }
-    let values: Vec<f64> = before.iter().zip(after).map(|(before, after)| before + (after - before) * share).collect();
+    let values: Vec<f64> = before.iter().zip(after).map(|(before, after)| before + (after - before) * fraction).collect();
     one(name, &values)
 }
 

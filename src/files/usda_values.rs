@@ -100,8 +100,8 @@ impl<const N: usize> Attribute<Vec<[f32; N]>> {
     /// The vectors at a time, interpolated linearly between two samples of equal length.
     pub fn vectors_at(&self, time: f64) -> Option<Vec<[f32; N]>> {
         match self.between(time) {
-            Some((before, after, share)) if before.len() == after.len() => {
-                let mix = |a: f32, b: f32| (f64::from(a) + (f64::from(b) - f64::from(a)) * share) as f32;
+            Some((before, after, fraction)) if before.len() == after.len() => {
+                let mix = |a: f32, b: f32| (f64::from(a) + (f64::from(b) - f64::from(a)) * fraction) as f32;
                 let pairs = before.iter().zip(after);
                 Some(pairs.map(|(a, b)| std::array::from_fn(|axis| mix(a[axis], b[axis]))).collect())
             }

@@ -122,9 +122,13 @@ impl GuideRoots {
         let away = found.first().map_or(f64::INFINITY, |(squared, _)| squared.sqrt()) / spacing;
         // Directions to roots on all sides cancel; those to the roots of a straight border have a mean of 2/π, and more farther
         // out.
-        let ways = found.iter().map(|(_, root)| self.roots[*root as usize] - place).filter(|way| way.norm() <= REACH * spacing);
-        let (sum, count) = ways
-            .fold((Vector3::zeros(), 0.0), |(sum, count), way| (sum + way.try_normalize(0.0).unwrap_or_default(), count + 1.0));
+        let directions = found
+            .iter()
+            .map(|(_, root)| self.roots[*root as usize] - place)
+            .filter(|direction| direction.norm() <= REACH * spacing);
+        let (sum, count) = directions.fold((Vector3::zeros(), 0.0), |(sum, count), direction| {
+            (sum + direction.try_normalize(0.0).unwrap_or_default(), count + 1.0)
+        });
         let lopsided = if count > 1.0 { sum.norm() / count } else { 1.0 };
         let among = fading(lopsided, AMONG, BESIDE) * fading(away, 1.0, 1.25);
         Ok(among.max(fading(away, 0.3, 0.6)))
@@ -147,7 +151,7 @@ impl GuideRoots {
         let place = |index: usize| {
             let (root, near) = (self.roots[index % self.roots.len()], &neighbours[index % self.roots.len()]);
             let [first, second, a, b] = numbers.map(|numbers| numbers.unit(index as u64));
-            let pick = |share: f64| self.roots[near[(share * near.len() as f64) as usize] as usize] - root;
+            let pick = |fraction: f64| self.roots[near[(fraction * near.len() as f64) as usize] as usize] - root;
             let (a, b) = if a + b > 1.0 { (1.0 - a, 1.0 - b) } else { (a, b) };
             root + pick(first) * a + pick(second) * b
         };

@@ -108,8 +108,8 @@ impl Polyline {
             while knot + 2 < knots.len() && index as f64 > knots[knot + 1].0 {
                 knot += 1;
             }
-            let share = (index as f64 - knots[knot].0) / (knots[knot + 1].0 - knots[knot].0);
-            *arclength = ends[knot] + (ends[knot + 1] - ends[knot]) * share;
+            let fraction = (index as f64 - knots[knot].0) / (knots[knot + 1].0 - knots[knot].0);
+            *arclength = ends[knot] + (ends[knot + 1] - ends[knot]) * fraction;
         }
     }
 

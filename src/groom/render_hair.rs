@@ -105,8 +105,8 @@ pub fn measured_curliness(points: &[Vector3<f64>]) -> f64 {
     let edges: Vec<_> = points.windows(2).filter_map(|edge| (edge[1] - edge[0]).try_normalize(0.0)).collect();
     let turn = |pair: &[Vector3<f64>]| phase::argument([pair[0].dot(&pair[1]), pair[0].cross(&pair[1]).norm()]);
     let turning: f64 = edges.windows(2).map(turn).sum();
-    let share = ((turning - STRAIGHT) / (CURLY - STRAIGHT)).clamp(0.0, 1.0);
-    share * share * (3.0 - 2.0 * share)
+    let fraction = ((turning - STRAIGHT) / (CURLY - STRAIGHT)).clamp(0.0, 1.0);
+    fraction * fraction * (3.0 - 2.0 * fraction)
 }
 
 impl RenderHair {

@@ -111,9 +111,9 @@ impl Variation {
     fn along(&self, strand: u64, of: Of, arclength: f64) -> f64 {
         let place = arclength / self.period;
         let before = place.floor();
-        let share = place - before;
+        let fraction = place - before;
         let (first, second) = (self.number(strand, of, before as u64), self.number(strand, of, (before as u64).wrapping_add(1)));
-        ((1.0 - share) * first + share * second) / ((1.0 - share) * (1.0 - share) + share * share).sqrt()
+        ((1.0 - fraction) * first + fraction * second) / ((1.0 - fraction) * (1.0 - fraction) + fraction * fraction).sqrt()
     }
 }
 
@@ -137,7 +137,7 @@ impl Variation {
         let one = |(element, length): (usize, &f64)| {
             let middle = begin + 0.5 * length;
             begin += length;
-            let varied = |of: Of, share: f64| if share == 0.0 { 0.0 } else { share * self.along(strand, of, middle) };
+            let varied = |of: Of, fraction: f64| if fraction == 0.0 { 0.0 } else { fraction * self.along(strand, of, middle) };
             let curl = own * (1.0 + varied(Of::AlongCurl, self.along));
             let twist = own * (1.0 + varied(Of::AlongTwist, self.along));
             let [k0, k1, k2] = of(element);

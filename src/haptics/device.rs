@@ -232,11 +232,11 @@ impl Device {
 
 /// Limits a vector to a distance of `most` from another one. True if it had to.
 fn toward(vector: &mut Vector3<f64>, from: Vector3<f64>, most: f64) -> bool {
-    let way = *vector - from;
-    let size = way.norm();
+    let offset = *vector - from;
+    let size = offset.norm();
     if size <= most {
         return false;
     }
-    *vector = from + way * (most / size);
+    *vector = from + offset * (most / size);
     true
 }

@@ -21,7 +21,7 @@ use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 /// step. Farther ones are left out unless the tool's motion closes the gap, or would do so if it turned towards the strand by
 /// this sine.
 const NEAR: f64 = 1e-3;
-const WAYS: f64 = 2.0;
+const TRAVEL_FACTOR: f64 = 2.0;
 const SIDEWAYS: f64 = 0.25;
 /// Decay per step of the mass of strands that have left the tool.
 const FORGETS: f64 = 0.95;
@@ -168,11 +168,11 @@ impl Tool {
                 pressing += 1;
             }
         } else if self.options.mode == Mode::HandOver {
-            let (way, onward) = (self.way(), self.handle[0].compose(&self.handle[1].inverse()));
-            solver.find_touches(&self.bodies, NEAR + WAYS * way, &mut self.compliance)?;
+            let (travel, onward) = (self.travel(), self.handle[0].compose(&self.handle[1].inverse()));
+            solver.find_touches(&self.bodies, NEAR + TRAVEL_FACTOR * travel, &mut self.compliance)?;
             let may_close = |touch: &BodyTouch| {
                 let closing = (onward.origin + onward.rotation * touch.point - touch.point).dot(&touch.normal);
-                touch.gap <= NEAR + WAYS * closing.max(SIDEWAYS * way)
+                touch.gap <= NEAR + TRAVEL_FACTOR * closing.max(SIDEWAYS * travel)
             };
             left_out = self.choice.choose(&self.compliance, self.options.max_touches as usize, may_close);
             // The hand must not feel forces that come from no contact, such as the push on strands that diverged in a step.
@@ -228,7 +228,7 @@ impl Tool {
     }
 
     /// The largest displacement of any point of the tool in the last step, m.
-    fn way(&self) -> f64 {
+    fn travel(&self) -> f64 {
         let [now, before] = &self.handle;
         let turn = rotation_vector(&(now.rotation * before.rotation.inverse())).norm();
         let of_body =

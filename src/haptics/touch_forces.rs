@@ -133,7 +133,7 @@ impl TouchForces {
     /// Displacement of the strand's point of contact `k` by the difference of the forces from the model's; `matrix` is the
     /// strand's.
     #[inline(always)]
-    fn given_way(rows: &[ContactRow], touches: &[BodyTouch], matrix: &[f64], k: usize) -> Vector3<f64> {
+    fn displacement_of(rows: &[ContactRow], touches: &[BodyTouch], matrix: &[f64], k: usize) -> Vector3<f64> {
         let size = 3 * touches.len();
         // Symmetric: three columns are three rows.
         let own = &matrix[3 * k * size..][..3 * size];
@@ -159,9 +159,9 @@ impl TouchForces {
         for (range, response) in model.strands() {
             let (rows, touches) = (&mut self.rows[range.clone()], &model.touches[range]);
             for (k, touch) in touches.iter().enumerate() {
-                let way = Self::given_way(rows, touches, response, k);
+                let displacement = Self::displacement_of(rows, touches, response, k);
                 let was = touch.strand_point();
-                let now = was + touch.moved * part + way;
+                let now = was + touch.moved * part + displacement;
                 let carried = tool.origin + turn * (touch.point - model.handle.origin) - touch.point;
                 let found =
                     self.teeth.get(touch.body as usize).and_then(|tooth| tooth.nearest(&tool, now, touch.tangent, touch.reach));
@@ -180,7 +180,7 @@ impl TouchForces {
                 row.law = law(touch, normal, &row.response, model.seconds);
                 let u = normal * gap + (slip - normal * normal.dot(&slip));
                 // Without the effect of these forces.
-                row.free = u - way + yielded + turned.cross(&row.arm);
+                row.free = u - displacement + yielded + turned.cross(&row.arm);
                 sum.add(&row.arm, &row.force);
             }
         }
@@ -198,7 +198,7 @@ impl TouchForces {
             for (range, response) in model.strands() {
                 let (rows, touches) = (&mut self.rows[range.clone()], &model.touches[range]);
                 for k in 0..touches.len() {
-                    let mut u = Self::given_way(rows, touches, response, k);
+                    let mut u = Self::displacement_of(rows, touches, response, k);
                     let row = &mut rows[k];
                     u += row.free + sum.force * compliance.linear + sum.moment.cross(&row.arm) * compliance.angular;
                     let force = row.law.solve(u - row.response * row.force);

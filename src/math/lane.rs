@@ -76,7 +76,7 @@ pub trait Lane:
     }
     /// The rounded sum of two numbers, and its exact rounding error (Knuth's two-sum).
     #[inline(always)]
-    fn sum_and_rest(self, other: Self) -> (Self, Self) {
+    fn two_sum(self, other: Self) -> (Self, Self) {
         let sum = self + other;
         let gone = sum - self;
         (sum, (self - (sum - gone)) + (other - gone))

@@ -77,9 +77,9 @@ impl<'a> Nurbs<'a> {
             for index in (level..=degree).rev() {
                 let begin = self.knots[span - degree + index];
                 let end = self.knots[span + 1 + index - level];
-                let share = if end > begin { (parameter - begin) / (end - begin) } else { 0.0 };
+                let fraction = if end > begin { (parameter - begin) / (end - begin) } else { 0.0 };
                 let (before, after) = (points[index - 1], points[index]);
-                points[index] = (before.0 + (after.0 - before.0) * share, before.1 + (after.1 - before.1) * share);
+                points[index] = (before.0 + (after.0 - before.0) * fraction, before.1 + (after.1 - before.1) * fraction);
             }
         }
         points[degree].0 / points[degree].1

@@ -107,9 +107,9 @@ impl Rule {
             (0..self.len()).for_each(|i| take(i, if i == hit { 1.0 } else { 0.0 }));
             return;
         }
-        let shares = || self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node));
-        let sum: f64 = shares().sum();
-        shares().enumerate().for_each(|(i, share)| take(i, share / sum));
+        let fractions = || self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node));
+        let sum: f64 = fractions().sum();
+        fractions().enumerate().for_each(|(i, fraction)| take(i, fraction / sum));
     }
 }
 

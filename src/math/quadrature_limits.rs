@@ -45,9 +45,9 @@ pub fn largest_turn(index: usize, tolerance: f64) -> f64 {
         return limits[nearest as usize];
     }
     let column = place as usize;
-    let share = place - column as f64;
+    let fraction = place - column as f64;
     // Where the tighter column has no turn, tolerances in between have none either.
-    limits[column].powf(1.0 - share) * limits[column + 1].powf(share)
+    limits[column].powf(1.0 - fraction) * limits[column + 1].powf(fraction)
 }
 
 /// The largest error of rule `index` where an element turns by `angle`: [`TIGHTEST`] means that or less; infinite beyond
@@ -60,9 +60,9 @@ pub fn error(index: usize, angle: f64) -> f64 {
     let Some(column) = (1..COLUMNS).find(|column| angle > limits[*column] || limits[*column] == 0.0) else {
         return TIGHTEST;
     };
-    let share =
+    let fraction =
         if limits[column] > 0.0 { (limits[column - 1] / angle).ln() / (limits[column - 1] / limits[column]).ln() } else { 0.0 };
-    10.0_f64.powf(-(FIRST_EXPONENT + column as f64 - 1.0 + share))
+    10.0_f64.powf(-(FIRST_EXPONENT + column as f64 - 1.0 + fraction))
 }
 
 #[cfg(test)]

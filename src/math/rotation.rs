@@ -92,10 +92,10 @@ impl PoseMove {
             return self.to;
         }
         let u = elapsed / self.duration;
-        let way = self.to.origin - self.from.origin;
+        let displacement = self.to.origin - self.from.origin;
         let turn = self.turn();
         Frame {
-            origin: self.from.origin + hermite(u, self.velocity * self.duration, way),
+            origin: self.from.origin + hermite(u, self.velocity * self.duration, displacement),
             rotation: self.from.rotation * from_rotation_vector(hermite(u, self.angular_velocity * self.duration, turn)),
         }
     }
@@ -111,10 +111,10 @@ impl PoseMove {
     }
 }
 
-/// The cubic from 0 with slope `start` to `way` with slope `way`, at u in [0, 1].
-fn hermite(u: f64, start: Vector3<f64>, way: Vector3<f64>) -> Vector3<f64> {
+/// The cubic from 0 with slope `start` to `displacement` with slope `displacement`, at u in [0, 1].
+fn hermite(u: f64, start: Vector3<f64>, displacement: Vector3<f64>) -> Vector3<f64> {
     let (u2, u3) = (u * u, u * u * u);
-    start * (u3 - 2.0 * u2 + u) + way * ((3.0 * u2 - 2.0 * u3) + (u3 - u2))
+    start * (u3 - 2.0 * u2 + u) + displacement * ((3.0 * u2 - 2.0 * u3) + (u3 - u2))
 }
 
 #[cfg(test)]

@@ -32,13 +32,13 @@ impl Way {
     /// Velocity (m/s) and angular velocity (rad/s), world axes, that the last move has reached.
     pub fn velocity(&self) -> (Vector3<f64>, Vector3<f64>) {
         match &self.going {
-            Some((way, elapsed)) if way.duration > 0.0 && *elapsed > 0.0 => {
-                if *elapsed >= way.duration {
-                    return (way.final_velocity(), self.pose.rotation * way.final_angular_velocity());
+            Some((motion, elapsed)) if motion.duration > 0.0 && *elapsed > 0.0 => {
+                if *elapsed >= motion.duration {
+                    return (motion.final_velocity(), self.pose.rotation * motion.final_angular_velocity());
                 }
                 // In the middle of a move: the mean over a short stretch up to now.
-                let short = (1e-4 * way.duration).min(*elapsed);
-                let before = way.at(elapsed - short);
+                let short = (1e-4 * motion.duration).min(*elapsed);
+                let before = motion.at(elapsed - short);
                 let turn = rotation_vector(&(self.pose.rotation * before.rotation.inverse()));
                 ((self.pose.origin - before.origin) / short, turn / short)
             }
@@ -48,20 +48,20 @@ impl Way {
 
     /// Prepares for a substep of `h` seconds: a move of duration 0 takes that substep.
     pub fn begin(&mut self, h: f64) {
-        if let Some((way, _)) = &mut self.going
-            && way.duration == 0.0
+        if let Some((motion, _)) = &mut self.going
+            && motion.duration == 0.0
         {
-            way.duration = h;
+            motion.duration = h;
         }
     }
 
     /// The pose `seconds` from now.
     pub fn after(&self, seconds: f64) -> Frame {
         match &self.going {
-            Some((way, elapsed)) => {
+            Some((motion, elapsed)) => {
                 let time = elapsed + seconds;
                 // A step meant to end with the move may miss its end by rounding.
-                if time >= way.duration * (1.0 - 1e-12) { way.to } else { way.at(time) }
+                if time >= motion.duration * (1.0 - 1e-12) { motion.to } else { motion.at(time) }
             }
             None => self.pose,
         }
@@ -70,13 +70,13 @@ impl Way {
     /// Advances by a substep of `h` seconds.
     pub fn advance(&mut self, h: f64) {
         self.pose = self.after(h);
-        if let Some((way, elapsed)) = &mut self.going {
-            if *elapsed >= way.duration {
+        if let Some((motion, elapsed)) = &mut self.going {
+            if *elapsed >= motion.duration {
                 self.going = None;
             } else {
                 *elapsed += h;
-                if *elapsed >= way.duration * (1.0 - 1e-12) {
-                    *elapsed = way.duration;
+                if *elapsed >= motion.duration * (1.0 - 1e-12) {
+                    *elapsed = motion.duration;
                 }
             }
         }

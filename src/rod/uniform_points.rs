@@ -128,7 +128,7 @@ pub struct Element<T> {
 
 /// A point in an element: its position from the left end, world axes, and the rotation from there, in the element's axes.
 struct Local<T> {
-    way: [Lanes<T>; 3],
+    offset: [Lanes<T>; 3],
     rotation: [Lanes<T>; 4],
 }
 
@@ -189,11 +189,11 @@ impl Walk {
     #[inline(always)]
     pub fn leave(&mut self) {
         let element = self.element::<f64>();
-        let Local { way, rotation } = element.local(1.0);
+        let Local { offset, rotation } = element.local(1.0);
         self.rotation = product(&self.rotation, &rotation);
         for axis in 0..3 {
             for lane in 0..WIDTH {
-                self.origin[axis][lane] += way[axis][lane];
+                self.origin[axis][lane] += offset[axis][lane];
             }
         }
     }
@@ -203,15 +203,15 @@ impl<T: Real> Element<T> {
     /// The points at `x` of the elements' lengths: `base` plus the offset from the root, rounded once.
     #[inline(always)]
     pub fn position(&self, x: f64, base: &[Lanes<f64>; 3]) -> [Lanes<T>; 3] {
-        let Local { way, .. } = self.local(x);
-        self.place(&way, base)
+        let Local { offset, .. } = self.local(x);
+        self.place(&offset, base)
     }
 
     /// The same, and the quaternions of the frames there.
     #[inline(always)]
     pub fn pose(&self, x: f64, base: &[Lanes<f64>; 3]) -> ([Lanes<T>; 3], [Lanes<T>; 4]) {
-        let Local { way, rotation } = self.local(x);
-        (self.place(&way, base), product(&self.rotation, &rotation))
+        let Local { offset, rotation } = self.local(x);
+        (self.place(&offset, base), product(&self.rotation, &rotation))
     }
 
     /// The quaternions x, y, z, w of the frames at `x` of the elements' lengths.
@@ -221,11 +221,11 @@ impl<T: Real> Element<T> {
     }
 
     #[inline(always)]
-    fn place(&self, way: &[Lanes<T>; 3], base: &[Lanes<f64>; 3]) -> [Lanes<T>; 3] {
+    fn place(&self, offset: &[Lanes<T>; 3], base: &[Lanes<f64>; 3]) -> [Lanes<T>; 3] {
         let mut out = [[T::default(); WIDTH]; 3];
         for axis in 0..3 {
             for lane in 0..WIDTH {
-                out[axis][lane] = T::near(base[axis][lane] + (self.origin[axis][lane] + way[axis][lane]).into());
+                out[axis][lane] = T::near(base[axis][lane] + (self.origin[axis][lane] + offset[axis][lane]).into());
             }
         }
         out
@@ -241,23 +241,23 @@ impl<T: Real> Element<T> {
             narrow_halves[lane] = T::near(halves[lane]);
         }
         let (sines, cosines) = T::sines_cosines(&halves);
-        let (one, half, quarter, share) = (T::near(1.0), T::near(0.5), T::near(0.25), T::near(x));
+        let (one, half, quarter, fraction) = (T::near(1.0), T::near(0.5), T::near(0.25), T::near(x));
         let none = [T::default(); WIDTH];
-        let (mut way, mut rotation) = ([none; 3], [none; 4]);
+        let (mut offset, mut rotation) = ([none; 3], [none; 4]);
         for lane in 0..WIDTH {
             let inverse = one / narrow_halves[lane];
             let ratio = sines[lane] * inverse;
             let c1 = ratio * cosines[lane];
             let c2 = half * ratio * ratio;
             let c3 = (one - c1) * (quarter * inverse * inverse);
-            let (t0, t1, t2) = (share * self.turn[0][lane], share * self.turn[1][lane], share * self.turn[2][lane]);
-            let s = share * self.length[lane];
+            let (t0, t1, t2) = (fraction * self.turn[0][lane], fraction * self.turn[1][lane], fraction * self.turn[2][lane]);
+            let s = fraction * self.length[lane];
             let along = s * (one - c3 * (t1 * t1 + t2 * t2));
             let beside = s * (c2 * t2 + c3 * t1 * t0);
             let above = s * (c3 * t2 * t0 - c2 * t1);
             for row in 0..3 {
                 let [a, b, c] = &self.frame[row];
-                way[row][lane] = a[lane] * along + b[lane] * beside + c[lane] * above;
+                offset[row][lane] = a[lane] * along + b[lane] * beside + c[lane] * above;
             }
             let scale = half * ratio;
             rotation[0][lane] = scale * t0;
@@ -265,7 +265,7 @@ impl<T: Real> Element<T> {
             rotation[2][lane] = scale * t2;
             rotation[3][lane] = cosines[lane];
         }
-        Local { way, rotation }
+        Local { offset, rotation }
     }
 }
 

@@ -64,13 +64,14 @@ impl Strand {
         }
         // Where a substep could not follow, the next one takes less.
         let failed = (self.carried_for() / h).min(f64::from(MAX_HALVINGS)).round() as u32;
-        let share_asked = 1.0 / f64::from(1_u32 << failed);
+        let requested_fraction = 1.0 / f64::from(1_u32 << failed);
         let (root, length) = (self.root_during(h), self.model.length());
         ways.extend(bodies.iter().zip(from).map(|(body, from)| {
             let passing = Passing::new(from, body, &root, length);
             let near = !self.is_carried() || passing.travel <= NEAR_ENOUGH * passing.limit;
-            let share = if near { 1.0 } else { (passing.limit / passing.travel).clamp(MIN_FRACTION, 1.0) * share_asked };
-            [*from, if share < 1.0 { between(&passing.along, &body.end, share) } else { body.end }]
+            let fraction =
+                if near { 1.0 } else { (passing.limit / passing.travel).clamp(MIN_FRACTION, 1.0) * requested_fraction };
+            [*from, if fraction < 1.0 { between(&passing.along, &body.end, fraction) } else { body.end }]
         }));
     }
 
@@ -106,8 +107,8 @@ impl Strand {
     pub fn go_with_root(&mut self, h: f64, bodies: &[BodyAt]) -> StrandOutcome {
         self.begin_root_way(h);
         let seconds = self.astray_for() + h;
-        self.go_along(h, bodies, Whereabouts::Carried { seconds });
-        self.forget_what_is_out_of_reach(seconds);
+        self.move_with_root(h, bodies, Whereabouts::Carried { seconds });
+        self.drop_unreachable_bodies(seconds);
         self.advance_root(h);
         let outcome = StrandOutcome { converged: false, left: true, energies: self.energies, ..StrandOutcome::default() };
         self.fared = (&outcome).into();
@@ -119,7 +120,7 @@ impl Strand {
     pub fn carry_along(&mut self, h: f64, bodies: &[BodyAt], rules: &Rules) -> StrandOutcome {
         let from = self.state.root;
         let outcome = self.go_with_root(h, bodies);
-        self.moves_as_its_root(&from, h, rules);
+        self.set_rigid_velocities(&from, h, rules);
         outcome
     }
 
@@ -128,12 +129,12 @@ impl Strand {
     pub fn stay_before(&mut self, before: &Frame, h: f64, bodies: &[BodyAt], astray: Option<Box<Astray>>) {
         self.astray = astray;
         let (to, seconds) = (self.state.root, self.astray_for() + h);
-        let astray = self.begin_to_stray(bodies, Whereabouts::Behind { seconds });
+        let astray = self.start_divergence(bodies, Whereabouts::Behind { seconds });
         take_along(&mut astray.bodies, before, &to);
-        self.forget_what_is_out_of_reach(seconds);
+        self.drop_unreachable_bodies(seconds);
     }
 
-    fn begin_to_stray(&mut self, bodies: &[BodyAt], state: Whereabouts) -> &mut Astray {
+    fn start_divergence(&mut self, bodies: &[BodyAt], state: Whereabouts) -> &mut Astray {
         let meets = self.contact.is_some();
         let astray = self.astray.get_or_insert_with(|| Box::new(Astray { bodies: Vec::new(), state: state.clone() }));
         astray.state = state;
@@ -157,35 +158,35 @@ impl Strand {
     }
 
     /// A body that passed it long ago may be at a place that it can never reach.
-    fn forget_what_is_out_of_reach(&mut self, seconds: f64) {
+    fn drop_unreachable_bodies(&mut self, seconds: f64) {
         if seconds >= LOST_FOR * (1.0 - 1e-12) {
             self.astray = None;
         }
     }
 
     /// A substep of `h` seconds rolled it back: it moves with its root, and after a while it is brought back.
-    pub fn lose(&mut self, h: f64, bodies: &[BodyAt]) {
+    pub fn roll_back(&mut self, h: f64, bodies: &[BodyAt]) {
         let seconds = self.astray_for() + h;
         let returns = seconds >= LOST_FOR * (1.0 - 1e-12);
         let from = || self.state.curvatures.clone().into_boxed_slice();
         let state = if returns { Whereabouts::Returning { seconds: 0.0, from: from() } } else { Whereabouts::Lost { seconds } };
-        self.go_along(h, bodies, state);
+        self.move_with_root(h, bodies, state);
     }
 
     /// It converged in a substep.
-    pub fn come_through(&mut self) {
+    pub fn clear_divergence(&mut self) {
         self.astray = None;
     }
 
-    fn go_along(&mut self, h: f64, bodies: &[BodyAt], state: Whereabouts) {
+    fn move_with_root(&mut self, h: f64, bodies: &[BodyAt], state: Whereabouts) {
         let [from, to] = self.root_during(h);
-        let astray = self.begin_to_stray(bodies, state);
+        let astray = self.start_divergence(bodies, state);
         take_along(&mut astray.bodies, &from, &to);
         self.state.teleport(to);
     }
 
     /// Gives it the velocities of a rigid motion with its root, which came from this pose in `h` seconds.
-    pub fn moves_as_its_root(&mut self, from: &Frame, h: f64, rules: &Rules) {
+    pub fn set_rigid_velocities(&mut self, from: &Frame, h: f64, rules: &Rules) {
         let to = self.state.root;
         self.state.rates.fill([0.0; 3]);
         self.state.root_velocity = (to.origin - from.origin) / h;
@@ -194,7 +195,7 @@ impl Strand {
     }
 
     /// A substep of `h` seconds of its return: from shape to shape, with its root.
-    pub fn go_back(&mut self, h: f64, rules: &Rules) -> StrandOutcome {
+    pub fn step_home(&mut self, h: f64, rules: &Rules) -> StrandOutcome {
         self.begin_root_way(h);
         let [from_root, to] = self.root_during(h);
         let outcome = StrandOutcome { converged: false, quarantined: true, energies: self.energies, ..StrandOutcome::default() };
@@ -209,7 +210,7 @@ impl Strand {
         }
         let is_back = *seconds >= RETURNS_IN * (1.0 - 1e-12);
         self.state.teleport(to);
-        self.moves_as_its_root(&from_root, h, rules);
+        self.set_rigid_velocities(&from_root, h, rules);
         (self.state.wrench_force, self.state.wrench_torque) = (Vector3::zeros().into(), Vector3::zeros().into());
         self.advance_root(h);
         self.fared = (&outcome).into();
@@ -221,9 +222,9 @@ impl Strand {
 }
 
 /// The pose at a fraction of the motion from one to another.
-fn between(from: &Frame, to: &Frame, share: f64) -> Frame {
-    let turn = rotation_vector(&(to.rotation * from.rotation.inverse())) * share;
-    Frame { origin: from.origin + (to.origin - from.origin) * share, rotation: from_rotation_vector(turn) * from.rotation }
+fn between(from: &Frame, to: &Frame, fraction: f64) -> Frame {
+    let turn = rotation_vector(&(to.rotation * from.rotation.inverse())) * fraction;
+    Frame { origin: from.origin + (to.origin - from.origin) * fraction, rotation: from_rotation_vector(turn) * from.rotation }
 }
 
 /// Moves frames along with a root that goes from pose to pose.

@@ -223,7 +223,7 @@ struct Places {
     /// Points by element; `of[e]` are those of element e.
     of: Vec<Range<usize>>,
     /// Relative position on the element, per point.
-    shares: Vec<f64>,
+    fractions: Vec<f64>,
     /// Interpolation coefficients from a rule's nodes to the points: a list per rule, empty until first used.
     coefficients: Vec<Vec<f64>>,
 }
@@ -235,7 +235,7 @@ impl Places {
         }
         self.elements = elements;
         self.of.clear();
-        self.shares.clear();
+        self.fractions.clear();
         self.coefficients.iter_mut().for_each(Vec::clear);
         let last = points - 1;
         let mut point = 0;
@@ -243,7 +243,7 @@ impl Places {
             let first = point;
             // A point on a border belongs to the element before it. Products of counts make this exact.
             while point <= last && point * elements <= (element + 1) * last {
-                self.shares.push((point * elements - element * last) as f64 / last as f64);
+                self.fractions.push((point * elements - element * last) as f64 / last as f64);
                 point += 1;
             }
             self.of.push(first..point);
@@ -257,8 +257,8 @@ impl Places {
         }
         let list = &mut self.coefficients[index];
         if list.is_empty() {
-            for share in &self.shares {
-                rule.for_each_coefficient(*share, |_, coefficient| list.push(coefficient));
+            for fraction in &self.fractions {
+                rule.for_each_coefficient(*fraction, |_, coefficient| list.push(coefficient));
             }
         }
         list
@@ -322,12 +322,12 @@ fn side_by_side<T: Real>(
         }
         let state = (walks && !points.is_empty()).then(|| walk.element::<T>());
         for point in points {
-            let share = places.shares[point];
+            let fraction = places.fractions[point];
             if let Some(state) = &state {
                 match (wanted.positions, wanted.rotations) {
-                    (true, true) => (room.positions[count], room.rotations[count]) = state.pose(share, &base),
-                    (true, false) => room.positions[count] = state.position(share, &base),
-                    _ => room.rotations[count] = state.rotation(share),
+                    (true, true) => (room.positions[count], room.rotations[count]) = state.pose(fraction, &base),
+                    (true, false) => room.positions[count] = state.position(fraction, &base),
+                    _ => room.rotations[count] = state.rotation(fraction),
                 }
             }
             if wanted.velocities {

@@ -150,10 +150,10 @@ impl Curve {
 
     /// Its distance to the segment from `a` to `b`, by points at most a chord apart.
     pub fn distance_to_segment(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-        let way = b - a;
+        let segment = b - a;
         self.points().fold(f64::INFINITY, |least, point| {
-            let t = ((point - a).dot(&way) / way.norm_squared()).clamp(0.0, 1.0);
-            least.min((point - a - way * t).norm())
+            let t = ((point - a).dot(&segment) / segment.norm_squared()).clamp(0.0, 1.0);
+            least.min((point - a - segment * t).norm())
         })
     }
 }

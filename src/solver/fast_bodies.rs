@@ -58,7 +58,7 @@ fn limit(body: &BodyAt, length: f64) -> f64 {
 
 impl Solver {
     /// Prepares all motions for a substep of `h` seconds: a motion of duration 0 takes all of it.
-    pub(super) fn ready_ways(&mut self, h: f64) {
+    pub(super) fn prepare_motions(&mut self, h: f64) {
         for body in &mut self.bodies {
             body.body.ready(h);
         }

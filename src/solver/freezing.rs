@@ -83,14 +83,14 @@ impl Strand {
         self.begin_root_way(h);
         let [from, to] = self.root_during(h);
         self.state.teleport(to);
-        self.moves_as_its_root(&from, h, rules);
+        self.set_rigid_velocities(&from, h, rules);
         self.advance_root(h);
         self.update_energies(gravity, rules, &mut Kinematics::default());
         StrandOutcome { energies: self.energies, ..outcome }
     }
 
     /// Whether a body comes near a frozen strand in a substep of `h` seconds. Records examined bodies.
-    fn is_touched(&mut self, h: f64, bodies: &[BodyAt], ids: &[BodyId]) -> bool {
+    fn is_approached(&mut self, h: f64, bodies: &[BodyAt], ids: &[BodyId]) -> bool {
         let Self { frozen: Some(frozen), contact: Some(contact), state, root_move, model, .. } = self else { return false };
         let start = state.root;
         let end = strand::root_after(root_move, &start, h);
@@ -108,9 +108,9 @@ impl Strand {
             }
             let gap = known.map_or(f64::INFINITY, |known| frozen.bodies[known].gap);
             let threshold = REACH.min(gap - NEARER);
-            let way = body.on_way(places);
-            if frozen.bounds.grown(threshold.max(0.0) + contact.radius + body.thickness).meets(&way.bounds)
-                && comes_nearer(frozen, &way, contact.radius, threshold)
+            let motion = body.on_way(places);
+            if frozen.bounds.grown(threshold.max(0.0) + contact.radius + body.thickness).meets(&motion.bounds)
+                && comes_nearer(frozen, &motion, contact.radius, threshold)
             {
                 return true;
             }
@@ -126,18 +126,18 @@ impl Strand {
 
 /// Whether a body comes closer than `threshold` (m) to a frozen strand during its motion, both in the root's axes. Checks again
 /// each time it could have covered the remaining distance.
-fn comes_nearer(frozen: &Frozen, way: &BodyAt, radius: f64, threshold: f64) -> bool {
-    let farthest = frozen.points.iter().map(|point| (point - way.end.origin).norm()).fold(0.0, f64::max);
-    let turn = rotation_vector(&(way.end.rotation * way.start.rotation.inverse()));
-    let travel = (way.end.origin - way.start.origin).norm() + turn.norm() * farthest;
+fn comes_nearer(frozen: &Frozen, motion: &BodyAt, radius: f64, threshold: f64) -> bool {
+    let farthest = frozen.points.iter().map(|point| (point - motion.end.origin).norm()).fold(0.0, f64::max);
+    let turn = rotation_vector(&(motion.end.rotation * motion.start.rotation.inverse()));
+    let travel = (motion.end.origin - motion.start.origin).norm() + turn.norm() * farthest;
     let within = threshold + travel;
     let mut part = 0.0;
     loop {
         let at = Frame {
-            origin: way.start.origin.lerp(&way.end.origin, part),
-            rotation: crate::math::rotation::from_rotation_vector(turn * part) * way.start.rotation,
+            origin: motion.start.origin.lerp(&motion.end.origin, part),
+            rotation: crate::math::rotation::from_rotation_vector(turn * part) * motion.start.rotation,
         };
-        let gap = frozen.gap(&way.on_way([at, at]), radius, within.max(0.0));
+        let gap = frozen.gap(&motion.on_way([at, at]), radius, within.max(0.0));
         if gap < threshold {
             return true;
         }
@@ -220,7 +220,7 @@ impl Solver {
     }
 
     /// Wakes strands near bodies in a substep of `h` seconds, for which the bodies are prepared, and constrained strands.
-    pub(super) fn wake_touched(&mut self, h: f64) {
+    pub(super) fn wake_near_bodies(&mut self, h: f64) {
         if self.strands.iter().all(|strand| strand.frozen.is_none()) {
             return;
         }
@@ -234,7 +234,7 @@ impl Solver {
         let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
         let ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
         self.crew.for_each(&mut self.strands, |strand, _| {
-            if strand.frozen.is_some() && strand.is_touched(h, &bodies, &ids) {
+            if strand.frozen.is_some() && strand.is_approached(h, &bodies, &ids) {
                 strand.frozen = None;
             }
         });

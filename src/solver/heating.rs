@@ -72,12 +72,12 @@ impl Solver {
             for (element, length) in model.lengths.iter().enumerate() {
                 let end = start + length;
                 let inside = |[from, to]: &[super::crossing::CurvePlace; 2]| (to.along.min(end) - from.along.max(start)).max(0.0);
-                let share = stretches.iter().map(inside).sum::<f64>() / length;
+                let fraction = stretches.iter().map(inside).sum::<f64>() / length;
                 start = end;
-                if share == 0.0 {
+                if fraction == 0.0 {
                     continue;
                 }
-                let left = decay(heat.rate * seconds * share.min(1.0));
+                let left = decay(heat.rate * seconds * fraction.min(1.0));
                 for axis in (0..3).filter(|axis| freedoms.contains(*axis)) {
                     let aim = if heat.shape == HeatedShape::Present { strand.state.curvatures[element][axis] } else { 0.0 };
                     model.natural[element][axis] = aim + (model.natural[element][axis] - aim) * left;

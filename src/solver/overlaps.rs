@@ -34,7 +34,7 @@ impl Solver {
         let indices = self.indices(ids)?;
         self.rest_bodies();
         let bodies = self.bodies_at_rest();
-        let scene = self.as_it_is(&bodies);
+        let scene = self.current_scene(&bodies);
         let mut found = vec![Overlap::default(); self.strands.len()];
         for deep in &scene.deep_places(|_| true) {
             let (a, depth) = (deep.place.strand as usize, scene.depth(deep));
@@ -78,7 +78,7 @@ impl Solver {
         let mut named = vec![false; self.strands.len()];
         indices.iter().for_each(|index| named[*index] = true);
         let bodies = self.bodies_at_rest();
-        let scene = self.as_it_is(&bodies);
+        let scene = self.current_scene(&bodies);
         let stations = |index: usize| none_at(&self.strands[index].model.lengths);
         let mut made: Vec<Option<Allowance>> = vec![None; self.strands.len()];
         for deep in scene.deep_places(|_| true) {
@@ -108,8 +108,8 @@ impl Solver {
                     for end in (0..2).filter(|end| gives[*end] && give > 0.0) {
                         let (index, element) = (ends[end].strand as usize, ends[end].element as usize);
                         let allowance = made[index].get_or_insert_with(|| stations(index));
-                        for share in &mut allowance.wisp_shares[element..element + 2] {
-                            *share = share.min((left / give).max(0.0));
+                        for fraction in &mut allowance.wisp_shares[element..element + 2] {
+                            *fraction = fraction.min((left / give).max(0.0));
                         }
                     }
                 }
@@ -168,7 +168,7 @@ impl Solver {
         self.bodies.iter().enumerate().map(|(k, scene)| scene.body.still(k as u32)).collect()
     }
 
-    fn as_it_is<'a>(&'a self, bodies: &'a [BodyAt<'a>]) -> AsItIs<'a> {
+    fn current_scene<'a>(&'a self, bodies: &'a [BodyAt<'a>]) -> AsItIs<'a> {
         AsItIs {
             strands: &self.strands,
             slots: &self.slots,

@@ -37,12 +37,12 @@ impl Sections {
     /// Bytes on the heap: the list, and this holder's fraction of each section.
     pub fn heap_bytes(&self) -> f64 {
         let list = self.recent.capacity() * size_of::<Arc<Section>>();
-        self.recent.iter().map(share).sum::<f64>() + list as f64
+        self.recent.iter().map(fraction).sum::<f64>() + list as f64
     }
 }
 
 /// A holder's fraction of a section's bytes: over all holders they sum to the whole.
-pub(super) fn share(section: &Arc<Section>) -> f64 {
+pub(super) fn fraction(section: &Arc<Section>) -> f64 {
     // An Arc stores two counts before the value.
     (2 * size_of::<usize>() + size_of::<Section>()) as f64 / Arc::strong_count(section) as f64
 }

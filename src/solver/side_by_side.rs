@@ -55,7 +55,7 @@ pub(super) fn take(
         tally.all.add(&if stays {
             strand.stay(setting.surroundings.gravity.into(), h, setting.rules)
         } else {
-            strand.go_back(h, setting.rules)
+            strand.step_home(h, setting.rules)
         });
         strand.holds = Holds::Yes;
     }

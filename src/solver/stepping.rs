@@ -60,8 +60,8 @@ impl<'a> Clock<'a> {
     fn meter(&self, left: &Left, end_seconds: f64) -> Meter<'a> {
         let deadline = self.end.map(|end| {
             let now = Instant::now();
-            let share = end.saturating_duration_since(now).as_secs_f64() / (left.parts + left.substeps * left.all_parts);
-            now + Duration::from_secs_f64((share - end_seconds).max(0.0))
+            let fraction = end.saturating_duration_since(now).as_secs_f64() / (left.parts + left.substeps * left.all_parts);
+            now + Duration::from_secs_f64((fraction - end_seconds).max(0.0))
         });
         Meter::new((left.work as f64 / left.parts) as u64, deadline, self.limits.cancel)
     }
@@ -237,7 +237,7 @@ impl Solver {
         }
         'substeps: for substep in 0..clock.substeps {
             let substeps = f64::from(clock.substeps - substep);
-            self.ready_ways(h);
+            self.prepare_motions(h);
             let parts = self.parts_of_substep(h).min(clock.most_parts(substeps, self.holding.beside()));
             spent.parts = spent.parts.max(parts);
             let mut work = clock.work();
@@ -248,7 +248,7 @@ impl Solver {
                 if clock.is_over() {
                     // Nothing more can be done in any of them: all strands move with their roots, at once.
                     let rest = h * (substeps - 1.0 + to_do / all_parts);
-                    self.ready_ways(rest);
+                    self.prepare_motions(rest);
                     let phases =
                         self.take_substep(rest, &meter, &mut contact, total, SubstepPosition { is_last: true, is_fast: false });
                     spent.phases.add(&phases);
@@ -284,7 +284,7 @@ impl Solver {
         for scene_body in &mut self.bodies {
             scene_body.body.begin(h);
         }
-        self.wake_touched(h);
+        self.wake_near_bodies(h);
         let set = self.instruction_set();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };

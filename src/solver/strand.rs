@@ -283,9 +283,9 @@ impl Strand {
     pub fn ended(&mut self, outcome: StrandOutcome, setting: &Setting, h: f64, bodies: &[BodyAt], scratch: &mut Scratch) {
         self.fared = (&outcome).into();
         if outcome.quarantined {
-            self.lose(h, bodies);
+            self.roll_back(h, bodies);
         } else if self.astray.is_some() {
-            self.come_through();
+            self.clear_divergence();
         }
         self.advance_root(h);
         if outcome.quarantined || setting.options.integrator == Integrator::Reference {
@@ -342,6 +342,6 @@ impl Strand {
             + root_move
             + lists(&self.model.lengths, &self.model.natural)
             + self.state.heap_bytes();
-        own as f64 + sections::share(self.model.section())
+        own as f64 + sections::fraction(self.model.section())
     }
 }

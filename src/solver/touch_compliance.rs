@@ -16,7 +16,7 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use near_strand::{Answer, NearStrand};
+use near_strand::{NearStrand, Response};
 
 use super::Solver;
 use super::bodies::{Contact, ContactPartner};
@@ -97,7 +97,7 @@ pub struct TouchCompliance {
     near: Vec<NearStrand>,
     near_count: usize,
     /// Memory for strands with contacts.
-    answers: Vec<Box<Answer>>,
+    responses: Vec<Box<Response>>,
     /// The largest number of places of a strand so far, rounded up: every listed strand has memory for it.
     most_places: usize,
     contacts: Vec<(u32, f64, Contact)>,
@@ -203,7 +203,7 @@ impl Solver {
             out.most_places = most.next_power_of_two();
         }
         for near in near.iter_mut() {
-            near.answer = if near.has_touches() { Some(out.answers.pop().unwrap_or_default()) } else { None };
+            near.response = if near.has_touches() { Some(out.responses.pop().unwrap_or_default()) } else { None };
             near.make_room(out.most_places);
         }
         self.crew.for_each_task(near, TASK, usize::MAX, |strands, _| {
@@ -215,11 +215,11 @@ impl Solver {
             }
         });
         out.list();
-        let TouchCompliance { near, near_count, response, answers, .. } = out;
+        let TouchCompliance { near, near_count, response, responses, .. } = out;
         response.clear();
         for near in &mut near[..*near_count] {
             near.write(response);
-            answers.extend(near.answer.take());
+            responses.extend(near.response.take());
         }
         Ok(())
     }

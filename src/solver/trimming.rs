@@ -132,17 +132,17 @@ fn truncated(authored: Option<&Authored>, arclength: f64) -> Option<Box<Authored
 fn cut(strand: &Strand, index: usize, lengths: Vec<f64>, arclength: f64, rules: &Rules) -> Trimmed {
     let Strand { model, state, .. } = strand;
     let last = lengths.len() - 1;
-    let share = lengths[last] / model.lengths[last];
+    let fraction = lengths[last] / model.lengths[last];
     let rows = |rows: &[[f64; 3]]| rows[..=last].to_vec();
     let rule = rules.rule(state.rule);
     // A polynomial on the element is one on its part.
     let mut coefficients = Vec::new();
     let mut velocities = |list: &[Vec3<f64>]| {
         let mut out = list[..(last + 1) * rule.len()].to_vec();
-        if share < 1.0 {
+        if fraction < 1.0 {
             let own = &list[last * rule.len()..(last + 1) * rule.len()];
             for (node, place) in rule.nodes.iter().enumerate() {
-                rule.interpolation(place * share, &mut coefficients);
+                rule.interpolation(place * fraction, &mut coefficients);
                 let terms = coefficients.iter().zip(own);
                 out[last * rule.len() + node] = terms.fold(Vec3::zero(), |sum, (c, v)| sum + v.scale(*c));
             }

@@ -324,10 +324,10 @@ fn leave_saddle(model: &StrandModel, mode: &[[f64; 3]], curvatures: &mut [[f64; 
             }
         }
     }
-    let share = KICK / turned * largest.signum();
+    let fraction = KICK / turned * largest.signum();
     for (row, change) in curvatures.iter_mut().zip(mode) {
         for axis in 0..3 {
-            row[axis] += share * change[axis];
+            row[axis] += fraction * change[axis];
         }
     }
 }

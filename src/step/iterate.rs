@@ -48,11 +48,11 @@ pub struct Iterate<T> {
     /// The curvatures on trial.
     pub trial_curvatures: Vec<[T; 3]>,
     /// Rounding errors of the accepted curvatures (f32 only).
-    pub rests: Vec<[T; 3]>,
+    pub compensation: Vec<[T; 3]>,
     /// The displacement of each point that they cause, to first order: J·rests (f32 only).
-    pub point_rests: Vec<Vec3<T>>,
+    pub point_compensation: Vec<Vec3<T>>,
     /// Rounding errors of the trial curvatures.
-    pub trial_rests: Vec<[T; 3]>,
+    pub trial_compensation: Vec<[T; 3]>,
     /// Newton's direction.
     pub change: Vec<[T; 3]>,
     /// Tension that is set aside.
@@ -71,9 +71,9 @@ impl<T: Lane> Default for Iterate<T> {
             curvature_target: Vec::new(),
             curvatures: Vec::new(),
             trial_curvatures: Vec::new(),
-            rests: Vec::new(),
-            point_rests: Vec::new(),
-            trial_rests: Vec::new(),
+            compensation: Vec::new(),
+            point_compensation: Vec::new(),
+            trial_compensation: Vec::new(),
             change: Vec::new(),
             spare_tension: Vec::new(),
         }
@@ -93,10 +93,10 @@ pub fn choose_start<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>) -> (T, T
     if T::all(better) {
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
-        std::mem::swap(&mut it.rests, &mut it.trial_rests);
+        std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
         return second;
     }
-    for (row, trial) in it.rests.iter_mut().zip(&it.trial_rests) {
+    for (row, trial) in it.compensation.iter_mut().zip(&it.trial_compensation) {
         for axis in 0..3 {
             row[axis] = T::select(better, trial[axis], row[axis]);
         }
@@ -211,26 +211,26 @@ impl<T: Lane> Kernel for Evaluate<'_, T> {
 /// own rounding and ignores them. The forces include them, so that an iteration's direction comes from the step's changes and not
 /// from fresh rounding each time.
 #[inline(always)]
-pub(super) fn place_rests<T: Lane>(it: &mut Iterate<T>) {
+pub(super) fn place_compensation<T: Lane>(it: &mut Iterate<T>) {
     if T::PRECISION == Precision::F32 {
-        let Iterate { kinematics, rests, point_rests, .. } = it;
-        point_rests.resize(kinematics.points.len(), Vec3::zero());
-        T::call(PlaceRemainders { kinematics, rests, point_rests });
+        let Iterate { kinematics, compensation, point_compensation, .. } = it;
+        point_compensation.resize(kinematics.points.len(), Vec3::zero());
+        T::call(PlaceCompensation { kinematics, compensation, point_compensation });
     }
 }
 
-struct PlaceRemainders<'a, T> {
+struct PlaceCompensation<'a, T> {
     kinematics: &'a Kinematics<T>,
-    rests: &'a [[T; 3]],
-    point_rests: &'a mut [Vec3<T>],
+    compensation: &'a [[T; 3]],
+    point_compensation: &'a mut [Vec3<T>],
 }
 
-impl<T: Lane> Kernel for PlaceRemainders<'_, T> {
+impl<T: Lane> Kernel for PlaceCompensation<'_, T> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let point_rests = self.point_rests;
-        displacement::for_each_point(self.kinematics, self.rests, |p, moved| point_rests[p] = moved);
+        let point_compensation = self.point_compensation;
+        displacement::for_each_point(self.kinematics, self.compensation, |p, moved| point_compensation[p] = moved);
     }
 }
 
@@ -238,7 +238,7 @@ impl<T: Lane> Kernel for PlaceRemainders<'_, T> {
 #[inline(always)]
 pub fn forces<T: Lane>(it: &mut Iterate<T>) {
     let Iterate { kinematics, system, point_base, curvature_base, point_target, curvature_target, curvatures, .. } = it;
-    let (rests, point_rests) = (&it.rests, &it.point_rests);
+    let (compensation, point_compensation) = (&it.compensation, &it.point_compensation);
     T::call(Forces {
         kinematics,
         system,
@@ -247,8 +247,8 @@ pub fn forces<T: Lane>(it: &mut Iterate<T>) {
         point_target,
         curvature_target,
         curvatures,
-        rests,
-        point_rests,
+        compensation,
+        point_compensation,
     });
 }
 
@@ -260,8 +260,8 @@ struct Forces<'a, T> {
     point_target: &'a [Vec3<T>],
     curvature_target: &'a [[T; 3]],
     curvatures: &'a [[T; 3]],
-    rests: &'a [[T; 3]],
-    point_rests: &'a [Vec3<T>],
+    compensation: &'a [[T; 3]],
+    point_compensation: &'a [Vec3<T>],
 }
 
 impl<T: Lane> Kernel for Forces<'_, T> {
@@ -271,7 +271,7 @@ impl<T: Lane> Kernel for Forces<'_, T> {
         for (p, point) in self.kinematics.points.iter().enumerate() {
             let mut moved = point.position - self.point_base[p];
             if T::PRECISION == Precision::F32 {
-                moved += self.point_rests[p];
+                moved += self.point_compensation[p];
             }
             let off = self.point_target[p] - moved;
             self.system.point_force[p] = off.scale(self.system.point_stiffness[p]);
@@ -280,7 +280,7 @@ impl<T: Lane> Kernel for Forces<'_, T> {
             for axis in 0..3 {
                 let mut change = row[axis] - self.curvature_base[element][axis];
                 if T::PRECISION == Precision::F32 {
-                    change += self.rests[element][axis];
+                    change += self.compensation[element][axis];
                 }
                 let off = self.curvature_target[element][axis] - change;
                 self.system.curvature_force[element][axis] = self.system.curvature_stiffness[element][axis] * off;

@@ -90,7 +90,7 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
     stage.resize(loaded.lengths.len(), points);
     iterate.curvatures.resize(loaded.lengths.len(), [T::zero(); 3]);
     if T::PRECISION == Precision::F32 {
-        iterate.rests.resize(loaded.lengths.len(), [T::zero(); 3]);
+        iterate.compensation.resize(loaded.lengths.len(), [T::zero(); 3]);
     }
     for (element, row) in iterate.curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
@@ -98,8 +98,8 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
                 let rate = loaded.rates[element][axis] + iterate.change[element][axis];
                 stage.rates[element][axis] = rate;
                 if T::PRECISION == Precision::F32 {
-                    let change = step * rate + loaded.rests[element][axis];
-                    (row[axis], iterate.rests[element][axis]) = loaded.curvatures[element][axis].sum_and_rest(change);
+                    let change = step * rate + loaded.compensation[element][axis];
+                    (row[axis], iterate.compensation[element][axis]) = loaded.curvatures[element][axis].two_sum(change);
                 } else {
                     row[axis] = loaded.curvatures[element][axis] + step * rate;
                 }

@@ -14,7 +14,7 @@ pub fn of_backward_differences<T: Lane>(ratio: T, offset: Vec3<T>, workspace: &W
     let h = workspace.loaded.step;
     let formula = (one + ratio) * (one + ratio) / (six * ratio * (one + ratio + ratio));
     let parabola = T::splat(1.0 / 6.0) + one / (T::splat(4.0) * ratio);
-    let share = formula / (formula + parabola);
+    let fraction = formula / (formula + parabola);
     let bend = T::splat(0.5) * h * ratio;
     let mut worst = T::zero();
     for (p, point) in workspace.iterate.kinematics.points.iter().enumerate() {
@@ -23,7 +23,7 @@ pub fn of_backward_differences<T: Lane>(ratio: T, offset: Vec3<T>, workspace: &W
         let moved = (point.position - workspace.iterate.point_base[p]) + offset;
         worst = worst.larger((moved - predicted).norm_squared());
     }
-    share * worst.sqrt()
+    fraction * worst.sqrt()
 }
 
 /// Two stages against the third-order quadrature of the velocities at the start and at both stages; one stage (implicit Euler)

@@ -162,11 +162,11 @@ pub struct Loaded<T> {
     /// The root's rotation.
     pub rotation: Mat3<T>,
     /// Rounding error of κ in the lane (f32 only).
-    pub rests: Vec<[T; 3]>,
+    pub compensation: Vec<[T; 3]>,
     /// κ at the start of the last step.
     pub past_curvatures: Vec<[T; 3]>,
     /// Rounding error of that (f32 only).
-    pub past_rests: Vec<[T; 3]>,
+    pub past_compensation: Vec<[T; 3]>,
     /// v at the start of the last step.
     pub past_velocities: Vec<Vec3<T>>,
     /// The root's rotation at the start of the last step.
@@ -199,9 +199,9 @@ impl<T: Lane> Default for Loaded<T> {
             rates: Vec::new(),
             velocities: Vec::new(),
             rotation: Mat3::zero(),
-            rests: Vec::new(),
+            compensation: Vec::new(),
             past_curvatures: Vec::new(),
-            past_rests: Vec::new(),
+            past_compensation: Vec::new(),
             past_velocities: Vec::new(),
             past_rotation: Mat3::zero(),
             past_offset: Vec3::zero(),
@@ -234,7 +234,7 @@ fn put_rows<T: Lane>(to: &mut [[T; 3]], lane: usize, from: &[[f64; 3]], factor: 
 
 /// Rounding errors of rows that were put into a lane.
 #[inline(always)]
-fn put_rests<T: Lane>(to: &mut [[T; 3]], lane: usize, from: &[[f64; 3]], factor: f64, rounded: &[[T; 3]]) {
+fn put_compensation<T: Lane>(to: &mut [[T; 3]], lane: usize, from: &[[f64; 3]], factor: f64, rounded: &[[T; 3]]) {
     for ((to, from), rounded) in to.iter_mut().zip(from).zip(rounded) {
         for axis in 0..3 {
             to[axis].set_lane(lane, from[axis] * factor - rounded[axis].lane(lane));
@@ -261,8 +261,8 @@ pub fn put_rotation<T: Lane>(to: &mut Mat3<T>, lane: usize, from: &Frame) {
 /// One lane of the vector from one origin to another.
 #[inline(always)]
 pub fn put_offset<T: Lane>(to: &mut Vec3<T>, lane: usize, from: &Frame, until: &Frame, units: &Units) {
-    let way = until.origin - from.origin;
-    put(&mut to.0, lane, &[way.x, way.y, way.z], 1.0 / units.length);
+    let offset = until.origin - from.origin;
+    put(&mut to.0, lane, &[offset.x, offset.y, offset.z], 1.0 / units.length);
 }
 
 /// What a step reads of a state.
@@ -299,9 +299,9 @@ impl<T: Lane> Loaded<T> {
             self.past_velocities.resize(points, Vec3::zero());
         }
         if T::PRECISION == Precision::F32 {
-            self.rests.resize(elements, [T::zero(); 3]);
+            self.compensation.resize(elements, [T::zero(); 3]);
             if reads.past {
-                self.past_rests.resize(elements, [T::zero(); 3]);
+                self.past_compensation.resize(elements, [T::zero(); 3]);
             }
         }
         (self.has_drag, self.has_dissipation) = (false, [false; 3]);
@@ -347,7 +347,7 @@ impl<T: Lane> Loaded<T> {
         put_rows(&mut self.curvatures, lane, &state.curvatures, length);
         put_rows(&mut self.rates, lane, &state.rates, length * time);
         if T::PRECISION == Precision::F32 {
-            put_rests(&mut self.rests, lane, &state.curvatures, length, &self.curvatures);
+            put_compensation(&mut self.compensation, lane, &state.curvatures, length, &self.curvatures);
         }
         put_rotation(&mut self.rotation, lane, &state.root);
         if reads.velocities {
@@ -356,7 +356,7 @@ impl<T: Lane> Loaded<T> {
         if reads.past {
             put_rows(&mut self.past_curvatures, lane, &state.past.curvatures, length);
             if T::PRECISION == Precision::F32 {
-                put_rests(&mut self.past_rests, lane, &state.past.curvatures, length, &self.past_curvatures);
+                put_compensation(&mut self.past_compensation, lane, &state.past.curvatures, length, &self.past_curvatures);
             }
             put_vectors(&mut self.past_velocities, lane, &state.past.velocities, 1.0 / units.speed());
             put_rotation(&mut self.past_rotation, lane, &state.past.root);

@@ -136,11 +136,11 @@ impl StrandOutcome {
     pub(crate) fn add_held_part(&mut self, part: &Self) {
         self.iterations += part.iterations;
         self.quarantined |= part.quarantined;
-        self.add_part(part);
+        self.add_substep(part);
     }
 
     /// Adds a kept substep, without its iterations, which are counted separately.
-    fn add_part(&mut self, part: &Self) {
+    fn add_substep(&mut self, part: &Self) {
         self.substeps += 1;
         self.converged &= part.converged;
         self.residual = self.residual.max(part.residual);
@@ -159,7 +159,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, scratch: &mut Scratch) -> 
     }
     let begin = one.state.subdivision.min(subdivision::levels(setting.options));
     if begin > 0 {
-        return take_in_parts(setting, one, h, begin, scratch);
+        return take_in_substeps(setting, one, h, begin, scratch);
     }
     let whole = match setting.options.precision {
         Precision::F64 => take_whole(setting, one, h, &mut scratch.one, &mut scratch.rule),
@@ -174,17 +174,17 @@ pub fn finish(setting: &Setting, one: &mut One, h: f64, whole: &StrandOutcome, s
         one.state.subdivision = 0;
         return *whole;
     }
-    let mut outcome = take_in_parts(setting, one, h, 1, scratch);
+    let mut outcome = take_in_substeps(setting, one, h, 1, scratch);
     outcome.iterations += whole.iterations;
     outcome
 }
 
-fn take_in_parts(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut Scratch) -> StrandOutcome {
+fn take_in_substeps(setting: &Setting, one: &mut One, h: f64, level: u32, scratch: &mut Scratch) -> StrandOutcome {
     let Scratch { one: bench, one_f32, rule, before_step, .. } = scratch;
     let begin = before_step.get_or_insert_default();
     match setting.options.precision {
-        Precision::F64 => subdivision::in_parts(one, setting, h, level, bench, rule, begin),
-        Precision::F32 => subdivision::in_parts(one, setting, h, level, one_f32, rule, begin),
+        Precision::F64 => subdivision::in_substeps(one, setting, h, level, bench, rule, begin),
+        Precision::F32 => subdivision::in_substeps(one, setting, h, level, one_f32, rule, begin),
     }
 }
 

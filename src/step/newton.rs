@@ -14,7 +14,7 @@
 
 use super::StrandOutcome;
 use super::damping::Damping;
-use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_rests, place_trial};
+use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_compensation, place_trial};
 use super::options::{LinearSolver, StepOptions};
 use crate::chain::dense::{Dense, DenseMethod};
 use crate::chain::elimination::Elimination;
@@ -121,7 +121,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
 ) {
     it.system.exact = options.exact_hessian && problem.tension_at_start;
     it.system.point_tension.clear();
-    place_rests(it);
+    place_compensation(it);
     let (value, noise) = start;
     let usual = usual_damping(it);
     let mut control = Control {
@@ -171,8 +171,8 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         running &= !walk(problem, it, &mut control, &found, part, running, trusted);
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
-        std::mem::swap(&mut it.rests, &mut it.trial_rests);
-        place_rests(it);
+        std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
+        place_compensation(it);
         let mut to_check = 0;
         for lane in lanes(running) {
             let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
@@ -305,24 +305,24 @@ fn walk<T: Lane>(
 /// Moves the trial state the fraction `part` of the direction away from the accepted one, in the lanes of `moving`.
 #[inline(always)]
 pub(super) fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
-    let share = T::from_lanes(|lane| part[lane]);
+    let fraction = T::from_lanes(|lane| part[lane]);
     let moving = T::mask(moving);
     it.trial_curvatures.clone_from(&it.curvatures);
     if T::PRECISION == Precision::F32 {
-        it.trial_rests.clone_from(&it.rests);
+        it.trial_compensation.clone_from(&it.compensation);
         for (element, row) in it.trial_curvatures.iter_mut().enumerate() {
             for axis in problem.axes {
-                let way = share * it.change[element][*axis] + it.rests[element][*axis];
-                let (sum, rest) = row[*axis].sum_and_rest(way);
+                let change = fraction * it.change[element][*axis] + it.compensation[element][*axis];
+                let (sum, rest) = row[*axis].two_sum(change);
                 row[*axis] = T::select(moving, sum, row[*axis]);
-                it.trial_rests[element][*axis] = T::select(moving, rest, it.rests[element][*axis]);
+                it.trial_compensation[element][*axis] = T::select(moving, rest, it.compensation[element][*axis]);
             }
         }
         return place_trial(problem, it);
     }
     for (row, change) in it.trial_curvatures.iter_mut().zip(&it.change) {
         for axis in 0..3 {
-            row[axis] = T::select(moving, row[axis] + share * change[axis], row[axis]);
+            row[axis] = T::select(moving, row[axis] + fraction * change[axis], row[axis]);
         }
     }
     place_trial(problem, it)

@@ -61,7 +61,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
         attempts: 0,
     };
     let mut motion = start(model, state);
-    let mut known = Known {
+    let mut observed = Observed {
         velocities: state.velocities.clone(),
         rule: state.rule,
         linear: state.root_velocity.into(),
@@ -73,17 +73,17 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
         return StrandOutcome { converged: false, ..outcome };
     };
     for path in &pieces {
-        run.meet_jump(path, &mut motion, &known);
+        run.apply_jump(path, &mut motion, &observed);
         let end = run.along(path, &mut motion);
         if run.outcome.quarantined {
             return run.outcome;
         }
-        let rule = rules.next_for_angle(known.rule, model.largest_angle(&motion.curvatures));
+        let rule = rules.next_for_angle(observed.rule, model.largest_angle(&motion.curvatures));
         let dynamics = Dynamics { model, rule: rules.rule(rule), surroundings, path };
-        known = run.know(&dynamics, rule, &motion, end);
+        observed = run.observe(&dynamics, rule, &motion, end);
         if end < path.end {
             // The best remaining choice: keep the strand as far as it came, and take a robust step over the rest.
-            publish(state, &motion, &known, root_at(end));
+            publish(state, &motion, &observed, root_at(end));
             let rest = |seconds: f64| root_at(end + seconds);
             let last = implicit_euler(setting, &mut One { model, state, root_at: &rest }, h - end, bench, scratch);
             run.outcome.iterations += last.iterations;
@@ -91,7 +91,7 @@ pub fn take(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f64>, sc
             return run.outcome;
         }
     }
-    publish(state, &motion, &known, root_at(h));
+    publish(state, &motion, &observed, root_at(h));
     if let Some(path) = pieces.last() {
         let dynamics = Dynamics { model, rule: rules.rule(state.rule), surroundings, path };
         let (kinematics, forces) = dynamics.point_forces(path.end, &motion.curvatures, &motion.rates, &motion.accelerations);
@@ -110,7 +110,7 @@ fn implicit_euler(setting: &Setting, one: &mut One, h: f64, bench: &mut Bench<f6
 }
 
 /// What is known of the strand at the end of a piece.
-struct Known {
+struct Observed {
     velocities: Vec<Vec3<f64>>,
     rule: usize,
     linear: Vec3<f64>,
@@ -134,14 +134,14 @@ fn start(model: &StrandModel, state: &StrandState) -> Motion {
 }
 
 /// Writes a motion into the strand's state.
-fn publish(state: &mut StrandState, motion: &Motion, known: &Known, root: Frame) {
+fn publish(state: &mut StrandState, motion: &Motion, observed: &Observed, root: Frame) {
     state.curvatures.clone_from(&motion.curvatures);
     state.rates.clone_from(&motion.rates);
-    state.velocities.clone_from(&known.velocities);
-    state.rule = known.rule;
+    state.velocities.clone_from(&observed.velocities);
+    state.rule = observed.rule;
     state.root = root;
-    state.root_velocity = known.linear.into();
-    state.root_angular_velocity = known.angular.into();
+    state.root_velocity = observed.linear.into();
+    state.root_angular_velocity = observed.angular.into();
 }
 
 /// One call.
@@ -250,11 +250,11 @@ impl Run<'_> {
                 matrix[(i, i)] += time * (self.model.dissipation[axis] + time * self.model.stiffness[axis]) / lengths[element];
             }
             let Ok(factor) = matrix.llt(Side::Lower) else { return f64::NAN };
-            let way = factor.solve(&momenta);
+            let response = factor.solve(&momenta);
             let mut change = vec![[0.0; 3]; lengths.len()];
             for i in 0..size {
                 let (element, axis) = dynamics.freedom(i);
-                change[element][axis] = time * way[(i, 0)] / lengths[element];
+                change[element][axis] = time * response[(i, 0)] / lengths[element];
             }
             velocity::for_each_point(&kinematics, &change, &RootMotion::still(), |p, moved, _| {
                 carried[p] = carried[p].max(moved.norm_squared().sqrt());
@@ -286,18 +286,19 @@ impl Run<'_> {
     }
 
     /// Where the root's velocity jumps, the clamp strikes the strand: the rates change so that every generalised momentum stays.
-    fn meet_jump(&self, path: &RootPath, motion: &mut Motion, known: &Known) {
-        let dynamics = Dynamics { model: self.model, rule: self.rules.rule(known.rule), surroundings: self.surroundings, path };
+    fn apply_jump(&self, path: &RootPath, motion: &mut Motion, observed: &Observed) {
+        let dynamics =
+            Dynamics { model: self.model, rule: self.rules.rule(observed.rule), surroundings: self.surroundings, path };
         let (kinematics, root) = dynamics.kinematics(path.start, &motion.curvatures);
         let length = self.model.length();
         let speed = |v: Vec3<f64>| v.norm_squared().sqrt();
-        let jump = speed(root.velocity - known.linear) + length * speed(root.angular_velocity - known.angular);
-        let fastest = known.velocities.iter().map(|v| speed(*v)).fold(0.0, f64::max);
-        let present = speed(root.velocity) + length * speed(root.angular_velocity) + speed(known.linear);
+        let jump = speed(root.velocity - observed.linear) + length * speed(root.angular_velocity - observed.angular);
+        let fastest = observed.velocities.iter().map(|v| speed(*v)).fold(0.0, f64::max);
+        let present = speed(root.velocity) + length * speed(root.angular_velocity) + speed(observed.linear);
         if jump <= JUMP * (present + fastest + length) {
             return;
         }
-        let mut change = known.velocities.clone();
+        let mut change = observed.velocities.clone();
         let unmoved = RootMotion { acceleration: Vec3::zero(), angular_acceleration: Vec3::zero(), ..root };
         velocity::for_each_point(&kinematics, &motion.rates, &unmoved, |p, v, _| change[p] -= v);
         let momenta = dynamics.point_momenta(change.into_iter());
@@ -327,10 +328,10 @@ impl Run<'_> {
     }
 
     /// The observable state of the strand at the end of a piece.
-    fn know(&self, dynamics: &Dynamics, rule: usize, motion: &Motion, t: f64) -> Known {
+    fn observe(&self, dynamics: &Dynamics, rule: usize, motion: &Motion, t: f64) -> Observed {
         let (kinematics, root) = dynamics.kinematics(t, &motion.curvatures);
         let mut velocities = vec![Vec3::zero(); kinematics.points.len()];
         velocity::for_each_point(&kinematics, &motion.rates, &root, |p, v, _| velocities[p] = v);
-        Known { velocities, rule, linear: root.velocity, angular: root.angular_velocity }
+        Observed { velocities, rule, linear: root.velocity, angular: root.angular_velocity }
     }
 }

@@ -227,12 +227,12 @@ fn resampled(old: &mut Old, borders: &[f64], rules: &Rules, rule: usize, velocit
             let to = if is_last { right } else { to };
             for (node, weight) in pieces.nodes.iter().zip(&pieces.weights) {
                 let arclength = from + node * (to - from);
-                let share = weight * (to - from) / (right - left);
+                let fraction = weight * (to - from) / (right - left);
                 let velocity = old.velocity_on(index, arclength, velocities);
                 // The Lagrange polynomials of Gauss' nodes are orthogonal, and the integrals of their squares are the weights.
                 rule.interpolation((arclength - left) / (right - left), &mut basis);
                 for (k, value) in basis.iter().enumerate() {
-                    out[element * rule.len() + k] += velocity.scale(share * value / rule.weights[k]);
+                    out[element * rule.len() + k] += velocity.scale(fraction * value / rule.weights[k]);
                 }
             }
             if is_last {

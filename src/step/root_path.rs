@@ -110,10 +110,10 @@ impl RootPath {
             (at.origin - frame.origin, rotation_vector(&(frame.rotation.inverse() * at.rotation)))
         };
         let samples: [_; POINTS] = nodes.map(place);
-        let way: Values = samples.map(|sample| sample.0);
+        let displacement: Values = samples.map(|sample| sample.0);
         let turn: Values = samples.map(|sample| sample.1);
         let far = |values: &Values| values.iter().map(Vector3::norm).fold(0.0, f64::max);
-        let (extent, angle) = (far(&way), far(&turn));
+        let (extent, angle) = (far(&displacement), far(&turn));
         if angle > LARGEST_TURN {
             return None;
         }
@@ -123,13 +123,13 @@ impl RootPath {
         for pair in nodes.windows(2) {
             let x = 0.5 * (pair[0] + pair[1]);
             let (there, turned) = place(x);
-            let off = (interpolate(&nodes, &way, x) - there).norm();
+            let off = (interpolate(&nodes, &displacement, x) - there).norm();
             let off_turn = (interpolate(&nodes, &turn, x) - turned).norm();
             if off > coarse * extent + rounding || off_turn > coarse * angle + 64.0 * f64::EPSILON {
                 return None;
             }
         }
-        let velocity = differentiate(&nodes, &way, length);
+        let velocity = differentiate(&nodes, &displacement, length);
         let rate = differentiate(&nodes, &turn, length);
         // Angular velocity in the axes of the piece's first frame.
         let spin: Values = std::array::from_fn(|k| from_rotation_vector(turn[k]) * (right_jacobian(&turn[k]) * rate[k]));

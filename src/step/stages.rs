@@ -43,14 +43,14 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
     *outcomes = [StrandOutcome { converged: true, ..StrandOutcome::default() }; MAX_LANES];
     for index in 0..tableau.stages {
         displace(index, tableau, workspace);
-        let way = tableau.times[index] - if index == 0 { 0.0 } else { tableau.times[index - 1] };
+        let span = tableau.times[index] - if index == 0 { 0.0 } else { tableau.times[index - 1] };
         let step = workspace.loaded.step;
-        let times = StageTimes { index, k: T::splat(tableau.gamma) * step, way: T::splat(way) * step };
+        let times = StageTimes { index, k: T::splat(tableau.gamma) * step, way: T::splat(span) * step };
         solve_stage(times, tableau.times[index] * h, members, setting, workspace, solver, outcomes);
     }
     if setting.options.error_tolerance > 0.0 {
         let error = local_error::of_stages(tableau, workspace);
-        tell_error(error, members, workspace, outcomes);
+        store_error(error, members, workspace, outcomes);
     }
 }
 
@@ -71,7 +71,7 @@ fn backward_difference<T: Lane, S: LinearSolve<T>>(
     let offset = solve_stage(times, h, members, setting, workspace, solver, outcomes);
     if setting.options.error_tolerance > 0.0 {
         let error = local_error::of_backward_differences(ratio, offset, workspace);
-        tell_error(error, members, workspace, outcomes);
+        store_error(error, members, workspace, outcomes);
     }
 }
 
@@ -88,7 +88,7 @@ pub(super) fn start_backward_difference<T: Lane>(
     past_base(rule, workspace);
     base(rule, workspace);
 
-    let Workspace { loaded, iterate, stages, past_base, base_rests, past_rests, .. } = workspace;
+    let Workspace { loaded, iterate, stages, past_base, base_compensation, past_compensation, .. } = workspace;
     let (one, two) = (T::one(), T::splat(2.0));
     let ratio = loaded.step / loaded.past_step;
     let divisor = one / (one + two * ratio);
@@ -97,26 +97,26 @@ pub(super) fn start_backward_difference<T: Lane>(
     let stage = &mut stages[0];
     stage.resize(loaded.lengths.len(), past_base.len());
     for (p, start) in stage.start_displacements.iter_mut().enumerate() {
-        let mut way = (iterate.point_base[p] - past_base[p]) - loaded.past_offset;
+        let mut change = (iterate.point_base[p] - past_base[p]) - loaded.past_offset;
         *start = Vec3::zero();
         if T::PRECISION == Precision::F32 {
-            way += base_rests[p] - past_rests[p];
-            *start = base_rests[p];
+            change += base_compensation[p] - past_compensation[p];
+            *start = base_compensation[p];
         }
-        *start += way.scale(then);
+        *start += change.scale(then);
     }
     for (p, start) in stage.start_velocities.iter_mut().enumerate() {
         *start = loaded.velocities[p] + (loaded.velocities[p] - loaded.past_velocities[p]).scale(then);
     }
     for (element, start) in stage.start_changes.iter_mut().enumerate() {
         for axis in 0..3 {
-            let mut way = loaded.curvatures[element][axis] - loaded.past_curvatures[element][axis];
+            let mut change = loaded.curvatures[element][axis] - loaded.past_curvatures[element][axis];
             start[axis] = T::zero();
             if T::PRECISION == Precision::F32 {
-                way += loaded.rests[element][axis] - loaded.past_rests[element][axis];
-                start[axis] = loaded.rests[element][axis];
+                change += loaded.compensation[element][axis] - loaded.past_compensation[element][axis];
+                start[axis] = loaded.compensation[element][axis];
             }
-            start[axis] += then * way;
+            start[axis] += then * change;
         }
     }
 
@@ -252,16 +252,16 @@ impl<T: Lane, S: LinearSolve<T>> Kernel for SolveStage<'_, T, S> {
 /// Places the strands at the start of the step.
 #[inline(always)]
 fn base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, iterate, base_rests, .. } = workspace;
+    let Workspace { loaded, iterate, base_compensation, .. } = workspace;
     T::call(Positions {
         rotation: &loaded.rotation,
         lengths: &loaded.lengths,
         curvatures: &loaded.curvatures,
-        rests: &loaded.rests,
+        compensation: &loaded.compensation,
         rule,
         kinematics: &mut iterate.kinematics,
         positions: &mut iterate.point_base,
-        point_rests: base_rests,
+        point_compensation: base_compensation,
     });
     iterate.curvature_base.clone_from(&loaded.curvatures);
     iterate.curvatures.clone_from(&loaded.curvatures);
@@ -270,16 +270,16 @@ fn base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
 /// Places the strands at the start of the last step.
 #[inline(always)]
 fn past_base<T: Lane>(rule: &Rule, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, iterate, past_base, past_rests, .. } = workspace;
+    let Workspace { loaded, iterate, past_base, past_compensation, .. } = workspace;
     T::call(Positions {
         rotation: &loaded.past_rotation,
         lengths: &loaded.lengths,
         curvatures: &loaded.past_curvatures,
-        rests: &loaded.past_rests,
+        compensation: &loaded.past_compensation,
         rule,
         kinematics: &mut iterate.kinematics,
         positions: past_base,
-        point_rests: past_rests,
+        point_compensation: past_compensation,
     });
 }
 
@@ -289,11 +289,11 @@ struct Positions<'a, T> {
     rotation: &'a Mat3<T>,
     lengths: &'a [T],
     curvatures: &'a [[T; 3]],
-    rests: &'a [[T; 3]],
+    compensation: &'a [[T; 3]],
     rule: &'a Rule,
     kinematics: &'a mut Kinematics<T>,
     positions: &'a mut Vec<Vec3<T>>,
-    point_rests: &'a mut Vec<Vec3<T>>,
+    point_compensation: &'a mut Vec<Vec3<T>>,
 }
 
 impl<T: Lane> Kernel for Positions<'_, T> {
@@ -306,9 +306,9 @@ impl<T: Lane> Kernel for Positions<'_, T> {
             for (position, point) in self.positions.iter_mut().zip(&self.kinematics.points) {
                 *position = point.position;
             }
-            let point_rests = self.point_rests;
-            point_rests.resize(self.kinematics.points.len(), Vec3::zero());
-            displacement::for_each_point(self.kinematics, self.rests, |p, moved| point_rests[p] = moved);
+            let point_compensation = self.point_compensation;
+            point_compensation.resize(self.kinematics.points.len(), Vec3::zero());
+            displacement::for_each_point(self.kinematics, self.compensation, |p, moved| point_compensation[p] = moved);
             return;
         }
         self.positions.resize(self.lengths.len() * self.rule.len(), Vec3::zero());
@@ -338,7 +338,7 @@ pub fn move_roots<T: Lane>(seconds: f64, members: &dyn Members, workspace: &mut 
 
 /// Stores the error that the step added, relative to the strands' lengths.
 #[inline(always)]
-fn tell_error<T: Lane>(error: T, members: &dyn Members, workspace: &Workspace<T>, outcomes: &mut [StrandOutcome; MAX_LANES]) {
+fn store_error<T: Lane>(error: T, members: &dyn Members, workspace: &Workspace<T>, outcomes: &mut [StrandOutcome; MAX_LANES]) {
     for lane in 0..workspace.loaded.count {
         outcomes[lane].error = error.lane(lane) * workspace.loaded.units[lane].length / members.model(lane).length();
     }
@@ -347,27 +347,27 @@ fn tell_error<T: Lane>(error: T, members: &dyn Members, workspace: &Workspace<T>
 /// The displaced start of stage `index`, from the stages before it.
 #[inline(always)]
 fn displace<T: Lane>(index: usize, tableau: &Tableau, workspace: &mut Workspace<T>) {
-    let Workspace { loaded, iterate, stages, base_rests, .. } = workspace;
+    let Workspace { loaded, iterate, stages, base_compensation, .. } = workspace;
     let (before, from_here) = stages.split_at_mut(index);
     let stage = &mut from_here[0];
     stage.resize(loaded.lengths.len(), iterate.point_base.len());
     stage.start_velocities.clone_from(&loaded.velocities);
     if T::PRECISION == Precision::F32 {
-        stage.start_displacements.clone_from(base_rests);
-        stage.start_changes.clone_from(&loaded.rests);
+        stage.start_displacements.clone_from(base_compensation);
+        stage.start_changes.clone_from(&loaded.compensation);
     } else {
         stage.start_displacements.fill(Vec3::zero());
         stage.start_changes.fill([T::zero(); 3]);
     }
     for (j, earlier) in before.iter().enumerate() {
-        let share = loaded.step * T::splat(tableau.below[index][j]);
+        let fraction = loaded.step * T::splat(tableau.below[index][j]);
         for p in 0..stage.start_displacements.len() {
-            stage.start_displacements[p] += earlier.velocities[p].scale(share);
-            stage.start_velocities[p] += earlier.accelerations[p].scale(share);
+            stage.start_displacements[p] += earlier.velocities[p].scale(fraction);
+            stage.start_velocities[p] += earlier.accelerations[p].scale(fraction);
         }
         for (row, rate) in stage.start_changes.iter_mut().zip(&earlier.rates) {
             for axis in 0..3 {
-                row[axis] += share * rate[axis];
+                row[axis] += fraction * rate[axis];
             }
         }
     }
@@ -380,7 +380,7 @@ pub(super) fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], itera
     for (p, point) in iterate.kinematics.points.iter().enumerate() {
         let mut moved = point.position - iterate.point_base[p];
         if T::PRECISION == Precision::F32 {
-            moved += iterate.point_rests[p];
+            moved += iterate.point_compensation[p];
         }
         // As a change of ṽ: the last digit's error in k and its inverse must not act on the velocity step after step.
         let start = stage.start_velocities[p];
@@ -394,7 +394,7 @@ pub(super) fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], itera
         for axis in axes {
             let mut change = row[*axis] - iterate.curvature_base[element][*axis];
             if T::PRECISION == Precision::F32 {
-                change += iterate.rests[element][*axis];
+                change += iterate.compensation[element][*axis];
             }
             rate[*axis] = (change - stage.start_changes[element][*axis]) * inverse;
         }
@@ -404,21 +404,27 @@ pub(super) fn finish_stage<T: Lane>(k: T, offset: Vec3<T>, axes: &[usize], itera
 
 /// Newton's two starts: the current state and, on trial, the one to which the rates lead. Frozen curvatures are natural.
 #[inline(always)]
-pub(super) fn lead<T: Lane>(way: T, freedoms: Freedoms, loaded: &Loaded<T>, before: Option<&Stage<T>>, iterate: &mut Iterate<T>) {
+pub(super) fn lead<T: Lane>(
+    span: T,
+    freedoms: Freedoms,
+    loaded: &Loaded<T>,
+    before: Option<&Stage<T>>,
+    iterate: &mut Iterate<T>,
+) {
     let rates = before.map_or(&loaded.rates, |stage| &stage.rates);
-    let Iterate { curvatures, trial_curvatures, rests, trial_rests, .. } = iterate;
+    let Iterate { curvatures, trial_curvatures, compensation, trial_compensation, .. } = iterate;
     trial_curvatures.resize(curvatures.len(), [T::zero(); 3]);
     if T::PRECISION == Precision::F32 && before.is_none() {
-        rests.clone_from(&loaded.rests);
+        compensation.clone_from(&loaded.compensation);
     }
-    trial_rests.clone_from(rests);
+    trial_compensation.clone_from(compensation);
     for (element, row) in curvatures.iter_mut().enumerate() {
         for axis in 0..3 {
             if freedoms.contains(axis) {
-                let change = way * rates[element][axis];
+                let change = span * rates[element][axis];
                 if T::PRECISION == Precision::F32 {
-                    let change = change + rests[element][axis];
-                    (trial_curvatures[element][axis], trial_rests[element][axis]) = row[axis].sum_and_rest(change);
+                    let change = change + compensation[element][axis];
+                    (trial_curvatures[element][axis], trial_compensation[element][axis]) = row[axis].two_sum(change);
                 } else {
                     trial_curvatures[element][axis] = row[axis] + change;
                 }

@@ -205,10 +205,10 @@ impl StrandState {
         };
         self.past.step = 0.0;
         self.subdivision = 0;
-        let rests = self.root_velocity == Vector3::zeros()
+        let at_rest = self.root_velocity == Vector3::zeros()
             && self.root_angular_velocity == Vector3::zeros()
             && self.rates.iter().all(|row| *row == [0.0; 3]);
-        if rests {
+        if at_rest {
             return;
         }
         let mut kinematics = Kinematics::default();

@@ -23,7 +23,7 @@ pub fn levels(options: &StepOptions) -> u32 {
 }
 
 /// Takes the step in substeps, starting with h/2^`level`; the state is that at the start of the step.
-pub fn in_parts<T: Single>(
+pub fn in_substeps<T: Single>(
     one: &mut One,
     setting: &Setting,
     h: f64,
@@ -51,7 +51,7 @@ pub fn in_parts<T: Single>(
             part /= 2;
             continue;
         }
-        total.add_part(&outcome);
+        total.add_substep(&outcome);
         if outcome.quarantined {
             // The whole step is rolled back: the root stays where the host left it.
             one.state.clone_from(begin);

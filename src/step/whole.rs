@@ -159,10 +159,10 @@ impl<T: Lane> Kernel for Save<'_, T> {
             }
         }
         if T::PRECISION == Precision::F32 {
-            for (element, (row, rests)) in state.curvatures.iter_mut().zip(&workspace.iterate.rests).enumerate() {
+            for (element, (row, compensation)) in state.curvatures.iter_mut().zip(&workspace.iterate.compensation).enumerate() {
                 for axis in 0..3 {
                     if model.freedoms.contains(axis) {
-                        row[axis] += rests[axis].lane(lane) * per_length;
+                        row[axis] += compensation[axis].lane(lane) * per_length;
                     } else {
                         row[axis] = model.natural[element][axis];
                     }

@@ -62,9 +62,9 @@ pub struct Workspace<T> {
     /// Position of each point at the start of the last step, relative to the root's origin then.
     pub past_base: Vec<Vec3<T>>,
     /// Displacement of each point at the start of the step by the rounding errors of the curvatures (f32 only).
-    pub base_rests: Vec<Vec3<T>>,
+    pub base_compensation: Vec<Vec3<T>>,
     /// The same at the start of the last step.
-    pub past_rests: Vec<Vec3<T>>,
+    pub past_compensation: Vec<Vec3<T>>,
     /// The stages of the step.
     pub stages: [Stage<T>; MAX_STAGES],
     /// The stage that ends the step; its curvatures are those of `iterate`.
@@ -85,8 +85,8 @@ impl<T: Lane> Default for Workspace<T> {
             loaded: Loaded::default(),
             iterate: Iterate::default(),
             past_base: Vec::new(),
-            base_rests: Vec::new(),
-            past_rests: Vec::new(),
+            base_compensation: Vec::new(),
+            past_compensation: Vec::new(),
             stages: std::array::from_fn(|_| Stage::default()),
             last_stage: 0,
             roots: [Frame::default(); MAX_LANES],

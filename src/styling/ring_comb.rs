@@ -133,7 +133,7 @@ impl RingComb {
             let [start, end] = [[quads[hit.quad][0], quads[hit.quad][1]], [quads[hit.quad][3], quads[hit.quad][2]]];
             let along = |[a, b]: [Vector3<f64>; 2]| ((hit.position - a).dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
             let near = |ends: [Vector3<f64>; 2]| (ends[0] + (ends[1] - ends[0]) * along(ends) - hit.position).norm();
-            let share = if near(start) <= near(end) { along(start) } else { along(end) };
+            let fraction = if near(start) <= near(end) { along(start) } else { along(end) };
             let contact = solver.contact(id)?.copied().unwrap_or_default();
             let scaled = |friction: Friction| Friction {
                 along: friction.along * self.options.friction,
@@ -144,7 +144,7 @@ impl RingComb {
             let hold = Hold::Ring { friction: scaled(friction) };
             made.push((
                 id,
-                a + (b - a) * share,
+                a + (b - a) * fraction,
                 ConstraintDef { strand: id, arclength: hit.arclength, hold, target, compliance: 0.0 },
             ));
         }

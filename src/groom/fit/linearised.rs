@@ -147,11 +147,11 @@ pub(super) struct Step {
 
 impl Step {
     /// Takes a fraction of the step. The gain is then at least that fraction.
-    pub fn shorten(&mut self, share: f64) {
-        self.tilt.0 = self.tilt.0.scale(share);
-        self.rows.iter_mut().flatten().for_each(|change| *change *= share);
-        self.nodes.iter_mut().for_each(|change| *change *= share);
-        self.gain *= share;
+    pub fn shorten(&mut self, fraction: f64) {
+        self.tilt.0 = self.tilt.0.scale(fraction);
+        self.rows.iter_mut().flatten().for_each(|change| *change *= fraction);
+        self.nodes.iter_mut().for_each(|change| *change *= fraction);
+        self.gain *= fraction;
     }
 }
 

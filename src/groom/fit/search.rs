@@ -57,10 +57,10 @@ impl SearchScratch {
             if self.state.distance < search.enough {
                 break;
             }
-            let share = (self.state.distance / CHARGED_WHOLE).min(1.0);
-            if share < 1.0 || weights.twist < search.weights.twist {
-                weights.twist = search.weights.twist * share;
-                weights.spacing = search.weights.spacing * share;
+            let fraction = (self.state.distance / CHARGED_WHOLE).min(1.0);
+            if fraction < 1.0 || weights.twist < search.weights.twist {
+                weights.twist = search.weights.twist * fraction;
+                weights.spacing = search.weights.spacing * fraction;
                 self.state.weigh(&weights);
             }
             let mut gained = 0.0;

@@ -60,7 +60,7 @@ pub(super) struct StartScratch {
     densities: Vec<(f64, f64)>,
     /// The angle about the tangent from the twist-free frames to the target normal, at places along the curve.
     angles: Vec<(f64, f64)>,
-    shares: Vec<TurningPart>,
+    parts: Vec<TurningPart>,
 }
 
 /// A part of a turning.
@@ -221,23 +221,23 @@ impl StartScratch {
             while first < self.turnings.len() && self.turnings[first].to <= left {
                 first += 1;
             }
-            self.shares.clear();
+            self.parts.clear();
             for turning in self.turnings[first..].iter().take_while(|turning| turning.from < right) {
                 let (from, to) = (turning.from.max(left), turning.to.min(right));
                 let part = (to - from) / (turning.to - turning.from);
                 if part > 0.0 {
                     let turn = turning.turn.map(|turn| turn * part);
-                    self.shares.push(TurningPart { middle: 0.5 * (from + to) - left, turn });
+                    self.parts.push(TurningPart { middle: 0.5 * (from + to) - left, turn });
                 }
             }
-            let plain = about(&self.shares, 0.0);
+            let plain = about(&self.parts, 0.0);
             let (mut rate, mut sum) = (0.0, plain);
             if target.has_normals() {
                 rate = (self.angle_at(right) - self.angle_at(left)) / length;
-                sum = about(&self.shares, rate);
+                sum = about(&self.parts, rate);
             } else if twisted {
-                let wanted = going_round(&self.shares);
-                let there = about(&self.shares, wanted);
+                let wanted = going_round(&self.parts);
+                let there = about(&self.parts, wanted);
                 if square(there) > BELIEVED * square(plain) {
                     (rate, sum) = (wanted, there);
                 }
@@ -299,26 +299,26 @@ fn square([re, im]: [f64; 2]) -> f64 {
 }
 
 /// Σ turn exp(−i rate s): the turning about axes that rotate at a rate.
-fn about(shares: &[TurningPart], rate: f64) -> [f64; 2] {
+fn about(parts: &[TurningPart], rate: f64) -> [f64; 2] {
     let mut sum = [0.0; 2];
-    for share in shares {
-        let (sine, cosine) = if rate == 0.0 { (0.0, 1.0) } else { sine_cosine(rate * share.middle) };
-        sum[0] += share.turn[0] * cosine + share.turn[1] * sine;
-        sum[1] += share.turn[1] * cosine - share.turn[0] * sine;
+    for part in parts {
+        let (sine, cosine) = if rate == 0.0 { (0.0, 1.0) } else { sine_cosine(rate * part.middle) };
+        sum[0] += part.turn[0] * cosine + part.turn[1] * sine;
+        sum[1] += part.turn[1] * cosine - part.turn[0] * sine;
     }
     sum
 }
 
 /// The rate at which the curvature rotates: the mean rate of its phase from one part to the next, weighted by both.
-fn going_round(shares: &[TurningPart]) -> f64 {
+fn going_round(parts: &[TurningPart]) -> f64 {
     let (mut sum, mut weights) = (0.0, 0.0);
-    for pair in shares.windows(2) {
-        let ([a, b], way) = ([pair[0].turn, pair[1].turn], pair[1].middle - pair[0].middle);
+    for pair in parts.windows(2) {
+        let ([a, b], distance) = ([pair[0].turn, pair[1].turn], pair[1].middle - pair[0].middle);
         let (re, im) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
         let weight = (re * re + im * im).sqrt();
         if weight > 0.0 {
             sum += weight * angle_of(im, re);
-            weights += weight * way;
+            weights += weight * distance;
         }
     }
     if weights > 0.0 { sum / weights } else { 0.0 }

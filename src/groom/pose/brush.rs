@@ -50,7 +50,7 @@ const MAX_POINTS: f64 = 16.0;
 
 impl Brush {
     /// The fraction of the movement that a point follows; `None` outside.
-    fn share(&self, at: Vector3<f64>) -> Option<f64> {
+    fn fraction(&self, at: Vector3<f64>) -> Option<f64> {
         let rest = 1.0 - (at - self.centre).norm_squared() / (self.radius * self.radius);
         (rest > 0.0).then(|| if self.falloff == 0.0 { 1.0 } else { rest.powf(self.falloff) })
     }
@@ -116,9 +116,9 @@ impl StrandShape {
             for k in 0..count as usize {
                 let s = (k as f64 + 0.5) / count * element.length;
                 let at = element.point(s).position;
-                if let Some(share) = brush.share(self.root.origin + Vector3::from(at)) {
-                    let target = at + Vec3::from(brush.movement).scale(share);
-                    pulls.push(Pull { element: index, s, target, weight: share * element.length / (count * length) });
+                if let Some(fraction) = brush.fraction(self.root.origin + Vector3::from(at)) {
+                    let target = at + Vec3::from(brush.movement).scale(fraction);
+                    pulls.push(Pull { element: index, s, target, weight: fraction * element.length / (count * length) });
                 }
             }
         }

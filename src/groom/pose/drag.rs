@@ -144,7 +144,7 @@ impl StrandShape {
 /// The curvatures that may change, and the preferred shape.
 pub(super) fn prepare(
     shape: &StrandShape,
-    share: f64,
+    fraction: f64,
     movable: Option<&[bool]>,
     surroundings: &Surroundings,
     scratch: &mut PoseScratch,
@@ -156,7 +156,7 @@ pub(super) fn prepare(
         let may = movable.is_none_or(|movable| movable[element]);
         free.push(std::array::from_fn(|axis| may && surroundings.freedoms.contains(axis)));
         let natural = surroundings.natural.map_or(row, |natural| &natural[element]);
-        anchor.push(std::array::from_fn(|axis| row[axis] + share * (natural[axis] - row[axis])));
+        anchor.push(std::array::from_fn(|axis| row[axis] + fraction * (natural[axis] - row[axis])));
     }
 }
 
@@ -187,8 +187,8 @@ impl Task<'_> {
             return;
         }
         let stiffer = self.charge[1] > self.charge[2];
-        let share = (1.0 - wanted / along).clamp(0.0, 0.5);
-        let bend = (24.0 * share).sqrt() / along;
+        let fraction = (1.0 - wanted / along).clamp(0.0, 0.5);
+        let bend = (24.0 * fraction).sqrt() / along;
         let before = (search.state.cost, rows.clone());
         for (row, free) in rows[first..=pull.element].iter_mut().zip(&self.free[first..=pull.element]) {
             let axis = match (free[1], free[2]) {

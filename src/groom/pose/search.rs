@@ -209,8 +209,8 @@ impl Search {
                     self.damping = (MORE * self.damping).max(scale);
                     continue;
                 }
-                let share = if self.step.turn > TURN_LIMIT { TURN_LIMIT / self.step.turn } else { 1.0 };
-                self.advance(task, rows, share);
+                let fraction = if self.step.turn > TURN_LIMIT { TURN_LIMIT / self.step.turn } else { 1.0 };
+                self.advance(task, rows, fraction);
                 let next = std::mem::take(&mut self.rows);
                 self.place(task, &next, weights);
                 self.rows = next;
@@ -219,7 +219,7 @@ impl Search {
                     gained = fall / self.state.cost;
                     // A damped step does not show how far is left to go.
                     turned = if self.damping < scale { self.step.turn } else { f64::INFINITY };
-                    let ratio = fall / (self.step.gain * share * (2.0 - share));
+                    let ratio = fall / (self.step.gain * fraction * (2.0 - fraction));
                     if ratio > 0.5 {
                         self.damping = if self.damping > 1e-3 * scale { LESS * self.damping } else { 0.0 };
                     } else if ratio < 0.1 {
@@ -281,12 +281,12 @@ impl Search {
     }
 
     /// `self.rows` is `rows` after a fraction of the step.
-    fn advance(&mut self, task: &Task, rows: &[[f64; 3]], share: f64) {
+    fn advance(&mut self, task: &Task, rows: &[[f64; 3]], fraction: f64) {
         self.rows.clear();
         for (element, row) in rows.iter().enumerate() {
             let change = &self.step.rows[element];
             let free = &task.free[element];
-            self.rows.push(std::array::from_fn(|axis| if free[axis] { row[axis] + share * change[axis] } else { row[axis] }));
+            self.rows.push(std::array::from_fn(|axis| if free[axis] { row[axis] + fraction * change[axis] } else { row[axis] }));
         }
     }
 }
@@ -297,8 +297,8 @@ fn moved(state: &State, step: &Step, touch: &Touch) -> f64 {
     let element = &state.elements[index];
     let place = Spring::at(element, index, touch.place.s);
     let (psi, rho) = step.left[index];
-    let way = rho + psi.cross(place.local) + place.jacobian.apply(Vec3(step.rows[index]));
-    element.frame_left.apply(way).dot(touch.normal.into())
+    let displacement = rho + psi.cross(place.local) + place.jacobian.apply(Vec3(step.rows[index]));
+    element.frame_left.apply(displacement).dot(touch.normal.into())
 }
 
 /// The springs of a state, by element.

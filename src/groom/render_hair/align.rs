@@ -34,12 +34,12 @@ fn bend(reference: &Reference, shape: &Shape, guide: u32, first: usize, k: usize
 pub(super) fn align(reference: &Reference, shape: &Shape, followed: &Followed) -> RenderCurl {
     let mut plain = [0.0; MOST_GUIDES];
     let mut curled = [0.0; MOST_GUIDES];
-    let (first_way, first_n1) = first_edge(reference, shape, followed.guides[0]);
+    let (first_direction, first_n1) = first_edge(reference, shape, followed.guides[0]);
     for k in 0..followed.count {
         let guide = followed.guides[k];
-        let (way, n1) = first_edge(reference, shape, guide);
-        let like = carried(first_n1, first_way, way);
-        plain[k] = argument([like.dot(&n1), like.dot(&way.cross(&n1))]);
+        let (direction, n1) = first_edge(reference, shape, guide);
+        let like = carried(first_n1, first_direction, direction);
+        plain[k] = argument([like.dot(&n1), like.dot(&direction.cross(&n1))]);
         let sum = (0..reference.points).fold([0.0; 2], |sum, j| {
             let value = bend(reference, shape, guide, CURL, j);
             [sum[0] + value[0], sum[1] + value[1]]
@@ -62,6 +62,6 @@ pub(super) fn align(reference: &Reference, shape: &Shape, followed: &Followed) -
     };
     let in_step = left(&curled, CURL) > WORTH_WHILE * left(&plain, BEND);
     let angles = if in_step { curled } else { plain };
-    let phasors = |share: f64| angles.map(|angle| phasor(share * angle).map(|value| value as f32));
+    let phasors = |fraction: f64| angles.map(|angle| phasor(fraction * angle).map(|value| value as f32));
     RenderCurl { turns: phasors(1.0), halves: phasors(0.5), curled: in_step }
 }

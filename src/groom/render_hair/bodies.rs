@@ -138,9 +138,11 @@ impl<'a> Placed<'a> {
 
     /// A direction in the body's axes, times a length in m, in world axes.
     #[inline(always)]
-    fn out(&self, way: [f32; 3], length: f32) -> [f32; 3] {
+    fn out(&self, direction: [f32; 3], length: f32) -> [f32; 3] {
         let size = length * self.unit;
-        [0, 1, 2].map(|axis| size * ((self.into[0][axis] * way[0] + self.into[1][axis] * way[1]) + self.into[2][axis] * way[2]))
+        [0, 1, 2].map(|axis| {
+            size * ((self.into[0][axis] * direction[0] + self.into[1][axis] * direction[1]) + self.into[2][axis] * direction[2])
+        })
     }
 }
 
@@ -228,11 +230,11 @@ fn brought_out(
         let beside = guide();
         let apart = [0, 1, 2].map(|axis| beside[axis] - point[axis]);
         let is_beside = dot(apart, apart) < (BESIDE * distance) * (BESIDE * distance);
-        if is_beside && let Some((there, way)) = body.field.at(body.place(beside), f32::INFINITY) {
-            side = Some(way);
-            if dot(way, slopes) <= 0.0 {
+        if is_beside && let Some((there, direction)) = body.field.at(body.place(beside), f32::INFINITY) {
+            side = Some(direction);
+            if dot(direction, slopes) <= 0.0 {
                 // The guide is on the other side: from there it is not far.
-                (point, distance, slopes) = (beside, there - body.thickness, way);
+                (point, distance, slopes) = (beside, there - body.thickness, direction);
             }
         }
         if distance >= target {
@@ -244,16 +246,16 @@ fn brought_out(
         if size < 1e-3 {
             break;
         }
-        let mut way = slopes.map(|slope| slope / size);
+        let mut direction = slopes.map(|slope| slope / size);
         if let Some(side) = side {
             let of_side = dot(side, side).sqrt();
             // If that leads along the surface or inwards, it may come out anywhere.
             if distance < 0.0 && dot(side, slopes) > STRAIGHT_OUT * of_side * size {
-                way = side.map(|slope| slope / of_side);
+                direction = side.map(|slope| slope / of_side);
             }
         }
-        let step = (target - distance) / dot(way, slopes).max(STRAIGHT_OUT);
-        let more = body.out(way, step);
+        let step = (target - distance) / dot(direction, slopes).max(STRAIGHT_OUT);
+        let more = body.out(direction, step);
         (0..3).for_each(|axis| point[axis] += more[axis]);
         match body.field.at(body.place(point), f32::INFINITY) {
             Some((now, now_slopes)) => (distance, slopes) = (now - body.thickness, now_slopes),

@@ -171,11 +171,11 @@ fn mix_bends(hair: &RenderHair, shape: &Shape, strand: &RenderStrand, curl: &Ren
     let (stride, size) = (reference.stride, reference.size());
     let (b1, rest) = rows.split_at_mut(stride);
     let (b2, rest) = rest.split_at_mut(stride);
-    let (lengths, share) = rest.split_at_mut(stride);
+    let (lengths, fraction) = rest.split_at_mut(stride);
     for at in (0..stride).step_by(STEP) {
-        share[at..at + STEP].copy_from_slice(&gathered(lane(&hair.profiles.place, at), strand.gather));
+        fraction[at..at + STEP].copy_from_slice(&gathered(lane(&hair.profiles.place, at), strand.gather));
     }
-    let gathered = &share[..stride];
+    let gathered = &fraction[..stride];
     b1.fill(0.0);
     b2.fill(0.0);
     lengths.fill(0.0);

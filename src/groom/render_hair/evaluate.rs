@@ -353,7 +353,7 @@ fn finish(
     let wanted = if hair.settings.preserve_length || pushed {
         Wanted::Along(along, strand.length)
     } else if strand.length < 1.0 {
-        Wanted::Share(strand.length)
+        Wanted::Fraction(strand.length)
     } else {
         return false;
     };

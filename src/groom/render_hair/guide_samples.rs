@@ -121,11 +121,11 @@ pub fn resampled(
                 edge += 1;
             }
             let (next, span) = ((edge + 1).min(count - 1), lengths[(edge + 1).min(count - 1)] - lengths[edge]);
-            let share = if span > 0.0 { ((wanted - lengths[edge]) / span).clamp(0.0, 1.0) } else { 0.0 };
-            out.push(curve[edge] + (curve[next] - curve[edge]) * share);
+            let fraction = if span > 0.0 { ((wanted - lengths[edge]) / span).clamp(0.0, 1.0) } else { 0.0 };
+            out.push(curve[edge] + (curve[next] - curve[edge]) * fraction);
             if let (Some(out), Some(values)) = (&mut out_values, values) {
                 let values = &values[first..first + count];
-                out.push(values[edge] + (values[next] - values[edge]) * share);
+                out.push(values[edge] + (values[next] - values[edge]) * fraction);
             }
         }
         first += count;

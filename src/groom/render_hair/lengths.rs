@@ -25,7 +25,7 @@ pub(super) enum Wanted<'a> {
     /// These arclengths, times a fraction.
     Along(&'a [f32], f32),
     /// Their own arclengths, times a fraction.
-    Share(f32),
+    Fraction(f32),
 }
 
 /// Moves the points of rows of x, y and z (`stride` floats each, of which `points` count) along the Catmull–Rom spline through
@@ -62,7 +62,7 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
     let third = points > 2;
     knots[0] = beyond(knots[1], knots[2], third.then(|| knots[3.min(points)]));
     knots[points + 1] = beyond(knots[points], knots[points - 1], third.then(|| knots[points - 2]));
-    let end = if let Wanted::Along(along, share) = wanted { share * along[points - 1] } else { 0.0 };
+    let end = if let Wanted::Along(along, fraction) = wanted { fraction * along[points - 1] } else { 0.0 };
     let stretch = (end / (LONGER * whole).max(f32::MIN_POSITIVE)).clamp(1.0, MAX_STRETCH);
     if stretch > 1.0 {
         let root = knots[1];
@@ -79,8 +79,8 @@ pub(super) fn respace(wanted: Wanted, stride: usize, points: usize, rows: &mut [
     places[0] = 0.0;
     for k in 1..points {
         let target = match wanted {
-            Wanted::Along(along, share) => less * (share * along[k]),
-            Wanted::Share(share) => share * knots[k + 1][3],
+            Wanted::Along(along, fraction) => less * (fraction * along[k]),
+            Wanted::Fraction(fraction) => fraction * knots[k + 1][3],
         };
         while at + 2 < points && knots[at + 2][3] <= target {
             at += 1;
@@ -115,8 +115,8 @@ pub(super) fn taken_along(places: &[f32], stride: usize, points: usize, rows: &[
     for (row, out) in rows.chunks_exact(stride).zip(out.chunks_exact_mut(stride)) {
         for k in 0..points {
             let at = (places[k] as usize).min(points - 2);
-            let share = places[k] - at as f32;
-            out[k] = row[at] + share * (row[at + 1] - row[at]);
+            let fraction = places[k] - at as f32;
+            out[k] = row[at] + fraction * (row[at + 1] - row[at]);
         }
     }
 }
@@ -158,16 +158,16 @@ mod tests {
         let arc = |s: f32| [(angle * s).cos(), (angle * s).sin(), 0.5 * s];
         let before = rows(points, stride, arc);
         let whole = length(&before, stride, points);
-        for share in [0.5_f32, 0.8, 1.0] {
+        for fraction in [0.5_f32, 0.8, 1.0] {
             let wanted: Vec<f32> = (0..stride).map(|k| whole * k as f32 / 32.0).collect();
-            for wanted in [Wanted::Along(&wanted, share), Wanted::Share(share)] {
+            for wanted in [Wanted::Along(&wanted, fraction), Wanted::Fraction(fraction)] {
                 let mut after = before.clone();
                 respace(wanted, stride, points, &mut after, &mut Room::default());
                 // Chords of the spline, which bulges beyond the polygon by 1 − cos(0.147) on 1 (0.3 % of the length).
-                assert!((length(&after, stride, points) / (share * whole) - 1.0).abs() < 4e-3);
+                assert!((length(&after, stride, points) / (fraction * whole) - 1.0).abs() < 4e-3);
                 for k in 0..points {
-                    let off = (0..3).map(|axis| (after[axis * stride + k] - arc(share * k as f32 / 32.0)[axis]).abs());
-                    assert!(off.fold(0.0, f32::max) < 2e-3, "{share} {k}");
+                    let off = (0..3).map(|axis| (after[axis * stride + k] - arc(fraction * k as f32 / 32.0)[axis]).abs());
+                    assert!(off.fold(0.0, f32::max) < 2e-3, "{fraction} {k}");
                 }
                 assert!(after[points..stride].iter().all(|value| *value == 7.0));
             }
@@ -195,7 +195,7 @@ mod tests {
         assert!((0..29).all(|k| (bow(k) - scale).abs() < 1e-3));
         let mut two = rows(2, 8, |s| [0.1 + 0.8 * s, 0.0, 0.0]);
         let mut room = Room::default();
-        respace(Wanted::Share(0.25), 8, 2, &mut two, &mut room);
+        respace(Wanted::Fraction(0.25), 8, 2, &mut two, &mut room);
         assert!(two[0] == 0.1 && (two[1] - 0.3).abs() < 1e-6, "{two:?}");
         assert!((room.places[1] - 0.25).abs() < 1e-6);
         // Coincident points stay where they are.

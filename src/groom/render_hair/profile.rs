@@ -102,21 +102,21 @@ mod tests {
 
     #[test]
     fn curliness_gathers_monotonely_and_never_kinks() {
-        let share = |u: f64, s: f64| {
+        let fraction = |u: f64, s: f64| {
             let (most, end) = gather(u, 0.0, 0.2);
             most * smooth_step(s / end)
         };
         for k in 0..=100 {
             let s = f64::from(k) / 100.0;
-            assert_eq!(share(0.0, s), 0.0);
-            assert_eq!(share(0.5, s), smooth_step(s));
+            assert_eq!(fraction(0.0, s), 0.0);
+            assert_eq!(fraction(0.5, s), smooth_step(s));
             for u in 0..100 {
                 let (less, more) = (f64::from(u) / 100.0, f64::from(u + 1) / 100.0);
-                assert!(share(less, s) <= share(more, s) + 1e-15);
+                assert!(fraction(less, s) <= fraction(more, s) + 1e-15);
             }
         }
-        assert_eq!(share(1.0, 0.0), 0.0);
-        assert_eq!(share(1.0, 0.1), 1.0);
+        assert_eq!(fraction(1.0, 0.0), 0.0);
+        assert_eq!(fraction(1.0, 0.1), 1.0);
         // The steepest slope of most·gap·S(s/end) over the length is 3/2 of most·gap/(end·length).
         for (gap, length) in [(0.0, 0.1), (0.001, 0.2), (0.01, 0.2), (0.01, 0.02), (0.05, 0.001), (0.01, 0.0)] {
             let (most, end) = gather(1.0, gap, length);

@@ -57,8 +57,8 @@ impl Reference {
                 .points
                 .chunks(points)
                 .map(|guide| {
-                    let way = first_direction(guide).unwrap_or_else(Vector3::z);
-                    Polyline::frame_along(way, None)
+                    let direction = first_direction(guide).unwrap_or_else(Vector3::z);
+                    Polyline::frame_along(direction, None)
                 })
                 .collect(),
         };
@@ -185,10 +185,10 @@ fn fill(
     };
     // Directions of the edges; one without length takes that of the edge before it.
     edges.clear();
-    let mut way = first_direction(points).unwrap_or_else(|| rotation * Vector3::x());
+    let mut direction = first_direction(points).unwrap_or_else(|| rotation * Vector3::x());
     for edge in points.windows(2) {
-        way = (edge[1] - edge[0]).try_normalize(0.0).unwrap_or(way);
-        edges.push(way);
+        direction = (edge[1] - edge[0]).try_normalize(0.0).unwrap_or(direction);
+        edges.push(direction);
     }
     let mut tangent = edges[0];
     let mut n1 = across(carried(rotation * Vector3::y(), rotation * Vector3::x(), tangent), tangent);

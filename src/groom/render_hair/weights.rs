@@ -104,14 +104,14 @@ impl Guides {
         let slope = inverse * spread * (root - middle) / size;
         let changes: [f64; MOST_GUIDES] =
             std::array::from_fn(|k| if k < count { followed.weights[k] * slope.dot(&(of(k) - middle)) } else { 0.0 });
-        let mut share: f64 = 1.0;
+        let mut fraction: f64 = 1.0;
         for k in 0..count {
             if changes[k] < 0.0 {
-                share = share.min((followed.weights[k] - MIN_WEIGHT) / -changes[k]);
+                fraction = fraction.min((followed.weights[k] - MIN_WEIGHT) / -changes[k]);
             }
         }
         for k in 0..count {
-            followed.weights[k] += share * changes[k];
+            followed.weights[k] += fraction * changes[k];
         }
     }
 }

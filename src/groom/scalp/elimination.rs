@@ -72,7 +72,7 @@ impl PartialOrd for Crowded {
 /// limiting).
 pub(super) fn survivors(neighbours: &Neighbours, until: Until, least: f64) -> Vec<bool> {
     let count = neighbours.starts.len() - 1;
-    let share = |distance: f32| {
+    let fraction = |distance: f32| {
         let free = (1.0 - f64::from(distance).max(least)).max(0.0);
         // The eighth power.
         let square = free * free;
@@ -80,7 +80,7 @@ pub(super) fn survivors(neighbours: &Neighbours, until: Until, least: f64) -> Ve
         // If no neighbours may remain, the candidate with the most of them goes first: a tenth more stay than by distance.
         if until == Until::Apart { 1.0 + 1e-3 * eighth } else { eighth }
     };
-    let mut weights: Vec<f64> = (0..count).map(|index| neighbours.of(index).iter().map(|(_, d)| share(*d)).sum()).collect();
+    let mut weights: Vec<f64> = (0..count).map(|index| neighbours.of(index).iter().map(|(_, d)| fraction(*d)).sum()).collect();
     let mut crowding: Vec<u32> = (0..count).map(|index| neighbours.of(index).len() as u32).collect();
     let mut heap: BinaryHeap<Crowded> =
         weights.iter().enumerate().map(|(index, weight)| Crowded { weight: *weight, index: index as u32 }).collect();
@@ -110,7 +110,7 @@ pub(super) fn survivors(neighbours: &Neighbours, until: Until, least: f64) -> Ve
             let other = *other as usize;
             crowding[other] -= 1;
             if stays[other] {
-                let less = if crowding[other] == 0 { 0.0 } else { weights[other] - share(*distance) };
+                let less = if crowding[other] == 0 { 0.0 } else { weights[other] - fraction(*distance) };
                 weights[other] = less.min(weights[other]);
             }
         }

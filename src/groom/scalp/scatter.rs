@@ -116,13 +116,13 @@ impl Candidates {
             // Uniform over the triangle (Turk 1990).
             let root = first.sqrt();
             let follicle = Follicle { triangle: triangle as u32, shares: [root * (1.0 - second), root * second] };
-            let share = density.at(scalp, &follicle) / most;
-            if share <= chance {
+            let fraction = density.at(scalp, &follicle) / most;
+            if fraction <= chance {
                 continue;
             }
             made.places.push(scalp.place(&follicle));
             made.normals.push(field.normal(scalp, &scalp.vertices, &follicle));
-            made.roots.push(share.sqrt());
+            made.roots.push(fraction.sqrt());
             made.numbers.push(made.follicles.len() as u32);
             made.follicles.push(follicle);
         }
@@ -174,12 +174,12 @@ impl Candidates {
         if self.normals[a].dot(&self.normals[b]) < 0.0 {
             return None;
         }
-        let way = self.places[b] - self.places[a];
-        let straight = way.norm();
+        let offset = self.places[b] - self.places[a];
+        let straight = offset.norm();
         if straight <= 0.0 {
             return Some(0.0);
         }
-        let [c1, c2] = [a, b].map(|index| (self.normals[index].dot(&way) / straight).clamp(-1.0, 1.0));
+        let [c1, c2] = [a, b].map(|index| (self.normals[index].dot(&offset) / straight).clamp(-1.0, 1.0));
         let cosine = |sine: f64| (1.0 - sine * sine).max(0.0).sqrt();
         let arc_sine = |sine: f64| {
             let angle = arc_tangent(sine.abs(), cosine(sine));

@@ -136,7 +136,7 @@ impl Scalp {
             })?;
             let offset = numbers.map(|numbers| jitter.amplitude * (2.0 * numbers.unit(index as u64) - 1.0));
             let offsets = (0..TRIES).map(|k| 0.5_f64.powi(k as i32)).take_while(|_| jitter.amplitude > 0.0);
-            let mut tries = offsets.filter_map(|share| atlas.find([0, 1].map(|axis| uv[axis] + share * offset[axis])));
+            let mut tries = offsets.filter_map(|fraction| atlas.find([0, 1].map(|axis| uv[axis] + fraction * offset[axis])));
             follicles.push(tries.next().unwrap_or(there));
         }
         Ok(follicles)

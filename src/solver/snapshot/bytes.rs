@@ -157,14 +157,14 @@ impl Writer {
     }
 
     /// A motion from pose to pose, and its elapsed seconds.
-    pub fn way(&mut self, way: Option<&(PoseMove, f64)>) {
-        self.flag(way.is_some());
-        if let Some((way, elapsed)) = way {
-            self.frame(&way.from);
-            self.frame(&way.to);
-            self.vector(way.velocity);
-            self.vector(way.angular_velocity);
-            self.f64(way.duration);
+    pub fn pose_move(&mut self, pose_move: Option<&(PoseMove, f64)>) {
+        self.flag(pose_move.is_some());
+        if let Some((pose_move, elapsed)) = pose_move {
+            self.frame(&pose_move.from);
+            self.frame(&pose_move.to);
+            self.vector(pose_move.velocity);
+            self.vector(pose_move.angular_velocity);
+            self.f64(pose_move.duration);
             self.f64(*elapsed);
         }
     }
@@ -254,26 +254,26 @@ impl<'a> Reader<'a> {
     }
 
     /// A motion from pose to pose, and its elapsed seconds.
-    pub fn way(&mut self) -> Result<Option<(PoseMove, f64)>> {
+    pub fn pose_move(&mut self) -> Result<Option<(PoseMove, f64)>> {
         if !self.flag()? {
             return Ok(None);
         }
-        let way = PoseMove {
+        let pose_move = PoseMove {
             from: self.frame()?,
             to: self.frame()?,
             velocity: self.vector()?,
             angular_velocity: self.vector()?,
             duration: self.f64()?,
         };
-        Ok(Some((way, self.f64()?)))
+        Ok(Some((pose_move, self.f64()?)))
     }
 
-    /// [`Reader::way`] with finite numbers only.
-    pub fn finite_way(&mut self, what: &str) -> Result<Option<(PoseMove, f64)>> {
+    /// [`Reader::pose_move`] with finite numbers only.
+    pub fn finite_pose_move(&mut self, what: &str) -> Result<Option<(PoseMove, f64)>> {
         if !self.flag()? {
             return Ok(None);
         }
-        let way = PoseMove {
+        let pose_move = PoseMove {
             from: self.finite_frame(what)?,
             to: self.finite_frame(what)?,
             velocity: self.finite_vector(what)?,
@@ -281,10 +281,10 @@ impl<'a> Reader<'a> {
             duration: self.finite(what)?,
         };
         let elapsed = self.finite(what)?;
-        if way.duration < 0.0 || elapsed < 0.0 {
-            return Err(bad(format!("{what} takes {} s, of which {elapsed} are done", way.duration)));
+        if pose_move.duration < 0.0 || elapsed < 0.0 {
+            return Err(bad(format!("{what} takes {} s, of which {elapsed} are done", pose_move.duration)));
         }
-        Ok(Some((way, elapsed)))
+        Ok(Some((pose_move, elapsed)))
     }
 
     /// The identifiers of a type.

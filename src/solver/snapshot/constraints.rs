@@ -42,7 +42,7 @@ impl Writer {
         self.frame(&def.target);
         self.f64(def.compliance);
         self.frame(&way.pose);
-        self.way(way.going.as_ref());
+        self.pose_move(way.going.as_ref());
         self.vector(state.force);
         self.vector(state.torque);
         self.f64(state.error);
@@ -109,7 +109,7 @@ impl Reader<'_> {
         if compliance < 0.0 {
             return Err(bad(format!("a compliance is {compliance}")));
         }
-        let way = Way { pose: self.finite_frame("a constraint's target")?, going: self.finite_way("a target's way")? };
+        let way = Way { pose: self.finite_frame("a constraint's target")?, going: self.finite_pose_move("a target's way")? };
         let state = ConstraintState {
             force: self.vector()?,
             torque: self.vector()?,

@@ -107,7 +107,7 @@ impl Writer {
             self.velocities(&state.past.velocities);
             self.frame(&state.past.root);
         }
-        self.way(strand.root_move.as_deref());
+        self.pose_move(strand.root_move.as_deref());
         self.u32(strand.fared.iterations);
         self.u32(u32::from(strand.fared.converged));
         self.u32(u32::from(strand.fared.quarantined));
@@ -233,7 +233,7 @@ impl Reader<'_> {
         if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {
             return Err(bad("a strand holds a number that is not finite, or a length not above zero"));
         }
-        let root_move = self.way()?.map(Box::new);
+        let root_move = self.pose_move()?.map(Box::new);
         let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
         let tag = self.u32()?;
         let (astray, known) = if tag == FROZEN { (None, Some(self.frozen()?)) } else { (self.astray(tag, count)?, None) };

@@ -49,12 +49,12 @@ pub(super) struct NearStrand {
     search: Search,
     pub places: Vec<HeldPlace>,
     /// The response of its places, while being computed.
-    pub answer: Option<Box<Answer>>,
+    pub response: Option<Box<Response>>,
 }
 
 /// The response of a strand's places, and its memory.
 #[derive(Debug, Default)]
-pub(super) struct Answer {
+pub(super) struct Response {
     /// Its own copy of the strand's state, for the step that starts with it.
     state: StrandState,
     alone: Alone,
@@ -62,7 +62,7 @@ pub(super) struct Answer {
     forces: Vec<Vec3<f64>>,
 }
 
-impl Answer {
+impl Response {
     /// Reserves memory for this many places.
     fn make_room(&mut self, most: usize) {
         self.stations.clear();
@@ -99,8 +99,8 @@ impl NearStrand {
     pub fn make_room(&mut self, most: usize) {
         self.search.found.reserve(most.saturating_sub(self.search.found.len()));
         self.places.reserve(most.saturating_sub(self.places.len()));
-        if let Some(answer) = &mut self.answer {
-            answer.make_room(most);
+        if let Some(response) = &mut self.response {
+            response.make_room(most);
         }
     }
 
@@ -131,8 +131,8 @@ impl NearStrand {
 
     /// Computes the response of its places.
     pub fn condense(&mut self, strand: &Strand, setting: &Setting, seconds: f64) {
-        let Self { answer, places, elements, .. } = self;
-        let Answer { state, alone, stations, forces } = &mut **answer.get_or_insert_default();
+        let Self { response, places, elements, .. } = self;
+        let Response { state, alone, stations, forces } = &mut **response.get_or_insert_default();
         state.clone_from(&strand.state);
         stations.clear();
         stations.extend(places.iter().map(|place| place.station));
@@ -145,7 +145,7 @@ impl NearStrand {
         alone.linearise(stations, forces);
         // (The first linear model has no tension.)
         for _ in 0..MAX_ITERATIONS {
-            let farthest = (0..places.len()).map(|k| led_to(&alone.held, forces, k).norm_squared()).fold(0.0, f64::max);
+            let farthest = (0..places.len()).map(|k| displacement(&alone.held, forces, k).norm_squared()).fold(0.0, f64::max);
             if farthest <= (LINEAR * strand.model.length()).powi(2) {
                 break;
             }
@@ -156,7 +156,8 @@ impl NearStrand {
         let most_force = model.mass() * model.length() / (seconds * seconds) + model.bending_force();
         for (k, place) in places.iter_mut().enumerate() {
             let Some(touch) = &mut place.touch else { continue };
-            let moved = Held::place(held.now(), &place.station) - Held::place(before, &place.station) + led_to(held, forces, k);
+            let moved =
+                Held::place(held.now(), &place.station) - Held::place(before, &place.station) + displacement(held, forces, k);
             (touch.moved, touch.most_force) = (moved, most_force);
         }
     }
@@ -170,7 +171,7 @@ impl NearStrand {
 
     /// The matrix of all places.
     fn columns(&self) -> &[f64] {
-        self.answer.as_ref().map_or(&[], |answer| &answer.alone.held.delassus.columns)
+        self.response.as_ref().map_or(&[], |response| &response.alone.held.delassus.columns)
     }
 
     /// The matrix's rows and columns of the contacts alone.
@@ -260,7 +261,7 @@ impl NearStrand {
 }
 
 /// Displacement of place `k` under forces by the linear model, m.
-fn led_to(held: &Held, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
+fn displacement(held: &Held, forces: &[Vec3<f64>], k: usize) -> Vector3<f64> {
     let (mut moved, size) = (Vector3::from(held.free[k]), 3 * forces.len());
     for (column, force) in forces.iter().flat_map(|force| force.0).enumerate() {
         let rows = &held.delassus.columns[column * size + 3 * k..][..3];
