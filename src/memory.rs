@@ -42,6 +42,12 @@ pub(crate) fn repeated<T: Clone>(item: T, count: usize) -> Result<Vec<T>> {
     Ok(all)
 }
 
+/// An empty list that reuses another list's memory; their items must have the same layout. So a list of borrows can outlive them.
+pub(crate) fn recycled<A, B>(mut list: Vec<A>) -> Vec<B> {
+    list.clear();
+    list.into_iter().map(|_| unreachable!("the list is empty")).collect()
+}
+
 /// Checks for that much memory, in blocks of any size: allocates all of it at once and frees it. Allocations of up to that sum by
 /// the same thread then succeed, unless others take the memory meanwhile.
 pub(crate) fn check_room(bytes: usize) -> Result<()> {
@@ -51,6 +57,15 @@ pub(crate) fn check_room(bytes: usize) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_recycled_list_keeps_its_memory() {
+        let text = String::from("borrowed");
+        let list: Vec<&str> = vec![&text; 100];
+        let (at, capacity) = (list.as_ptr().cast::<u8>(), list.capacity());
+        let empty: Vec<&'static str> = recycled(list);
+        assert!(empty.is_empty() && empty.as_ptr().cast() == at && empty.capacity() == capacity);
+    }
 
     #[test]
     fn what_no_machine_has_is_an_error() {

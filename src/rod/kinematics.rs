@@ -95,10 +95,16 @@ pub fn element_states<T: Lane>(
 }
 
 impl ElementState<f64> {
-    /// An upper bound on the distance of the element's points from its chord, m: a curve that turns by an angle leaves its chord
-    /// by no more than a quarter of its length times that angle, and never by more than half its length.
+    /// An upper bound on the distance of a point of the element from the point at the same fraction of its chord, m: see
+    /// [`Self::off_chord_of`].
     pub fn off_chord(&self) -> f64 {
-        0.5 * self.length * (0.5 * self.kappa_squared.sqrt() * self.length).min(1.0)
+        self.off_chord_of(self.length)
+    }
+
+    /// The same for a piece of this length, m: a curve r(s) differs from its linear interpolation by at most |r''| length²/8, and never
+    /// by more than half its length.
+    pub fn off_chord_of(&self, length: f64) -> f64 {
+        0.5 * length * (0.25 * self.kappa_squared.sqrt() * length).min(1.0)
     }
 }
 

@@ -107,6 +107,7 @@ use definition::SolverOptions;
 use holding::Holding;
 use id::{BodyId, ConstraintId, SlotMap, StrandId};
 use sections::Sections;
+use stepping::BodiesAtWork;
 use strand::Strand;
 use workers::Crew;
 
@@ -126,6 +127,7 @@ pub struct Solver {
     holding: Box<Holding>,
     body_slots: SlotMap<BodyId>,
     bodies: Vec<SceneBody>,
+    bodies_at_work: BodiesAtWork,
     events: Option<Box<ContactEvents>>,
 }
 
@@ -159,6 +161,7 @@ impl Solver {
             holding: Box::default(),
             body_slots: SlotMap::new(mark as u16),
             bodies: Vec::new(),
+            bodies_at_work: BodiesAtWork::default(),
             events: None,
         })
     }

@@ -14,6 +14,7 @@ use super::strand::{Holds, Tally};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
+use crate::memory::recycled;
 use crate::meter::{Meter, StepLimits, Stopped, usual_work};
 use crate::platform::{HAS_CLOCK, Instant};
 use crate::step::options::Integrator;
@@ -82,6 +83,14 @@ struct Left {
     all_parts: f64,
     /// Later substeps.
     substeps: f64,
+}
+
+/// A substep's lists with one item per body, kept for their memory.
+#[derive(Default)]
+pub(super) struct BodiesAtWork {
+    at: Vec<BodyAt<'static>>,
+    ids: Vec<BodyId>,
+    wrenches: Vec<Wrench>,
 }
 
 /// The position of a substep in its call.
@@ -289,17 +298,21 @@ impl Solver {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let width = packs::width(self.options.step.precision, set);
-        let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
-        let body_ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
+        let BodiesAtWork { at, mut ids, mut wrenches } = std::mem::take(&mut self.bodies_at_work);
+        let mut bodies: Vec<BodyAt> = recycled(at);
+        bodies.extend(self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)));
+        ids.clear();
+        ids.extend(self.bodies.iter().map(|body| body.id));
+        wrenches.clear();
+        wrenches.resize(bodies.len(), Wrench::default());
         let copies = || -> Vec<Body> { self.bodies.iter().map(|body| body.body.clone()).collect() };
-        let mut wrenches = vec![Wrench::default(); bodies.len()];
         let mut scene = Scene {
             strands: &mut self.strands,
             slots: &self.slots,
             constraints: &mut self.constraints,
             bodies: &bodies,
             copies: &copies,
-            body_ids: &body_ids,
+            body_ids: &ids,
             options: &self.options.contact,
             setting: &setting,
             set,
@@ -328,10 +341,12 @@ impl Solver {
         self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), account);
         let taken = begins.elapsed().as_secs_f64();
         total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
-        for (body, wrench) in self.bodies.iter_mut().zip(wrenches) {
-            body.wrench = wrench;
+        let at = recycled(bodies);
+        for (body, wrench) in self.bodies.iter_mut().zip(&wrenches) {
+            body.wrench = *wrench;
             body.body.finish(h);
         }
+        self.bodies_at_work = BodiesAtWork { at, ids, wrenches };
         // Strands are whatever is neither search nor contact: they step between the two.
         let Phases { search, contact, .. } = self.holding.take_phases();
         Phases { search, contact, strands: (taken - search - contact).max(0.0) }
