@@ -47,7 +47,7 @@ pub(super) fn build() -> &'static Path {
     BUILD.get_or_init(|| {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("c");
         let mut command = Command::new(root().join("scripts/build_lib.sh"));
-        // What cargo sets for this test must not reach the cargo inside, or it would build everything anew.
+        // Variables that cargo sets for this test must not reach the cargo inside, or it would rebuild everything.
         for (name, _) in std::env::vars_os() {
             let name = name.to_string_lossy();
             if name.starts_with("CARGO_PKG_") || name.starts_with("CARGO_MANIFEST") || name == "CARGO_BIN_NAME" {

@@ -1,4 +1,4 @@
-//! The bulk fit and splines through the C ABI: the numbers of the Rust functions, whoever works.
+//! The bulk fit and splines through the C ABI: the numbers of the Rust functions, for any workers.
 #![allow(unsafe_code)] // calls of the C ABI
 
 use std::ffi::c_void;

@@ -1,4 +1,4 @@
-//! Groom files, caches and kinds of hair through the C ABI: what comes out is what the library gives in Rust.
+//! Groom files, caches and hair types through the C ABI: the results equal those of the library in Rust.
 #![allow(unsafe_code)] // calls through the C ABI
 
 use std::ffi::CString;

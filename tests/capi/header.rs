@@ -1,4 +1,4 @@
-//! `include/superhelix.h` and `include/exports.txt` are what src/capi says. `SHX_BLESS=1 cargo test --test capi header` writes them.
+//! `include/superhelix.h` and `include/exports.txt` match src/capi. `SHX_BLESS=1 cargo test --test capi header` writes them.
 
 use std::fs;
 use std::path::{Path, PathBuf};

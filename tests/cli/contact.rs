@@ -300,7 +300,7 @@ fn colliders_move_and_deform() {
     let deformation = json!({"times": times, "vertices": [moved(there), moved(here)]});
     let deforming = json!({"shape": "mesh", "vertices": corners(), "triangles": faces(), "deformation": deformation});
     let deforming = tip(&scene(deforming));
-    // The same box three ways, and the strand leans on it: what is left is what friction makes of different ways there.
+    // The same box three times, and a strand that leans on it: the difference comes from friction along different paths.
     assert!(difference(&mesh, &cuboid) < 2e-3, "{mesh:?} {cuboid:?}");
     assert!(difference(&deforming, &mesh) < 2e-3, "{deforming:?} {mesh:?}");
 }
@@ -431,7 +431,7 @@ fn attachments_hold() {
         assert!(difference(&tangent, &[0.5f64.sqrt(), 0.0, -0.5f64.sqrt()]) < 1e-6, "{kind}: {tangent:?}");
     }
 
-    // A tie, and what gives way for a force.
+    // A tie, and a compliant constraint.
     let result = run(
         &directory,
         &scene(json!([

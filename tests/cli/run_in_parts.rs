@@ -1,4 +1,4 @@
-//! `superhelix run` in parts: a run that goes on from a snapshot gives what a whole run gives, to the bit.
+//! `superhelix run` in parts: a run continued from a snapshot equals a whole run, to the bit.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! `superhelix run`: what a bad scene, and bad use, get.
+//! `superhelix run`: errors for bad scenes and bad usage.
 
 use crate::support::{directory, errors, run_text, small_scene, superhelix, with};
 use serde_json::{Value, json};

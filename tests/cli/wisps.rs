@@ -1,4 +1,4 @@
-//! `superhelix simulate` of grooms as somebody makes it on the first day: a style holds as firmly as was asked for, and hair drawn into a head comes
+//! `superhelix simulate` of grooms with first-day settings: a style holds as firmly as requested, and hair drawn into a head comes
 //! out of it.
 
 use std::path::Path;
@@ -33,7 +33,7 @@ fn bust_in(directory: &Path) -> String {
     head.to_str().unwrap().to_string()
 }
 
-/// Every so many-th strand of each groom, the head that it was drawn on where we have it.
+/// Every n-th strand of each groom, with the head that it was drawn on where available.
 const GROOMS: [(&str, &str, &str); 6] = [
     ("sintel_hair_001.tfx", "0.01", "6"),
     ("amd_ponytail_tail.tfx", "0.0031", "16"),
@@ -108,7 +108,7 @@ fn it_is_said_who_rests_as_drawn() {
     let output = superhelix(&[&["simulate"], &fixed[..], &["--bare"]].concat());
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.contains(&format!("{limp} are too limp and will sag")), "{said}");
-    // What is not to rest as drawn is not said to.
+    // Strands that should not rest as drawn are not reported as resting.
     assert!(simulate(&[&fixed[..], &["--natural", "as-drawn"]].concat()).get("resting").is_none());
 }
 

@@ -1,4 +1,4 @@
-//! Constraints that cannot hold: told as violated, drawn as near as they go, in bounded time, and without forces beyond measure.
+//! Constraints that cannot hold: reported as violated, satisfied as closely as possible, in bounded time, and without excessive forces.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -89,10 +89,10 @@ fn course_around(
     out
 }
 
-/// Nothing that is told is beyond measure: what takes a strand its own length in a step is 4e-4 N; measured 7e-3.
+/// No reported force is excessive: a force that moves a strand by its own length in a step is 4e-4 N.
 const MOST_FORCE: f64 = 0.05;
 
-/// Alone, and as wisps that touch each other on the way: there every search for touches gives the island a new first attempt, and the second
+/// Alone, and as wisps that come into contact on the way: there every search for contacts gives the island a new first attempt, and the second
 /// must come whatever iteration the first ends at (it did not where that was the last before a search: forces of 4e6 N were told).
 #[test]
 fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
@@ -104,7 +104,7 @@ fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
         println!("{model:?} {wisp}: {:e} N, {} sweeps", out.force, out.sweeps);
         assert_eq!((out.violated, out.quarantined), (STEPS * STRANDS as u32, 0), "{model:?} {wisp}");
         assert!(out.force < MOST_FORCE, "{model:?} {wisp}: {:e} N", out.force);
-        // Straight there from its root but for what the bond that gives way and its weight leave: a few millimetres.
+        // Straight there from its root, except for the compliant constraint and its weight: a few millimetres.
         for ((def, tip), state) in hanging().iter().zip(&out.tips).zip(&out.states) {
             let reach = (target - def.root.origin).norm() - LENGTH;
             let left = (target - tip).norm();

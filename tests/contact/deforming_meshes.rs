@@ -47,7 +47,7 @@ fn a_deforming_body_tells_how_far_its_surface_goes() {
         let at = body.at(0, 0.01);
         let surface = at.shape.closest(Vector3::new(0.11, 0.03, 0.02), 1.0).unwrap();
         let carried = at.carried(&surface);
-        // Half of the way in each of two substeps; at the surface's place the stretch is that of the triangle, linear in the place.
+        // Half of the displacement in each of two substeps; at the surface's place the stretch is that of the triangle, linear in the place.
         let after = [0.5, 1.0, 1.0][substep];
         let factor = Vector3::new(1.0 + 0.2 * after, 1.0, 1.0 - 0.1 * after);
         let rest = surface.point.component_div(&factor);
@@ -56,7 +56,7 @@ fn a_deforming_body_tells_how_far_its_surface_goes() {
         body.finish(0.01);
     }
     assert_eq!(body.def().shape.mesh().unwrap().vertices(), &stretched[..]);
-    // The shape that others share stays.
+    // The shared shape stays the same.
     assert_eq!(shape.mesh().unwrap().vertices(), &vertices[..]);
     let mut sphere = Body::new(BodyDef::new(Arc::new(Shape::new_sphere(1.0).unwrap()))).unwrap();
     assert!(sphere.set_vertices(&vertices, 0.0).unwrap_err().to_string().contains("only triangle meshes"));

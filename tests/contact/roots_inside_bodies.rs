@@ -1,4 +1,4 @@
-//! Roots in bodies, where nothing is exempt: the host puts a root where it is, and no force moves it. It is told, and the rest of the strand is
+//! Roots in bodies, without exempt lengths: the host places the root, and no force moves it. It is reported, and the rest of the strand is
 //! solved as if it were not there.
 
 use std::sync::Arc;
@@ -61,7 +61,7 @@ fn a_root_on_the_surface_is_told_and_leaves_the_strand_alone() {
     }
 }
 
-/// A millimetre deep, upright and slanting: told with its depth, and no force acts on the body.
+/// A millimetre deep, upright and slanting: reported with its depth, and no force acts on the body.
 #[test]
 fn a_root_deep_in_a_body_is_told() {
     for model in MODELS {
@@ -94,7 +94,7 @@ fn what_lies_on_a_body_is_solved_though_its_root_is_in_it() {
     }
 }
 
-/// Where the first part of a strand is exempt, or may be that deep, nothing is told; nor of a root that is as deep as touches may be.
+/// If the first part of a strand is exempt, or may be that deep, nothing is reported; nor for a root within the contact tolerance.
 #[test]
 fn roots_that_may_be_there_are_not_told() {
     for model in MODELS {

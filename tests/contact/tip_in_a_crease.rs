@@ -1,4 +1,4 @@
-//! The tip of a strand in a body's crease, between two faces that are not steep enough to be told apart by their normals alone: both hold it.
+//! The tip of a strand in a body's crease, between two faces whose normals alone do not distinguish them: both hold it.
 
 use std::sync::Arc;
 

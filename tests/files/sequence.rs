@@ -1,4 +1,4 @@
-//! Caches: one file a frame, written whole or not at all.
+//! Caches: one file per frame, written completely or not at all.
 
 use std::path::{Path, PathBuf};
 

@@ -267,7 +267,7 @@ fn a_text_file_cut_at_any_line_is_refused() {
     for end in ends[..ends.len() - 1].iter().step_by(97) {
         reason(&real[..*end]);
     }
-    // Cut inside the last number, a file cannot be told from a whole one; anywhere else in the last line it can.
+    // A file cut inside the last number looks complete; cut anywhere else in the last line it does not.
     let last = TEXT.len() - "0,0,4\n".len();
     for length in last..TEXT.len() - 2 {
         reason(&TEXT.as_bytes()[..length]);

@@ -1,4 +1,4 @@
-//! USD as text: real files of other programs, what a layer may say, and every way in which one can be wrong. Reference numbers are of
+//! USD as text: real files of other programs, valid layers, and every way in which one can be wrong. Reference numbers are of
 //! Pixar's own library and of numpy (tests/oracle/make_usd_references.py).
 
 use serde_json::Value;
@@ -132,7 +132,7 @@ fn splines_keep_their_lengths() {
     let arclengths = |text: &str| read(text).extras().arclengths.clone();
     let both = arclengths(&format!("{quarter}{linear}")).unwrap();
     assert_eq!(both.len(), 5 + 3);
-    // The parameter is not the angle: the middle is at half way, for symmetry, and the whole is a quarter of a circle of radius 3. Four chords
+    // The parameter is not the angle: the middle is at one half, by symmetry, and the whole is a quarter of a circle of radius 3. Four chords
     // are 0.4 % shorter.
     let whole = 1.5 * std::f32::consts::PI;
     assert!((both[4] / whole - 1.0).abs() < 1e-6 && (both[2] / whole - 0.5).abs() < 1e-6, "{both:?}");
@@ -333,7 +333,7 @@ def Xform "head" (
     let curves = usda::read_from_bytes("p.usda", text.as_bytes()).unwrap();
     assert_eq!((curves.counts(), curves.points()), (&[2][..], &[[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]][..]));
     assert_eq!(curves.extras().metres_per_unit, Some(0.1));
-    // What the format means where a layer says nothing.
+    // The format's defaults.
     let plain = layer(
         "BasisCurves",
         "uniform token type = \"linear\" int[] curveVertexCounts = [2] point3f[] points = [(0,0,0),(0,0,1)]",
@@ -452,7 +452,7 @@ fn what_is_not_to_be_seen_is_left_out() {
     let hidden = "token visibility = \"invisible\"";
     let seen = strand("a", "token visibility = \"inherited\"", 1);
     assert_eq!(first_numbers(&(seen.clone() + &strand("b", hidden, 2))), [1.0]);
-    // What is in a hidden prim is hidden, whatever it says, and though that is said after it.
+    // The contents of a hidden prim are hidden, whatever they say, even if visibility comes after them.
     let group = format!("def Xform \"g\" {{ {} {hidden} }}\n", strand("c", "token visibility = \"inherited\"", 3));
     assert_eq!(first_numbers(&(group + &seen)), [1.0]);
     // Guides beside hair are left; where all are guides they are the groom.

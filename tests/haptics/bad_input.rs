@@ -1,4 +1,4 @@
-//! What cannot be is refused by name, and nothing changes.
+//! Invalid input is refused by name, and nothing changes.
 
 use nalgebra::Vector3;
 use superhelix::contact::options::{ContactModel, ContactOptions};

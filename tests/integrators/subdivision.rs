@@ -1,4 +1,4 @@
-//! Steps taken in parts: where a strand's step does not converge, and where it errs by more than allowed.
+//! Subdivided steps: where a strand's step does not converge, and where it errs by more than permitted.
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -95,7 +95,7 @@ fn only_the_strand_that_needs_parts_takes_them_whatever_the_threads() {
     }
 }
 
-/// Largest error of the tip, in lengths, over an oracle's trajectory in calls of 1/60 s; the largest error that a step told; mean parts.
+/// Largest error of the tip, in lengths, over an oracle's trajectory in calls of 1/60 s; the largest error that a step reported; mean number of substeps.
 fn with_error_tolerance(case: &Case, integrator: Integrator, error_tolerance: f64) -> (f64, f64, u32) {
     let mut options = SolverOptions::default();
     options.step.integrator = integrator;

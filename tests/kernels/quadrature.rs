@@ -1,4 +1,4 @@
-//! Quadrature to a tolerance: the table of rules against dense quadrature, and what a step makes of the rules.
+//! Quadrature to a tolerance: the table of rules against dense quadrature, and the rules' effect on a step.
 
 #[path = "../../examples/quadrature/angles.rs"]
 #[allow(dead_code)]

@@ -248,7 +248,7 @@ fn hair(row: &Value, count: usize) -> StrandDef {
     def
 }
 
-/// Paper 000, appendix B: measured hair, elliptic and naturally twisted, at rest; and the slowest vibrations about it.
+/// Bertails et al. 2006, appendix B: measured hair, elliptic and naturally twisted, at rest; and the slowest vibrations about it.
 #[test]
 fn hair_of_the_papers_appendix() {
     for row in rows(&reference()["hairs"]) {
@@ -274,7 +274,7 @@ fn hair_of_the_papers_appendix() {
     }
 }
 
-/// Where the tip goes at the first touch of gravity: d(tip)/dΓ at Γ = 0, in the tip's share of the reference's.
+/// The tip's initial response to gravity: d(tip)/dΓ at Γ = 0, relative to the reference's.
 #[test]
 fn linear_response() {
     let gamma = 1e-5;

@@ -1,4 +1,4 @@
-//! Rigid attachments: roots, bodies and targets go where a rigid carrier takes them, by one call; what was removed since is named and nothing
+//! Rigid attachments: roots, bodies and targets go where a rigid carrier takes them, by one call; what was removed in the meantime is named and nothing
 //! moves. And the numbers that hosts give to bodies and constraints.
 
 use std::sync::Arc;

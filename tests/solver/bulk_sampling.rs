@@ -1,4 +1,4 @@
-//! Strands sampled in bulk, side by side and in f32, against the walk along each of them in f64; and the same bits whoever samples.
+//! Strands sampled in bulk, side by side and in f32, against a pass along each of them in f64; and the same bits for any number of threads.
 
 use std::sync::Mutex;
 
@@ -14,7 +14,7 @@ use superhelix::solver::{Sample, SampleSink, Solver, Tile, Wanted};
 /// Position, quaternion x, y, z, w, velocity.
 type Numbers = [f64; 10];
 
-/// What came for every point; a point that comes twice is an error.
+/// The samples of every point; a point that comes twice is an error.
 struct Collected {
     points: usize,
     numbers: Mutex<Vec<Option<Numbers>>>,
@@ -89,7 +89,7 @@ fn errors<T: Real>(points: usize, rounding: f64) -> [f64; 3] {
         let on_border = point > 0 && point < points - 1 && (point * lengths.len()).is_multiple_of(points - 1);
         let expected = sample.position - origin;
         for axis in 0..3 {
-            // What is given out is rounded to the number type: half a unit in the last place is not the sampling's.
+            // Output is rounded to the number type: half a unit in the last place is not the sampling's.
             let off = (here[axis] - expected[axis]).abs() - rounding * expected[axis].abs();
             worst[0] = worst[0].max(off / length);
             let off = (here[7 + axis] - sample.velocity[axis]).abs() / fastest;

@@ -1,4 +1,4 @@
-//! Friction of what goes slowly: Coulomb's force does not depend on the speed, however little a step's way is.
+//! Friction at low speed: Coulomb's force does not depend on the speed, however small a step's displacement is.
 
 use nalgebra::Vector3;
 use superhelix::contact::options::{ContactOptions, Friction, StrandContact};
@@ -24,12 +24,12 @@ const SLIPS: f64 = 2e-8;
 /// A belt that starts or turns at once shakes a short strand for so long, s.
 const SHAKES: f64 = 0.15;
 
-/// What a run on a belt came to.
+/// The result of a run on a belt.
 #[derive(Debug, Default)]
 struct Run {
     /// The largest miss of the force that statics and Coulomb's law give, in units of μN.
     miss: f64,
-    /// The same while the belt goes back, after it has gone back far enough.
+    /// The same while the belt moves back, after it has moved back far enough.
     miss_back: f64,
     /// Work of friction on belt and strand, by a contact in a step, J: the most.
     work: f64,
@@ -71,7 +71,7 @@ fn a_short_strand_on_a_belt(speed: f64, h: f64, boxed: bool) -> Run {
         solver.set_body_frames(&[belt], &[pose], h).unwrap();
         run.unconverged += solver.step(h, 1).unwrap().contact.unconverged;
         let wrench = solver.body_wrench(belt).unwrap().force;
-        // On the strand, along the belt's way.
+        // On the strand, along the belt's direction.
         let (force, most) = (-wrench.y, -MU * wrench.z);
         for contact in solver.contacts() {
             let work = contact.force.dot(&across(&contact.slip, &contact.normal));
