@@ -68,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn what_no_machine_has_is_an_error() {
+    fn an_impossible_amount_of_memory_is_an_error() {
         assert_eq!(list::<u64>(usize::MAX / 8), Err(Error::OutOfMemory { bytes: usize::MAX / 8 * 8 }));
         assert!(check_room(isize::MAX as usize).is_err());
         assert_eq!(copied(&[1, 2, 3]), Ok(vec![1, 2, 3]));

@@ -141,7 +141,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_meter_tells_what_ended_it() {
+    fn a_meter_reports_why_it_ended() {
         let flag = AtomicU32::new(0);
         let meter = Meter::new(2, None, Some(&flag));
         assert_eq!((meter.stopped(), meter.left()), (Stopped::No, 2000));

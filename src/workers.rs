@@ -322,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn a_thread_begins_with_its_own_share_and_ends_with_what_others_left() {
+    fn a_thread_starts_with_its_own_group_and_ends_with_the_rest_of_others() {
         let mut items: Vec<usize> = (0..100).collect();
         let groups = Groups::new(&mut items, 8, 3);
         let mut order = Vec::new();

@@ -21,7 +21,7 @@ static MEMORY: PeakAlloc = PeakAlloc;
 /// One test, because memory is counted for the whole process: tests beside it would be counted in.
 #[test]
 fn readers_survive_anything_and_ask_for_little() {
-    whole_files_are_read_within_the_allowance();
+    whole_files_are_read_within_the_memory_limit();
     no_number_in_a_head_makes_a_reader_ask_for_much();
     small_prims_take_little();
     mutilated_files_are_survived();
@@ -300,7 +300,7 @@ fn allowance(name: &str, bytes: usize) -> usize {
     times * bytes + 8192
 }
 
-fn whole_files_are_read_within_the_allowance() {
+fn whole_files_are_read_within_the_memory_limit() {
     for (name, bytes) in seeds() {
         let (count, memory) = read(name, bytes);
         assert!(count.is_some(), "{name}: {:?}", Curves::read_from_bytes(name, bytes));

@@ -63,7 +63,7 @@ fn stepped(count: usize, integrator: Integrator, elements: impl Fn(usize) -> usi
 
 // One test: the counter is the process's.
 #[test]
-fn memory_is_told_as_it_is() {
+fn memory_is_reported_accurately() {
     // The quadrature rules are the process's: the first solver makes them.
     drop(Solver::new(SolverOptions::default()).unwrap());
     for elements in [5, 10, 50] {

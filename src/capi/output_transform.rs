@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_neither_rotation_nor_mirror_is_refused_by_name() {
+    fn matrices_other_than_rotations_and_mirrors_are_refused_by_name() {
         let one = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         assert_eq!(OutputTransform::new("def", one, [0.0; 3]), Ok(None));
         let refused = |axes: [[f64; 3]; 3], name: &str| {

@@ -149,7 +149,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_polygon_is_told() {
+    fn invalid_polygons_are_reported() {
         let bow = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]].map(|[x, y]| Vector3::new(x, y, 0.0));
         assert!(!cut(&bow, &[0, 1, 2, 3], &mut Vec::new()));
         let line = [0.0, 1.0, 2.0, 3.0].map(|x| Vector3::new(x, 0.0, 0.0));

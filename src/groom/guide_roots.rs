@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn roots_cover_what_is_among_them_and_a_hem() {
+    fn roots_cover_places_among_them_and_a_hem() {
         // A lattice of 1 cm with a hole of 4 cm.
         let roots: Vec<_> = (0..400)
             .map(|k| Vector3::new(0.01 * f64::from(k % 20), 0.01 * f64::from(k / 20), 0.3))

@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn smooth_ways_are_approached_at_fourth_order() {
+    fn smooth_paths_are_approached_at_fourth_order() {
         let error = |count: usize| {
             let times: Vec<f64> = (0..=count).map(|k| k as f64 / count as f64).collect();
             let wave = |t: f64| Vector3::new((7.0 * t).sin(), (5.0 * t).cos(), 0.0);

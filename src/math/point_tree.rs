@@ -111,7 +111,7 @@ mod tests {
     use crate::math::random::Seeded;
 
     #[test]
-    fn what_is_found_is_what_a_search_of_all_finds() {
+    fn queries_agree_with_an_exhaustive_search() {
         for count in [0, 1, 7, 9, 100, 1000] {
             let numbers = Seeded::new(3, count);
             // A third of them twice, on a coarse lattice, so that distances tie.

@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn velocities_and_accelerations_are_those_of_the_way() {
+    fn velocities_and_accelerations_are_those_of_the_path() {
         let pieces = RootPath::pieces(&swinging, 0.5).unwrap();
         assert_eq!((pieces[0].start, pieces[pieces.len() - 1].end), (0.0, 0.5));
         for piece in &pieces {

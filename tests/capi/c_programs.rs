@@ -237,7 +237,7 @@ fn steps_are_limited_and_cancelled_from_c() {
 }
 
 #[test]
-fn elements_change_under_way() {
+fn elements_change_during_a_motion() {
     let path = program("level_of_detail");
     run(&mut Command::new(&path));
     run(&mut valgrind(&path));
@@ -267,7 +267,7 @@ fn friction_is_fitted_from_c() {
 }
 
 #[test]
-fn static_library_states_what_it_needs() {
+fn static_library_lists_its_dependencies() {
     let libraries = static_libraries();
     for library in ["-lm", "-lpthread", "-lc"] {
         assert!(libraries.iter().any(|stated| stated == library), "{libraries:?} has no {library}");

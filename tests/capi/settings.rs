@@ -35,7 +35,7 @@ fn assert_same(c: &shx_settings, rust: &Settings) {
 }
 
 #[test]
-fn a_host_gets_what_the_library_says() {
+fn a_host_gets_the_librarys_results() {
     let presets = [SHX_PRESET_PREVIEW, SHX_PRESET_BALANCED, SHX_PRESET_ACCURATE];
     for (number, preset) in presets.into_iter().zip(Preset::ALL) {
         // The last curl is tighter than all that were measured.

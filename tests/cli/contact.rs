@@ -306,7 +306,7 @@ fn colliders_move_and_deform() {
 }
 
 #[test]
-fn strands_meet_what_their_groups_let_them() {
+fn strands_collide_by_their_groups() {
     let directory = directory("groups");
     let floor = json!({"shape": "halfspace", "pose": {"origin": [0, 0, -0.02]}});
     let lowest = |strand: Value, floor: Value| {

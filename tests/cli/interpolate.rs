@@ -450,7 +450,7 @@ fn texture_coordinates_place_follicles_and_pictures_say_how_densely() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn errors_are_reported() {
     let place = directory("interpolate_errors");
     let out = place.join("out.hair").display().to_string();
     let (groom, bust) = (data("sintel_hair_001.tfx"), data("sintel_bust.obj"));

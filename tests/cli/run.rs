@@ -29,7 +29,7 @@ fn the_documented_example_runs_as_it_stands() {
 }
 
 #[test]
-fn an_error_tolerance_takes_steps_in_parts_and_halvings_can_be_forbidden() {
+fn an_error_tolerance_subdivides_steps_and_halvings_can_be_forbidden() {
     let scene = with(with(small_scene(), "/error_tolerance", json!(1e-5)), "/max_subdivisions", json!(8));
     let result = run(&directory("parts"), &scene);
     assert!(result["report"]["subdivided"].as_u64().unwrap() > 0);

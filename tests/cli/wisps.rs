@@ -46,7 +46,7 @@ const GROOMS: [(&str, &str, &str); 6] = [
 /// After 3 s of a walk or of jumping and a second of rest: within 2, 5 and 15 % of its length at hold 1, 0.7 and 0.4; bare hair further off; volume
 /// within a tenth at 0.7; every step converged; not more than half a percent of the points deeper than 2 mm in the head.
 #[test]
-fn a_style_holds_as_firmly_as_it_is_asked_to() {
+fn a_style_holds_as_firmly_as_requested() {
     let directory = directory("wisps_hold");
     let bust = bust_in(&directory);
     for (name, motion_name) in [("walk", "walk_figure8_head.csv"), ("jumping", "cmu_jumping_jacks_head.csv")] {

@@ -135,7 +135,7 @@ fn wisps_pinned_behind_a_ball_are_held() {
 
 /// Two points of a strand pinned further apart than it is long between them; a frame and a tangent close to it that contradict it.
 #[test]
-fn bonds_that_contradict_each_other_are_told() {
+fn contradictory_constraints_are_reported() {
     let apart = |ids: &[StrandId]| {
         let of = |id: &StrandId| {
             [held(*id, 0.05, Hold::Point, at([0.02, 0.0, -0.04])), held(*id, 0.09, Hold::Point, at([-0.04, 0.0, -0.05]))]

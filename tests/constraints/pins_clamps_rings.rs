@@ -233,7 +233,7 @@ fn a_ring_slides_along_the_strand_and_lets_go_at_its_tip() {
 }
 
 #[test]
-fn what_cannot_hold_is_told() {
+fn impossible_constraints_are_reported() {
     let mut solver = solver(Integrator::ImplicitEuler);
     let ids = solver.add_strands(&[strand(10), strand(10), strand(10)]).unwrap();
     let at = [0.08, 0.0, -0.01];

@@ -225,7 +225,7 @@ fn bonds_hold_over_several_touches() {
 }
 
 #[test]
-fn bonds_that_depend_on_each_other_are_told() {
+fn dependent_constraints_are_reported() {
     let off = Vector3::new(1e-3, -2e-3, 3e-3);
     // Twice the same: consistent, and reported without residual.
     let (space, forces, report) = held(&[(end(0, 2), None, PIN, off), (end(0, 2), None, PIN, off)]);
@@ -262,7 +262,7 @@ fn bonds_hold_beside_contacts() {
 }
 
 #[test]
-fn pins_of_many_strands_cost_what_each_costs() {
+fn pins_of_many_strands_cost_the_sum_of_each() {
     // Counted, not timed: a strand's pin moves its own points only, so that no strand's forces depend on the number of others.
     let alone = held(&[(end(0, 2), None, PIN, Vector3::x())]).1[0];
     let mut space = ContactSpace::default();

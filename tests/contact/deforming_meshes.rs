@@ -9,7 +9,7 @@ use superhelix::contact::shape::{Mesh, Shape, Sides};
 use super::random_bodies::{Dice, bumpy};
 
 #[test]
-fn a_refitted_mesh_answers_as_one_built_anew() {
+fn a_refitted_mesh_answers_like_a_new_one() {
     let mut dice = Dice(21);
     let (mut vertices, triangles) = bumpy(0.1, 3);
     let mut mesh = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();
@@ -36,7 +36,7 @@ fn a_refitted_mesh_answers_as_one_built_anew() {
 }
 
 #[test]
-fn a_deforming_body_tells_how_far_its_surface_goes() {
+fn a_deforming_body_reports_the_displacement_of_its_surface() {
     let (vertices, triangles) = bumpy(0.1, 2);
     let shape = Arc::new(Shape::new_mesh(vertices.clone(), triangles, Sides::Solid).unwrap());
     let mut body = Body::new(BodyDef::new(shape.clone())).unwrap();

@@ -243,7 +243,7 @@ fn going_over_a_hair_from_root_to_tip_meets_less_friction() {
 }
 
 #[test]
-fn bonds_hold_what_they_name() {
+fn constraints_hold_their_points() {
     let mut numbers = Numbers(3);
     for case in 0..3000 {
         let w = numbers.response(6.0);

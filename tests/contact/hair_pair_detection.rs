@@ -287,7 +287,7 @@ fn touches_do_not_depend_on_which_strand_is_first() {
 }
 
 #[test]
-fn strands_along_each_other_touch_at_the_ends_of_what_they_share() {
+fn strands_along_each_other_touch_at_the_ends_of_their_common_length() {
     // Elements end at 0, 25, 50, 75 and 100 mm, and the partner's at 30, 70 and 110 mm: they share 30 to 100 mm.
     for tilt in [0.0, 1e-9, 1e-3] {
         let a = Strand::straight(Vector3::zeros(), Vector3::new(0.1, 0.0, 0.0), 4);
@@ -421,7 +421,7 @@ fn strands_that_passed_through_each_other_keep_their_side() {
 }
 
 #[test]
-fn what_turns_together_or_goes_round_has_not_crossed() {
+fn common_rotations_and_detours_are_not_crossings() {
     // Both turn by two radians about the first: normals turn with them.
     let (then, _) = crossing(1.95e-3, 0.0, 0.7);
     let mut now = then.clone();

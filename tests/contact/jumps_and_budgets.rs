@@ -238,7 +238,7 @@ fn a_cancelled_step_leaves_everything_whole() {
 
 /// A strand that cannot be solved at all for a while comes back by itself within half a second, and an image in the middle of that goes on bit for bit.
 #[test]
-fn what_was_lost_comes_back() {
+fn diverged_strands_return() {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let mut def = StrandDef::straight(0.1, 5);
     // Velocities beyond all numbers: its state turns non-finite in every step.

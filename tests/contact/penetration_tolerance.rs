@@ -126,7 +126,7 @@ fn what_touches_is_found_though_resting_strands_are_not_searched_again() {
 /// An island that may not be solved fully is reported as unconverged, with its strands, and the report gives its remaining depth; the contact list
 /// what pressed.
 #[test]
-fn islands_that_end_early_are_told_and_how_deep_they_are() {
+fn islands_that_end_early_are_reported_with_their_depth() {
     for (model, halvings) in [ContactModel::Coulomb].into_iter().flat_map(|model| [(model, 0), (model, 3)]) {
         let few = ContactOptions { max_iterations: 2, ..ContactOptions::default() };
         let (mut solver, ids, defs) = falling(model, 8, few, halvings);
@@ -169,7 +169,7 @@ fn islands_that_end_early_are_told_and_how_deep_they_are() {
 /// A strand between two walls that close on it cannot be outside both. It yields, and is reported; the other strands of its island hold as before,
 /// and keep their friction: if the whole island yielded, they would sink into each other.
 #[test]
-fn what_cannot_be_held_takes_nobody_along() {
+fn an_impossible_constraint_affects_no_other_strand() {
     {
         let model = ContactModel::Coulomb;
         let (mut solver, ids, defs) = falling(model, 8, ContactOptions::default(), 3);
@@ -274,7 +274,7 @@ fn what_is_drawn_in_each_other_and_pressed_together_parts() {
 /// The reported depth is that of the current strands: contacts keep the points at which they were detected, and where strands move several times
 /// their radius in a step these have slid apart, and say nothing of what lies where. Nor does the list say more.
 #[test]
-fn how_deep_hair_is_in_hair_is_told_of_the_strands_and_not_of_their_touches() {
+fn the_reported_depth_of_hair_in_hair_is_that_of_the_strands_not_of_their_contacts() {
     const STRANDS: usize = 25;
     {
         let model = ContactModel::Coulomb;

@@ -67,7 +67,7 @@ fn a_resting_strand_is_borne_by_its_contacts() {
 }
 
 #[test]
-fn few_iterations_of_a_penalty_come_to_the_same_rest() {
+fn few_iterations_of_a_penalty_reach_the_same_rest() {
     let rest = |iterations: u32| {
         let mut options = SolverOptions { gravity: Vector3::new(0.0, 0.0, -GRAVITY), ..SolverOptions::default() };
         (options.contact.model, options.contact.max_iterations) = (ContactModel::Penalty, iterations);

@@ -164,7 +164,7 @@ fn sampled_hits(moving: &Moving, body: &BodyAt, level: f64) -> Vec<(usize, f64, 
 }
 
 #[test]
-fn sweeps_find_what_dense_sampling_of_time_finds() {
+fn sweeps_agree_with_dense_sampling_of_time() {
     let mut dice = Dice(31);
     let (vertices, triangles) = ball(0.004, 2);
     let mesh = Mesh::new(vertices.clone(), triangles.clone(), Sides::Solid).unwrap();

@@ -320,7 +320,7 @@ fn what_was_read_is_written_again_byte_for_byte() {
 }
 
 #[test]
-fn every_version_keeps_what_it_has_a_place_for() {
+fn every_version_keeps_what_it_can_hold() {
     let numbers = |count: usize| (0..count).map(|index| 0.1 + index as f32 / 3.0).collect::<Vec<f32>>();
     let points: Vec<[f32; 3]> = numbers(12).iter().map(|x| [*x, -x, x * 1e-20]).collect();
     let extras = Extras {

@@ -294,7 +294,7 @@ fn a_cache_has_its_frames_velocities_and_nothing_left_beside_it() {
 }
 
 #[test]
-fn what_a_program_may_write_around_curves_is_read_past() {
+fn other_content_around_curves_is_skipped() {
     let text = r#"#usda 1.0
 ( "a layer"
     customLayerData = { string a = "}" ; int[] b = [1, 2] }
@@ -448,7 +448,7 @@ fn first_numbers(text: &str) -> Vec<f32> {
 }
 
 #[test]
-fn what_is_not_to_be_seen_is_left_out() {
+fn invisible_prims_are_left_out() {
     let hidden = "token visibility = \"invisible\"";
     let seen = strand("a", "token visibility = \"inherited\"", 1);
     assert_eq!(first_numbers(&(seen.clone() + &strand("b", hidden, 2))), [1.0]);

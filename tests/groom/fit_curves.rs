@@ -116,7 +116,7 @@ fn super_helices_with_elements_of_any_length_are_found_again() {
 }
 
 #[test]
-fn the_root_is_what_is_asked_for() {
+fn the_root_is_the_requested_one() {
     let (points, arclengths) = helix(0.01, 0.03, 0.1, 41);
     let curve = with_arclengths(&points, &arclengths);
     let tangent = Vector3::new(0.0, 0.01, 0.03 / std::f64::consts::TAU).normalize();
@@ -301,7 +301,7 @@ fn distance_from(fitted: &Fit, points: &[Vector3<f64>], arclengths: &[f64]) -> f
 }
 
 #[test]
-fn the_length_is_exact_and_the_errors_are_what_they_are_called() {
+fn the_length_is_exact_and_the_errors_match_their_definitions() {
     let mut noise = Noise(1);
     for count in [2, 3, 5, 30, 500] {
         for elements in [1, 4, 13] {
@@ -457,7 +457,7 @@ fn bad_input_is_refused_by_name() {
 }
 
 #[test]
-fn splines_are_what_their_names_say() {
+fn splines_match_their_names() {
     let mut noise = Noise(11);
     let controls: Vec<Vector3<f64>> = (0..7).map(|_| noise.vector()).collect();
     let near = |a: Vector3<f64>, b: Vector3<f64>| assert!((a - b).norm() < 1e-14, "{a} {b}");

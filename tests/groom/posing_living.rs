@@ -301,7 +301,7 @@ fn images_move_as_images() {
 }
 
 #[test]
-fn elements_change_and_what_is_held_is_not_lost() {
+fn elements_change_and_constraints_are_kept() {
     let (mut solver, ids) = solver_of(&[curl(5, 1), curl(5, 2)], Workers::Serial);
     let change = ElementChange { twist: 0.2, bend: [0.1, 0.0], stretch: 1.5, keep_curvature: false };
     let (natural, rows) = (solver.natural_curvatures(ids[1]).unwrap()[2], solver.curvatures(ids[1]).unwrap()[2]);

@@ -232,7 +232,7 @@ fn a_shape_made_natural_carries_no_strain_and_sags() {
 }
 
 #[test]
-fn a_rest_shape_is_that_of_the_closed_form_and_forgets_what_was_authored() {
+fn a_rest_shape_has_the_closed_form_and_discards_the_original() {
     let (mut solver, ids) = swinging();
     solver.set_element_count(&ids, 3).unwrap();
     let shape = solver.curvatures(ids[0]).unwrap().to_vec();

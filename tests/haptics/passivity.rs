@@ -147,7 +147,7 @@ fn strokes_through_hair_are_passive_and_the_state_keeps_the_book() {
 }
 
 #[test]
-fn what_is_passive_is_left_as_it_is() {
+fn passive_forces_are_unchanged() {
     let account = Passivity::new(&HapticOptions::default());
     let mut wrench = Wrench { force: Vector3::new(-3.0, 0.5, 0.0), torque: Vector3::zeros() };
     let before = wrench;

@@ -101,7 +101,7 @@ fn a_strand_at_rest_stays() {
 /// Changes a step far below the last digit of an f32 add up: a strand whose friction is so strong that its curvature goes
 /// κ = κⁿ − (κⁿ − κ₀) exp(−t/μ) with μ a day goes there, although each step changes it by a hundredth of a rounding.
 #[test]
-fn what_is_too_small_for_a_step_is_not_lost() {
+fn changes_too_small_for_a_step_are_not_lost() {
     for integrator in [Integrator::ImplicitEuler, Integrator::SecondOrder, Integrator::LinearlyImplicit] {
         let mut options = SolverOptions { gravity: Vector3::zeros(), ..SolverOptions::default() };
         (options.step.precision, options.step.integrator) = (Precision::F32, integrator);

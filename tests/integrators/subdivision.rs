@@ -44,7 +44,7 @@ fn shake_once(solver: &mut Solver, shaken: StrandId, step: i32) -> superhelix::s
 }
 
 #[test]
-fn a_step_that_does_not_converge_is_taken_in_parts_and_then_does() {
+fn a_step_that_does_not_converge_does_so_in_substeps() {
     let run = |max_subdivisions: u32| {
         let mut options = SolverOptions::default();
         (options.step.max_iterations, options.step.max_subdivisions) = (8, max_subdivisions);
@@ -148,7 +148,7 @@ fn a_smaller_error_tolerance_brings_a_smaller_error_at_the_same_frames() {
 }
 
 #[test]
-fn the_error_that_a_step_tells_falls_with_its_cube() {
+fn the_reported_error_of_a_step_falls_with_its_cube() {
     // A smooth motion: a strand let go, past its start.
     let told = |h: f64| {
         let mut options = SolverOptions::default();

@@ -414,7 +414,7 @@ fn natural_frequencies() {
 }
 
 #[test]
-fn settling_says_what_is_wrong_and_changes_nothing() {
+fn settling_names_errors_and_changes_nothing() {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let ids = solver.add_strands(&[upright(5, 20.0), upright(5, 5.0)]).unwrap();
     let before = solver.state_hash();

@@ -143,7 +143,7 @@ fn samples_do_not_depend_on_threads_instructions_or_neighbours() {
 }
 
 #[test]
-fn what_is_wrong_is_said_before_anything_is_sampled() {
+fn errors_are_reported_before_anything_is_sampled() {
     let (mut solver, ids) = head(Workers::Serial, None);
     solver.remove_strands(&ids[3..4]).unwrap();
     let wanted = Wanted { points_per_strand: 4, origin: Vector3::zeros(), positions: true, rotations: false, velocities: false };

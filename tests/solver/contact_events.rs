@@ -150,7 +150,7 @@ fn what_has_no_room_is_counted_and_the_oldest_come_first() {
 
 /// The phases are parts of the whole, and those that a scene does not have take no time.
 #[test]
-fn a_report_says_what_a_step_spent_its_time_on() {
+fn a_report_has_the_times_of_a_steps_phases() {
     let (mut solver, _, ball) = scene(Workers::Serial);
     send(&mut solver, ball, 0.0);
     let (mut sums, mut seconds) = ([0.0; 3], 0.0);

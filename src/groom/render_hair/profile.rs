@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn frizz_has_the_deviation_that_was_asked_for_and_none_at_the_root() {
+    fn frizz_has_the_requested_deviation_and_none_at_the_root() {
         let settings = RenderSettings { points_per_strand: 33, frizz: 0.003, frizz_waves: 7.0, ..RenderSettings::default() };
         let profiles = Profiles::new(&settings, 40);
         let (mut square, mut count) = (0.0, 0);

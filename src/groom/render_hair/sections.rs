@@ -130,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_least_turn_keeps_what_is_across_both() {
+    fn the_least_rotation_keeps_the_common_perpendicular() {
         let (from, to) = (Vector3::new(0.6, 0.0, 0.8), Vector3::new(-0.8, 0.6, 0.0));
         assert!((turned(from, from, to) - to).norm() < 1e-15);
         let axis = from.cross(&to);

@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_course_is_changed_and_what_is_on_it_kept() {
+    fn the_course_changes_and_its_details_stay() {
         for points in [2, 3, 4, 24] {
             let stride = usize::next_multiple_of(points, 8);
             let s = |k: usize| k as f32 / (points - 1) as f32;

@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn every_width_computes_what_the_scalar_does() {
+    fn every_width_computes_the_same_as_the_scalar() {
         check::<F64x2, f64>();
         check::<F32x4, f32>();
         if has_avx2() {

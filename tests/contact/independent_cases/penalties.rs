@@ -63,7 +63,7 @@ fn goes_where_its_neighbour_goes(model: ContactModel, iterations: Option<u32>, f
 
 /// The baseline: the same step from the same image gives the same result.
 #[test]
-fn the_same_step_comes_to_the_same_place() {
+fn the_same_step_gives_the_same_result() {
     assert_eq!(goes_where_its_neighbour_goes(ContactModel::Penalty, None, 0.0), (0.0, 0));
 }
 
@@ -106,7 +106,7 @@ fn depths(head: &mut Head, centre: Vector3<f64>) -> (f64, f64) {
 
 /// The reported depth is at least 0.9 of the depth measured from outside.
 #[test]
-fn penalties_tell_how_deep_they_are() {
+fn penalties_report_their_depth() {
     let mut failed = Vec::new();
     for model in SOFT {
         for iterations in [Some(1), Some(2), Some(4), None] {
@@ -139,7 +139,7 @@ fn penalties_tell_how_deep_they_are() {
 
 /// One or two iterations are what the user chose to pay: calm hair on a head that hardly moves is not reported as unsolved for it.
 #[test]
-fn iterations_that_were_chosen_are_not_told_as_unconverged() {
+fn chosen_iteration_limits_are_not_reported_as_unconverged() {
     let mut failed = Vec::new();
     for model in SOFT {
         for iterations in [1, 2] {
