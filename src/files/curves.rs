@@ -150,7 +150,7 @@ impl Curves {
             _ if tfx::is_text(bytes) || tfx::is_binary(bytes) => tfx::read_from_bytes(name, bytes),
             _ => Err(Error::file(
                 name,
-                "is of no known groom format: expected .hair, .tfx (version 2, 3 or 4), .obj, .usda or .data",
+                "is not a known groom format; expected .hair, .tfx (version 2, 3 or 4), .obj, .usda or .data",
             )),
         }
     }

@@ -32,7 +32,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<DistanceGrid> {
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<DistanceGrid> {
     let header = Section::of(name, bytes, "header", 0, 1, HEADER as u64)?.bytes;
     if &header[..8] != MAGIC {
-        return Err(Error::file(name, "is no distance grid: it does not begin with SHXDGRID"));
+        return Err(Error::file(name, "is not a distance grid: it does not begin with SHXDGRID"));
     }
     let version = u32_at(header, 8);
     if version != VERSION {

@@ -66,7 +66,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Curves> {
 pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     let error = |reason: std::fmt::Arguments<'_>| Err(Error::file(name, reason));
     if bytes.len() < HEAD {
-        return error(format_args!("truncated: the head of a .hair file has {HEAD} bytes, and the file has {}", bytes.len()));
+        return error(format_args!("truncated: the header of a .hair file has {HEAD} bytes, and the file has {}", bytes.len()));
     }
     if &bytes[..4] != b"HAIR" {
         return error(format_args!("begins with the bytes {:02x?}; expected the letters HAIR", &bytes[..4]));
@@ -110,7 +110,7 @@ pub fn read_from_bytes(name: &str, bytes: &[u8]) -> Result<Curves> {
     let transparency = next(TRANSPARENCY, "transparencies", points, 4)?;
     let colors = next(COLORS, "colours", points, 12)?;
     if end != bytes.len() as u64 {
-        return error(format_args!("oversized: by its head the file ends at byte {end}, and it has {} bytes", bytes.len()));
+        return error(format_args!("oversized: by its header the file ends at byte {end}, and it has {} bytes", bytes.len()));
     }
 
     let counts = counts(name, strands, points, default_segments, segments)?;

@@ -75,7 +75,7 @@ impl Motion {
             "csv" => false,
             _ if bytes.trim_ascii_start().starts_with(b"HIERARCHY") => true,
             _ if bytes.trim_ascii_start().starts_with(b"time_s") => false,
-            _ => return Err(Error::file(name, "is of no known motion format: expected .csv or .bvh")),
+            _ => return Err(Error::file(name, "is not a known motion format; expected .csv or .bvh")),
         };
         let (times, frames) = if is_bvh {
             bvh::read(name, bytes, options.joint.as_deref(), options.metres_per_unit.unwrap_or(1.0))?

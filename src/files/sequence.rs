@@ -132,7 +132,7 @@ impl Sequence {
         for pair in frames.windows(2) {
             let ((before, _), (after, path)) = (&pair[0], &pair[1]);
             if before == after {
-                return Err(Error::file(path, format_args!("is frame {after}, which is there a second time")));
+                return Err(Error::file(path, format_args!("is frame {after}, which exists twice")));
             }
             let wanted = u64::from(*before) + 1;
             if u64::from(*after) != wanted {

@@ -40,7 +40,7 @@ impl<'a> Head<'a> {
             return Err(Error::file(
                 name,
                 format_args!(
-                    "truncated: the head of a version {version} .tfx file has {length} bytes, and the file has {}",
+                    "truncated: the header of a version {version} .tfx file has {length} bytes, and the file has {}",
                     bytes.len()
                 ),
             ));
@@ -68,7 +68,7 @@ impl<'a> Head<'a> {
         if (offset as usize) < self.length {
             return Err(Error::file(
                 self.name,
-                format_args!("the {what} (offset at byte {at}) begin at byte {offset}, inside the head of {} bytes", self.length),
+                format_args!("the {what} (offset at byte {at}) begin at byte {offset}, inside the header of {} bytes", self.length),
             ));
         }
         let section = Section::of(self.name, self.bytes, what, u64::from(offset), count, width)?;
@@ -103,7 +103,7 @@ impl<'a> Head<'a> {
         if self.bytes.len() - end > PADDING {
             return Err(Error::file(
                 self.name,
-                format_args!("oversized: by its head the file ends at byte {end}, and it has {} bytes", self.bytes.len()),
+                format_args!("oversized: by its header the file ends at byte {end}, and it has {} bytes", self.bytes.len()),
             ));
         }
         Ok(())

@@ -118,7 +118,7 @@ fn read_head<'a>(text: &mut Text<'a>) -> Result<Head<'a>> {
                 };
                 single(text, line, key, value)?;
             }
-            _ => return Err(text.error(line, format_args!("{} is no line of a version 2 .tfx file", Quote(content.trim())))),
+            _ => return Err(text.error(line, format_args!("{} is not a line of a version 2 .tfx file", Quote(content.trim())))),
         }
         if version.is_none() {
             return Err(text.error(line, format_args!("{}; expected \"version 2.0\" first", Quote(content.trim()))));
@@ -126,7 +126,7 @@ fn read_head<'a>(text: &mut Text<'a>) -> Result<Head<'a>> {
     };
     let Some((strands_line, strands)) = strands else {
         let line = first_strand.map_or(text.line(), |(line, _)| line);
-        return Err(text.error(line, "there is no line \"numStrands N\" before the first strand"));
+        return Err(text.error(line, "\"numStrands N\" is missing before the first strand"));
     };
     Ok(Head { both_ends_held, strands, strands_line, first_strand })
 }

@@ -43,7 +43,7 @@ impl Controls<'_> {
         if there == self.total {
             return Ok(());
         }
-        Err(bad(format_args!("{what} has {there} entries; expected one a point, {}", self.total)))
+        Err(bad(format_args!("{what} has {there} entries; expected one per point, {}", self.total)))
     }
 
     /// The range of each curve's control points.
@@ -99,7 +99,7 @@ impl Controls<'_> {
 
     /// Converts three numbers per control point to three per point.
     pub fn vectors(&self, basis: &Basis<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
-        let narrow = |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point leaves the range of floats")));
+        let narrow = |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point is outside the range of floats")));
         let mut made = Vec::new();
         match basis {
             Basis::Linear => return Ok(vectors.to_vec()),
@@ -216,21 +216,21 @@ impl Controls<'_> {
         match how {
             Interpolation::Constant if items.len() != 1 => wrong(1, "for all curves"),
             Interpolation::Constant => Ok(Spread::Points(vec![items[0]; made_counts.iter().map(|count| *count as usize).sum()])),
-            Interpolation::Uniform if items.len() != self.counts.len() => wrong(self.counts.len(), "a curve"),
+            Interpolation::Uniform if items.len() != self.counts.len() => wrong(self.counts.len(), "per curve"),
             Interpolation::Uniform => Ok(Spread::Points(
                 items.iter().zip(&made_counts).flat_map(|(item, count)| std::iter::repeat_n(*item, *count as usize)).collect(),
             )),
-            Interpolation::Vertex | Interpolation::FaceVarying if items.len() != self.total => wrong(self.total, "a point"),
+            Interpolation::Vertex | Interpolation::FaceVarying if items.len() != self.total => wrong(self.total, "per point"),
             Interpolation::Vertex | Interpolation::FaceVarying => Ok(Spread::Controls(items.to_vec())),
             Interpolation::Varying if matches!(basis, Basis::Linear) => match items.len() == self.total {
                 true => Ok(Spread::Controls(items.to_vec())),
-                false => wrong(self.total, "a point"),
+                false => wrong(self.total, "per point"),
             },
             Interpolation::Varying => {
                 let each = |count: &u32| (*count as usize - 1) / PER_SPAN;
                 let ends: usize = made_counts.iter().map(|count| each(count) + 1).sum();
                 if items.len() != ends {
-                    return wrong(ends, "an end of a span");
+                    return wrong(ends, "per end of a span");
                 }
                 let (mut made, mut first) = (Vec::new(), 0);
                 for count in &made_counts {

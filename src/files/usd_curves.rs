@@ -146,7 +146,7 @@ impl One<'_> {
         all.points.extend(match &moved {
             None => made.clone(),
             Some(moved) => {
-                moved.points(&made).ok_or_else(|| self.error("a point leaves the range of floats when it is placed"))?
+                moved.points(&made).ok_or_else(|| self.error("a placed point is outside the range of floats"))?
             }
         });
         if !matches!(basis, Basis::Linear) {
@@ -167,7 +167,7 @@ impl One<'_> {
         let velocities = match (&moved, velocities) {
             (Some(moved), velocities) => {
                 let placed = moved.velocities(&made, velocities.as_deref(), self.layer.time_codes_per_second);
-                placed.map_err(|()| self.error("a velocity leaves the range of floats when it is placed"))?
+                placed.map_err(|()| self.error("a placed velocity is outside the range of floats"))?
             }
             (None, velocities) => velocities,
         };
@@ -190,7 +190,7 @@ impl One<'_> {
         };
         all.thickness.add(thickness, before.0, point_count, 0.0);
         let opacities = indexed(self.prim.opacities.at(self.time), self.prim.opacity_indices.at(self.time)).map_err(|index| {
-            self.error(format_args!("primvars:displayOpacity:indices says {index}, and there is no such entry"))
+            self.error(format_args!("primvars:displayOpacity:indices has {index}, which is not an entry"))
         })?;
         let transparency = match opacities {
             Some(list) => {
@@ -203,7 +203,7 @@ impl One<'_> {
         };
         all.transparency.add(transparency, before.0, point_count, 0.0);
         let colors = indexed(self.prim.colors.at(self.time), self.prim.color_indices.at(self.time)).map_err(|index| {
-            self.error(format_args!("primvars:displayColor:indices says {index}, and there is no such entry"))
+            self.error(format_args!("primvars:displayColor:indices has {index}, which is not an entry"))
         })?;
         let colors = match colors {
             Some(list) => {
@@ -220,7 +220,7 @@ impl One<'_> {
         let thickness = self.prim.strand_thickness.at(self.time).filter(|list| list.len() == curve_count);
         all.strand_thickness.add(thickness.cloned(), before.1, curve_count, 1.0);
         let uvs = indexed(self.prim.uvs.at(self.time), self.prim.uv_indices.at(self.time))
-            .map_err(|index| self.error(format_args!("primvars:st:indices says {index}, and there is no such entry")))?;
+            .map_err(|index| self.error(format_args!("primvars:st:indices has {index}, which is not an entry")))?;
         all.strand_uvs.add(uvs.filter(|list| list.len() == curve_count), before.1, curve_count, [0.0; 2]);
         all.counts.append(&mut made_counts);
         Ok(())
@@ -247,7 +247,7 @@ impl One<'_> {
             let orders = prim.orders.at(self.time).map_or(&[][..], Vec::as_slice);
             if orders.len() != counts.len() {
                 let (said, wanted) = (orders.len(), counts.len());
-                return Err(self.error(format_args!("order has {said} numbers; expected one a curve, {wanted}")));
+                return Err(self.error(format_args!("order has {said} numbers; expected one per curve, {wanted}")));
             }
             let knots = prim.knots.at(self.time).map_or(&[][..], Vec::as_slice);
             let wanted: u64 = counts.iter().zip(orders).map(|(count, order)| u64::from(*count) + u64::from(*order)).sum();
@@ -259,7 +259,7 @@ impl One<'_> {
             let points: u64 = counts.iter().map(|count| u64::from(*count)).sum();
             if let Some(weights) = weights.filter(|weights| weights.len() as u64 != points) {
                 let there = weights.len();
-                return Err(self.error(format_args!("pointWeights has {there} numbers; expected one a point, {points}")));
+                return Err(self.error(format_args!("pointWeights has {there} numbers; expected one per point, {points}")));
             }
             return Ok(Basis::Nurbs { orders, knots, weights });
         }
@@ -271,7 +271,7 @@ impl One<'_> {
         let ends = match prim.wrap.as_deref().unwrap_or("nonperiodic") {
             "nonperiodic" => SplineEnds::Open,
             "pinned" => SplineEnds::Pinned,
-            "periodic" => return Err(self.error("wrap is \"periodic\": a closed curve has no root and is no strand")),
+            "periodic" => return Err(self.error("wrap is \"periodic\": a closed curve has no root and cannot be a strand")),
             other => return Err(self.error(format_args!("wrap is {other:?}; expected \"nonperiodic\" or \"pinned\""))),
         };
         if prim.kind.as_deref() == Some("linear") {

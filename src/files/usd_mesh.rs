@@ -230,7 +230,7 @@ impl One<'_> {
     fn texture(&self, corners: usize, vertices: usize) -> Result<Option<(Vec<[f64; 2]>, bool)>> {
         let prim = self.prim;
         let values = indexed(prim.uvs.at(self.time), prim.uv_indices.at(self.time))
-            .map_err(|index| self.error(format_args!("primvars:st:indices says {index}, and there is no such entry")))?;
+            .map_err(|index| self.error(format_args!("primvars:st:indices has {index}, which is not an entry")))?;
         let Some(values) = values else { return Ok(None) };
         let by_corner = match prim.uvs.interpolation {
             Some(Interpolation::FaceVarying) => true,
@@ -243,7 +243,7 @@ impl One<'_> {
         let (wanted, of) = if by_corner { (corners, "corner") } else { (vertices, "vertex") };
         if values.len() != wanted {
             let there = values.len();
-            return Err(self.error(format_args!("primvars:st has {there} entries; expected one a {of}, {wanted}")));
+            return Err(self.error(format_args!("primvars:st has {there} entries; expected one per {of}, {wanted}")));
         }
         Ok(Some((values.iter().map(|uv| uv.map(f64::from)).collect(), by_corner)))
     }

@@ -64,7 +64,7 @@ impl Placement {
                 None => operation.at(time).and_then(|values| one(name, values)),
             };
             let step =
-                step.ok_or_else(|| bad("is no operation that is known here, or has the wrong number of values".to_owned()))?;
+                step.ok_or_else(|| bad("is not a known operation, or has the wrong number of values".to_owned()))?;
             let step = if inverse { step.try_inverse().ok_or_else(|| bad("cannot be inverted".to_owned()))? } else { step };
             matrix *= step;
         }

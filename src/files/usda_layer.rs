@@ -174,7 +174,7 @@ impl Layer {
     /// Reads the wanted part of a layer.
     pub fn read(name: &str, bytes: &[u8], wanted: Wanted) -> Result<Self> {
         if !bytes.starts_with(b"#usda 1.") {
-            return Err(Error::file(name, "does not begin with \"#usda 1.\": no USD text file"));
+            return Err(Error::file(name, "does not begin with \"#usda 1.\": not a USD text file"));
         }
         let mut layer = Layer { metres_per_unit: 0.01, up: UpAxis::Y, time_codes_per_second: 24.0, prims: Vec::new(), wanted };
         let scan = &mut Scan::new(name, bytes);

@@ -29,7 +29,7 @@ impl SampledLayer {
         }
         let times: Vec<f64> = codes.iter().map(|code| code / layer.time_codes_per_second).collect();
         if let Some((_, code)) = times.iter().zip(&codes).find(|(time, _)| !time.is_finite()) {
-            return Err(Error::file(name, format_args!("time code {code} is no time")));
+            return Err(Error::file(name, format_args!("time code {code} is not a time")));
         }
         Ok(Self { name: name.to_owned(), layer, codes, times })
     }

@@ -93,7 +93,7 @@ impl PoseOptions {
             return Err(Error::invalid(
                 format!("{argument}.movable (count)"),
                 movable.len(),
-                format!("{elements}, one an element"),
+                format!("{elements}, one per element"),
             ));
         }
         if !(0.0..=1.0).contains(&self.natural_pull) {

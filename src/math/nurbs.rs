@@ -28,7 +28,7 @@ impl<'a> Nurbs<'a> {
             return Err(Error::invalid("order", order, format!("2 to {MAX_ORDER}, and at most {controls}, the control points")));
         }
         if knots.len() != controls + order {
-            let expected = format!("{}, one a control point and as many more as the order", controls + order);
+            let expected = format!("{}, one per control point and as many more as the order", controls + order);
             return Err(Error::invalid("knots", format!("{} knots", knots.len()), expected));
         }
         if let Some(index) = knots.windows(2).position(|pair| !(pair[0] <= pair[1] && pair[1].is_finite() && pair[0].is_finite()))

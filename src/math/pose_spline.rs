@@ -36,7 +36,7 @@ impl PoseSpline {
             return Err(Error::invalid("times", "empty", "at least one sample"));
         }
         if times.len() != frames.len() {
-            return Err(Error::invalid("frames", format!("{} frames", frames.len()), format!("{}, one a time", times.len())));
+            return Err(Error::invalid("frames", format!("{} frames", frames.len()), format!("{}, one per time", times.len())));
         }
         for (index, time) in times.iter().enumerate() {
             check_finite(|| format!("times[{index}]"), *time)?;

@@ -96,7 +96,7 @@ pub(crate) fn check_lengths(argument: impl fmt::Display, lengths: &[f64]) -> Res
 /// Checks the count and the numbers of a list of curvature rows.
 pub(crate) fn check_rows(argument: impl fmt::Display, rows: &[[f64; 3]], count: usize) -> Result<()> {
     if rows.len() != count {
-        return Err(Error::invalid(format!("{argument} (count)"), rows.len(), format!("{count} rows, one an element")));
+        return Err(Error::invalid(format!("{argument} (count)"), rows.len(), format!("{count} rows, one per element")));
     }
     for (element, row) in rows.iter().enumerate() {
         for axis in 0..3 {

@@ -297,7 +297,7 @@ impl Solver {
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] naming `contacts[i].field`, or for counts that differ.
     pub fn set_contacts(&mut self, ids: &[StrandId], contacts: &[StrandContact]) -> Result<()> {
         if contacts.len() != ids.len() {
-            return Err(Error::invalid("contacts (count)", contacts.len(), format!("{}, one a strand", ids.len())));
+            return Err(Error::invalid("contacts (count)", contacts.len(), format!("{}, one per strand", ids.len())));
         }
         for (k, contact) in contacts.iter().enumerate() {
             contact.check(&format!("contacts[{k}]"))?;
@@ -337,7 +337,7 @@ impl Solver {
 /// The identifiers and frames of two lists, one frame a body.
 fn listed_frames<'a>(ids: &'a [BodyId], frames: &'a [Frame]) -> Result<impl Fn(usize) -> Result<(BodyId, Frame)> + 'a> {
     if frames.len() != ids.len() {
-        return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a body", ids.len())));
+        return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one per body", ids.len())));
     }
     Ok(|k| Ok((ids[k], frames[k])))
 }

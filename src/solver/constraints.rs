@@ -294,7 +294,7 @@ impl Solver {
                 check_not_negative(|| format!("{argument}.friction.along"), friction.along)?;
                 check_not_negative(|| format!("{argument}.friction.against"), friction.against)?;
                 if def.compliance != 0.0 {
-                    return Err(Error::invalid(format!("{argument}.compliance"), def.compliance, "0: rings do not give way"));
+                    return Err(Error::invalid(format!("{argument}.compliance"), def.compliance, "0: rings are rigid"));
                 }
             }
             Hold::Point | Hold::Direction | Hold::Frame => {}
@@ -346,7 +346,7 @@ impl Solver {
     pub fn set_constraint_targets(&mut self, ids: &[ConstraintId], frames: &[Frame], over_seconds: f64) -> Result<()> {
         check_not_negative(|| "over_seconds".into(), over_seconds)?;
         if frames.len() != ids.len() {
-            return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a constraint", ids.len())));
+            return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one per constraint", ids.len())));
         }
         let mut indices = Vec::with_capacity(ids.len());
         for (k, id) in ids.iter().enumerate() {

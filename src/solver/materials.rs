@@ -58,7 +58,7 @@ impl Solver {
     /// neither 1 nor that of the strands. Nothing has then changed.
     pub fn set_materials(&mut self, ids: &[StrandId], materials: &[Material]) -> Result<()> {
         if materials.len() != ids.len() && materials.len() != 1 {
-            let expected = format!("{}, one a strand, or 1 for all", ids.len());
+            let expected = format!("{}, one per strand, or 1 for all", ids.len());
             return Err(Error::invalid("materials (count)", materials.len(), expected));
         }
         for (k, material) in materials.iter().enumerate() {

@@ -205,7 +205,7 @@ impl Solver {
 
     fn indices_with(&self, ids: &[StrandId], frames: usize) -> Result<Vec<usize>> {
         if frames != ids.len() {
-            return Err(Error::invalid("frames (count)", frames, format!("{} frames, one a strand", ids.len())));
+            return Err(Error::invalid("frames (count)", frames, format!("{} frames, one per strand", ids.len())));
         }
         self.indices(ids)
     }

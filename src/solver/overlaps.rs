@@ -138,7 +138,7 @@ impl Solver {
     /// Nothing has then changed.
     pub fn set_allowances(&mut self, ids: &[StrandId], allowances: &[Option<Allowance>]) -> Result<()> {
         if allowances.len() != ids.len() {
-            return Err(Error::invalid("allowances (count)", allowances.len(), format!("{}, one a strand", ids.len())));
+            return Err(Error::invalid("allowances (count)", allowances.len(), format!("{}, one per strand", ids.len())));
         }
         for (k, allowance) in allowances.iter().enumerate() {
             allowance.as_ref().map_or(Ok(()), |allowance| allowance.check(&format!("allowances[{k}]")))?;

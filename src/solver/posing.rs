@@ -47,7 +47,7 @@ impl Solver {
     /// given twice, or for counts that differ. Nothing has then changed.
     pub fn drag(&mut self, ids: &[StrandId], targets: &[DragTarget], options: &PoseOptions) -> Result<Vec<Dragged>> {
         if targets.len() != ids.len() {
-            return Err(Error::invalid("targets (count)", targets.len(), format!("{}, one a strand", ids.len())));
+            return Err(Error::invalid("targets (count)", targets.len(), format!("{}, one per strand", ids.len())));
         }
         let indices = self.indices(ids)?;
         for (k, (target, index)) in targets.iter().zip(&indices).enumerate() {
@@ -148,7 +148,7 @@ impl Solver {
     pub fn change_elements(&mut self, ids: &[StrandId], elements: &[usize], changes: &[ElementChange]) -> Result<()> {
         for (argument, count) in [("elements", elements.len()), ("changes", changes.len())] {
             if count != ids.len() {
-                return Err(Error::invalid(format!("{argument} (count)"), count, format!("{}, one a strand", ids.len())));
+                return Err(Error::invalid(format!("{argument} (count)"), count, format!("{}, one per strand", ids.len())));
             }
         }
         let indices = self.indices(ids)?;

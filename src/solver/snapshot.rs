@@ -102,7 +102,7 @@ fn unwrap(image: &[u8]) -> Result<&[u8]> {
     }
     let length = u64::from_le_bytes(image[12..20].try_into().unwrap_or_default());
     if length != (image.len() - HEAD - 8) as u64 {
-        return Err(bad(format!("it states a body of {length} bytes and holds {}", image.len() - HEAD - 8)));
+        return Err(bad(format!("its header has a body of {length} bytes, and the image has {}", image.len() - HEAD - 8)));
     }
     let (body, checksum) = image[HEAD..].split_at(image.len() - HEAD - 8);
     if u64::from_le_bytes(checksum.try_into().unwrap_or_default()) != fnv1a(FNV_START, body) {
@@ -198,7 +198,7 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let constraints = reader.constraints(&constraint_slots, &strands)?;
     let elements = |index: u32| strands.get(index as usize).map(|strand: &Strand| &*strand.model.lengths);
     let holding = Holding::taken_up(reader.touches()?, elements, bodies.len())
-        .ok_or_else(|| bad("what it remembers of touches is not of its scene"))?;
+        .ok_or_else(|| bad("its warm start does not match its scene"))?;
     check_taken("strands", &slots, strands.len())?;
     check_taken("bodies", &body_slots, bodies.len())?;
     check_taken("constraints", &constraint_slots, constraints.len())?;

@@ -32,7 +32,7 @@ impl Solver {
     /// differ. Nothing has then changed.
     pub fn cut(&mut self, ids: &[StrandId], arclengths: &[f64]) -> Result<()> {
         if arclengths.len() != ids.len() {
-            return Err(Error::invalid("arclengths (count)", arclengths.len(), format!("{}, one a strand", ids.len())));
+            return Err(Error::invalid("arclengths (count)", arclengths.len(), format!("{}, one per strand", ids.len())));
         }
         let indices = self.indices(ids)?;
         self.check_once(ids, &indices)?;

@@ -198,7 +198,7 @@ fn content_decides_before_the_name_does() {
     assert_eq!(Curves::read_from_bytes("groom", &bytes).unwrap().format(), CurvesFormat::Hair);
     assert_eq!(Curves::read_from_bytes("groom.tfx", &bytes).unwrap().format(), CurvesFormat::Hair);
     for (name, bytes, said) in [
-        ("groom", &b"nothing"[..], "no known groom format"),
+        ("groom", &b"nothing"[..], "not a known groom format"),
         ("a.hair", b"\x1f\x8b\x08", "gzip"),
         ("a.HAIR", b"HAI", "truncated"),
     ] {

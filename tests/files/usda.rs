@@ -389,18 +389,18 @@ fn nonsense_is_refused_with_place_and_value() {
         ("\"linear\"", "\"wavy\"", "type is \"wavy\""),
         ("\"linear\"", "\"cubic\"", "curve 0"),
         ("int[]", "uniform token wrap = \"periodic\" int[]", "periodic"),
-        ("int[]", "float[] widths = [1, 2] int[]", "widths has 2 entries; expected 5, one a point"),
+        ("int[]", "float[] widths = [1, 2] int[]", "widths has 2 entries; expected 5, one per point"),
         ("int[]", "float[] widths = [1, 2] (interpolation = \"constant\") int[]", "expected 1, one for all"),
         ("int[]", "float[] widths = [1] (interpolation = \"odd\") int[]", "interpolation is \"odd\""),
-        ("int[]", "vector3f[] velocities = [(1, 0, 0)] int[]", "velocities has 1 entries; expected one a point, 5"),
-        ("int[]", "color3f[] primvars:displayColor = [(1, 0, 0)] int[] primvars:displayColor:indices = [3] int[]", "says 3"),
+        ("int[]", "vector3f[] velocities = [(1, 0, 0)] int[]", "velocities has 1 entries; expected one per point, 5"),
+        ("int[]", "color3f[] primvars:displayColor = [(1, 0, 0)] int[] primvars:displayColor:indices = [3] int[]", "has 3"),
         ("int[]", "point3f[] points.timeSamples = { 1: [(0,0,0)], 1: [(0,0,0)] } int[]", "time 1 is sampled twice"),
         ("int[]", "point3f[] points.timeSamples = { x: [] } int[]", "a time is \"x\""),
         ("int[]", "token[] xformOpOrder = [\"xformOp:scale\"] int[]", "/c: xformOp:scale is in xformOpOrder and has no value"),
         (
             "int[]",
             "token[] xformOpOrder = [\"xformOp:skew\"] double3 xformOp:skew = (1, 2, 3) int[]",
-            "no operation that is known",
+            "not a known operation",
         ),
         ("int[]", "token[] xformOpOrder = [\"xformOp:scale\"] double3 xformOp:scale = (1, 2) int[]", "wrong number of values"),
     ] {
@@ -410,7 +410,7 @@ fn nonsense_is_refused_with_place_and_value() {
     }
     let nurbs = format!("{}int[] order = [4]\ndouble[] knots = [0,0,0,0,1,2,3,4,4,4,4]\n", controls());
     for (replaced, with, said) in [
-        ("[4]", "[]", "order has 0 numbers; expected one a curve, 1"),
+        ("[4]", "[]", "order has 0 numbers; expected one per curve, 1"),
         ("[4]", "[8]", "knots has 11 numbers"),
         ("[0,0,0,0,1,2", "[0,0,0,0,2,1", "knots[5]"),
         ("int[] order", "double[] pointWeights = [1] int[] order", "pointWeights has 1"),

@@ -35,7 +35,7 @@ impl Target {
         let points = curve.points.len();
         let entries = |name: &str, count: Option<usize>| match count {
             Some(count) if count != points => {
-                Err(Error::invalid(name, format!("{count} entries"), format!("{points}, one a point")))
+                Err(Error::invalid(name, format!("{count} entries"), format!("{points}, one per point")))
             }
             _ => Ok(()),
         };

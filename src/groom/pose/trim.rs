@@ -29,7 +29,7 @@ impl Growth {
         }
         if let Some(row) = &self.curvatures {
             if self.elements == 0 {
-                let expected = "none, since the last element goes on (elements is 0)";
+                let expected = "none, since the last element continues (elements is 0)";
                 return Err(Error::invalid(format!("{argument}.curvatures"), format!("{row:?}"), expected));
             }
             (0..3).try_for_each(|axis| check_finite(|| format!("{argument}.curvatures[{axis}]"), row[axis]))?;

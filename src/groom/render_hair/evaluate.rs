@@ -142,7 +142,7 @@ impl RenderPose {
     pub fn evaluate(&self, view: &View, sink: &impl StrandSink) -> Result<()> {
         let hair = &**self.hair();
         if !self.is_set() {
-            return Err(Error::invalid("pose", "never set", "one that says where the guides are"));
+            return Err(Error::invalid("pose", "never set", "a pose that was set"));
         }
         let total = hair.strands.len();
         if view.first > total {
@@ -213,7 +213,7 @@ impl RenderPose {
                     return Err(Error::invalid("before", "a pose of another map", "one of the same"));
                 }
                 if !before.is_set() {
-                    return Err(Error::invalid("before", "never set", "a pose that says where the guides were"));
+                    return Err(Error::invalid("before", "never set", "a pose that was set"));
                 }
                 check_positive(|| "seconds".into(), seconds)?;
                 if roots.is_some() != view.roots.is_some() {

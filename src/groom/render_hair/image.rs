@@ -83,7 +83,7 @@ impl Reader<'_> {
 
     /// A finite number.
     fn double(&mut self) -> Result<f64> {
-        Some(self.f64()?).filter(|value| value.is_finite()).ok_or_else(|| bad("it holds a number that is not finite"))
+        Some(self.f64()?).filter(|value| value.is_finite()).ok_or_else(|| bad("it has a number that is not finite"))
     }
 
     fn vector(&mut self) -> Result<Vector3<f64>> {
@@ -96,7 +96,7 @@ impl Reader<'_> {
         for value in &mut out {
             *value = f32::from_bits(self.u32()?);
             if !value.is_finite() {
-                return Err(bad("it holds a number that is not finite"));
+                return Err(bad("it has a number that is not finite"));
             }
         }
         Ok(out)
@@ -176,7 +176,7 @@ impl RenderHair {
     /// [`RenderHair::bind`].
     pub fn from_bytes(image: &[u8], workers: Workers) -> Result<Self> {
         if image.len() < HEAD + 8 || &image[..8] != MAGIC {
-            return Err(bad("it is no render hair: it does not begin with SHXRHAIR, or is cut off"));
+            return Err(bad("it is not render hair: it does not begin with SHXRHAIR, or is truncated"));
         }
         let mut head = Reader(&image[8..HEAD]);
         let (version, length) = (head.u32()?, head.u64()?);
@@ -184,7 +184,7 @@ impl RenderHair {
             return Err(bad(format!("it is render hair of version {version}; this library reads version {RENDER_HAIR_VERSION}")));
         }
         if length != (image.len() - HEAD - 8) as u64 {
-            return Err(bad(format!("it states a body of {length} bytes and holds {}", image.len() - HEAD - 8)));
+            return Err(bad(format!("its header has a body of {length} bytes, and the image has {}", image.len() - HEAD - 8)));
         }
         let (body, hash) = image[HEAD..].split_at(image.len() - HEAD - 8);
         if Reader(hash).u64()? != fnv1a(body) {
@@ -223,7 +223,7 @@ impl RenderHair {
             let [i, j, k, w] = [body.double()?, body.double()?, body.double()?, body.double()?];
             let quaternion = Quaternion::new(w, i, j, k);
             if (quaternion.norm() - 1.0).abs() > UNIT_QUATERNION_TOLERANCE {
-                return Err(bad("a rotation is no unit quaternion"));
+                return Err(bad("a rotation is not a unit quaternion"));
             }
             rotations.push(UnitQuaternion::new_unchecked(quaternion));
         }

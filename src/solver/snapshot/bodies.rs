@@ -149,7 +149,7 @@ impl Reader<'_> {
                 let body = SceneBody { wrench, ..SceneBody::new(self.id("body", slots, index)?, body) };
                 let deforms = self.flag()?;
                 if deforms && body.body.def().shape.mesh().is_none() {
-                    return Err(bad("a body deforms that is no mesh"));
+                    return Err(bad("a body deforms that is not a mesh"));
                 }
                 if let Some(content) = content.filter(|_| !deforms) {
                     body.content.get_or_init(|| content);
@@ -172,9 +172,9 @@ impl Reader<'_> {
         let vertices = def.shape.mesh().map(|mesh| mesh.vertices().len());
         let deforms = matches!(def.shape.parts(), Parts::Mesh(_));
         let mut body = Body::new(def).map_err(|error| of_part("a body", &error))?;
-        body.way.going = self.finite_pose_move("a body's way")?;
+        body.way.going = self.finite_pose_move("a body's motion")?;
         if self.flag()? {
-            let count = vertices.filter(|_| deforms).ok_or_else(|| bad("a body deforms that is no mesh"))?;
+            let count = vertices.filter(|_| deforms).ok_or_else(|| bad("a body deforms that is not a mesh"))?;
             let (from, to) = (self.finite_vectors(count)?, self.finite_vectors(count)?);
             let (duration, elapsed) = (self.finite("a deformation")?, self.finite("a deformation")?);
             if duration < 0.0 || elapsed < 0.0 {
@@ -218,7 +218,7 @@ impl Reader<'_> {
                 let count = self.count(1)?;
                 distance_grid::read_from_bytes("a distance grid", self.bytes(count)?).map(Shape::new_grid)
             }
-            other => return Err(bad(format!("a shape is of sort {other}"))),
+            other => return Err(bad(format!("a shape has type {other}"))),
         };
         shape.map_err(|error| of_part("a shape", &error))
     }

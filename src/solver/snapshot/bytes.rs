@@ -250,7 +250,7 @@ impl<'a> Reader<'a> {
     pub fn finite_frame(&mut self, what: &str) -> Result<Frame> {
         let frame = self.frame()?;
         let unit = (frame.rotation.quaternion().norm() - 1.0).abs() <= 1e-9;
-        if unit && frame.origin.iter().all(|x| x.is_finite()) { Ok(frame) } else { Err(bad(format!("{what} is no pose"))) }
+        if unit && frame.origin.iter().all(|x| x.is_finite()) { Ok(frame) } else { Err(bad(format!("{what} is not a pose"))) }
     }
 
     /// A motion from pose to pose, and its elapsed seconds.
@@ -300,7 +300,7 @@ impl<'a> Reader<'a> {
         for _ in 0..free_count {
             let slot = self.u32()?;
             if slots.slots.get(slot as usize).is_none_or(|free| free.index.is_some()) {
-                return Err(bad(format!("slot {slot} is said to be free")));
+                return Err(bad(format!("slot {slot} is marked free")));
             }
             slots.free.push(slot);
         }

@@ -102,14 +102,14 @@ impl Reader<'_> {
                 let other = self.held(strands)?;
                 Hold::Tie { other: other.id, arclength: self.arclength(other)? }
             }
-            other => return Err(bad(format!("a constraint holds in way {other}"))),
+            other => return Err(bad(format!("a constraint has type {other}"))),
         };
         let target = self.finite_frame("a constraint's target")?;
         let compliance = self.finite("a compliance")?;
         if compliance < 0.0 {
             return Err(bad(format!("a compliance is {compliance}")));
         }
-        let way = Way { pose: self.finite_frame("a constraint's target")?, going: self.finite_pose_move("a target's way")? };
+        let way = Way { pose: self.finite_frame("a constraint's target")?, going: self.finite_pose_move("a target's motion")? };
         let state = ConstraintState {
             force: self.vector()?,
             torque: self.vector()?,

@@ -181,7 +181,7 @@ impl Reader<'_> {
             let with = match sort {
                 0 => With::Body(index),
                 1 => With::Strand(index),
-                other => return Err(bad(format!("a touch is with a thing of sort {other}"))),
+                other => return Err(bad(format!("a contact has partner type {other}"))),
             };
             memory.remembered.push(Remembered { strand, with, along: self.f64()?, force: self.vector()? });
         }
@@ -206,10 +206,10 @@ impl Reader<'_> {
             });
         }
         for _ in 0..self.count(12 * 8)? {
-            let origin = self.finite_vector("where a root was")?;
+            let origin = self.finite_vector("a root's earlier position")?;
             let mut frame = Matrix3::zeros();
             for x in frame.iter_mut() {
-                *x = self.finite("how a root was turned")?;
+                *x = self.finite("a root's earlier rotation")?;
             }
             memory.roots.push((origin, frame));
         }
@@ -225,7 +225,7 @@ impl Reader<'_> {
             memory.sagittas.push(self.finite("a piece's sagitta")?);
         }
         for _ in 0..self.count(3 * 8)? {
-            memory.nodes.push(self.finite_vector("where a piece ended")?);
+            memory.nodes.push(self.finite_vector("the end of a piece")?);
         }
         for _ in 0..self.count(2 * 4)? {
             memory.candidates.push((self.u32()?, self.u32()?));

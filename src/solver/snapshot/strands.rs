@@ -127,9 +127,9 @@ impl Reader<'_> {
         let count = self.count(8 * 9)?;
         let known = |reader: &mut Self| {
             let (body, place) =
-                (BodyId::from_bits(reader.u64()?), reader.finite_frame("where a body is to a strand that stands still")?);
+                (BodyId::from_bits(reader.u64()?), reader.finite_frame("a body's pose for a frozen strand")?);
             let gap = reader.f64()?;
-            if gap.is_nan() { Err(bad("a body's distance from a strand is no number")) } else { Ok(Known { body, place, gap }) }
+            if gap.is_nan() { Err(bad("a body's distance from a strand is not a number")) } else { Ok(Known { body, place, gap }) }
         };
         (0..count).map(|_| known(self)).collect()
     }
@@ -137,21 +137,21 @@ impl Reader<'_> {
     fn astray(&mut self, tag: u32, elements: usize) -> Result<Option<Box<Astray>>> {
         let state = match tag {
             0 => return Ok(None),
-            1 => Whereabouts::Carried { seconds: self.finite("how long a strand is carried along")? },
-            2 => Whereabouts::Lost { seconds: self.finite("how long a strand is rolled back")? },
+            1 => Whereabouts::Carried { seconds: self.finite("a strand's time carried along")? },
+            2 => Whereabouts::Lost { seconds: self.finite("a strand's time rolled back")? },
             3 => {
-                let seconds = self.finite("how long a strand is on its way back")?;
+                let seconds = self.finite("a strand's time of return")?;
                 let from = self.rows(elements)?;
                 if !from.iter().flatten().all(|x| x.is_finite()) {
-                    return Err(bad("a strand comes back from a shape that is not finite"));
+                    return Err(bad("a strand returns from a shape that is not finite"));
                 }
                 Whereabouts::Returning { seconds, from: from.into() }
             }
-            4 => Whereabouts::Behind { seconds: self.finite("how long a strand is behind a body")? },
-            other => return Err(bad(format!("a strand is in a state {other}"))),
+            4 => Whereabouts::Behind { seconds: self.finite("a strand's time behind a body")? },
+            other => return Err(bad(format!("a strand has state {other}"))),
         };
         let count = self.count(8 * 7)?;
-        let bodies = (0..count).map(|_| self.finite_frame("where a body stands for a strand")).collect::<Result<Vec<_>>>()?;
+        let bodies = (0..count).map(|_| self.finite_frame("a body's pose for a strand")).collect::<Result<Vec<_>>>()?;
         Ok(Some(Box::new(Astray { bodies, state })))
     }
 
@@ -166,7 +166,7 @@ impl Reader<'_> {
         let curvatures = self.rows(elements)?;
         let velocities = self.rows(points)?;
         if !curvatures.iter().chain(&velocities).flatten().all(|x| x.is_finite()) {
-            return Err(bad("a strand's past holds a number that is not finite"));
+            return Err(bad("a strand's history has a number that is not finite"));
         }
         let velocities = velocities.into_iter().map(Vec3).collect();
         Ok(Past::new(step, Earlier { curvatures, velocities, root: self.frame()? }))
@@ -184,7 +184,7 @@ impl Reader<'_> {
             && (lengths.iter().sum::<f64>() - length).abs() <= 1e-6 * length
             && natural.iter().flatten().all(|x| x.is_finite());
         if !good {
-            return Err(bad("a strand's given natural shape is none of its length"));
+            return Err(bad("a strand's original natural shape does not have its length"));
         }
         Ok(Some(Box::new(Authored { lengths: lengths.into(), natural: natural.into() })))
     }
@@ -231,7 +231,7 @@ impl Reader<'_> {
         };
         let lengths_are_right = lengths.iter().all(|length| length.is_finite() && *length > 0.0);
         if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {
-            return Err(bad("a strand holds a number that is not finite, or a length not above zero"));
+            return Err(bad("a strand has a number that is not finite, or a length not above zero"));
         }
         let root_move = self.pose_move()?.map(Box::new);
         let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
