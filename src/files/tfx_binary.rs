@@ -68,7 +68,10 @@ impl<'a> Head<'a> {
         if (offset as usize) < self.length {
             return Err(Error::file(
                 self.name,
-                format_args!("the {what} (offset at byte {at}) begin at byte {offset}, inside the header of {} bytes", self.length),
+                format_args!(
+                    "the {what} (offset at byte {at}) begin at byte {offset}, inside the header of {} bytes",
+                    self.length
+                ),
             ));
         }
         let section = Section::of(self.name, self.bytes, what, u64::from(offset), count, width)?;

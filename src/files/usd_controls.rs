@@ -99,7 +99,8 @@ impl Controls<'_> {
 
     /// Converts three numbers per control point to three per point.
     pub fn vectors(&self, basis: &Basis<'_>, vectors: &[[f32; 3]], bad: Bad<'_>) -> Result<Vec<[f32; 3]>> {
-        let narrow = |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point is outside the range of floats")));
+        let narrow =
+            |vector: Vector3<f64>| narrow(vector).ok_or_else(|| bad(format_args!("a point is outside the range of floats")));
         let mut made = Vec::new();
         match basis {
             Basis::Linear => return Ok(vectors.to_vec()),

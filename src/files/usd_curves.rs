@@ -145,9 +145,7 @@ impl One<'_> {
         let moved = Moved::of(self)?;
         all.points.extend(match &moved {
             None => made.clone(),
-            Some(moved) => {
-                moved.points(&made).ok_or_else(|| self.error("a placed point is outside the range of floats"))?
-            }
+            Some(moved) => moved.points(&made).ok_or_else(|| self.error("a placed point is outside the range of floats"))?,
         });
         if !matches!(basis, Basis::Linear) {
             let place = |point: &[f32; 3]| moved.as_ref().map_or(wide(*point), |moved| moved.place(wide(*point)));
@@ -189,9 +187,8 @@ impl One<'_> {
             None => None,
         };
         all.thickness.add(thickness, before.0, point_count, 0.0);
-        let opacities = indexed(self.prim.opacities.at(self.time), self.prim.opacity_indices.at(self.time)).map_err(|index| {
-            self.error(format_args!("primvars:displayOpacity:indices has {index}, which is not an entry"))
-        })?;
+        let opacities = indexed(self.prim.opacities.at(self.time), self.prim.opacity_indices.at(self.time))
+            .map_err(|index| self.error(format_args!("primvars:displayOpacity:indices has {index}, which is not an entry")))?;
         let transparency = match opacities {
             Some(list) => {
                 let how = self.prim.opacities.interpolation.unwrap_or(Interpolation::Constant);
@@ -202,9 +199,8 @@ impl One<'_> {
             None => None,
         };
         all.transparency.add(transparency, before.0, point_count, 0.0);
-        let colors = indexed(self.prim.colors.at(self.time), self.prim.color_indices.at(self.time)).map_err(|index| {
-            self.error(format_args!("primvars:displayColor:indices has {index}, which is not an entry"))
-        })?;
+        let colors = indexed(self.prim.colors.at(self.time), self.prim.color_indices.at(self.time))
+            .map_err(|index| self.error(format_args!("primvars:displayColor:indices has {index}, which is not an entry")))?;
         let colors = match colors {
             Some(list) => {
                 let how = self.prim.colors.interpolation.unwrap_or(Interpolation::Constant);

@@ -63,8 +63,7 @@ impl Placement {
                 Some((before, after, fraction)) => between(name, before, after, fraction),
                 None => operation.at(time).and_then(|values| one(name, values)),
             };
-            let step =
-                step.ok_or_else(|| bad("is not a known operation, or has the wrong number of values".to_owned()))?;
+            let step = step.ok_or_else(|| bad("is not a known operation, or has the wrong number of values".to_owned()))?;
             let step = if inverse { step.try_inverse().ok_or_else(|| bad("cannot be inverted".to_owned()))? } else { step };
             matrix *= step;
         }

@@ -202,8 +202,8 @@ fn ball(path: &Path, centre: [f64; 3], radius: f64) {
     std::fs::write(path, text).unwrap();
 }
 
-/// Whatever it meets, limp hair whips no faster about a head than without one, but for what bending it round the head may add: steps that end elsewhere than
-/// where forces lead (a chain folded another way is stationary as well) threw tips at twice the speed and more.
+/// Around a head limp hair whips no faster than without one, except for what bending around the head may add: a step must end
+/// where forces lead (a chain folded another way is stationary as well).
 #[test]
 fn a_head_kicks_no_hair() {
     let directory = directory("wisps_kicks");

@@ -92,8 +92,8 @@ fn course_around(
 /// No reported force is excessive: a force that moves a strand by its own length in a step is 4e-4 N.
 const MOST_FORCE: f64 = 0.05;
 
-/// Alone, and as wisps that come into contact on the way: there every search for contacts gives the island a new first attempt, and the second
-/// must come whatever iteration the first ends at (it did not where that was the last before a search: forces of 4e6 N were told).
+/// Alone, and as wisps that come into contact on the way: there every search for contacts gives the island a new first attempt,
+/// and the second must follow at whatever iteration the first ends.
 #[test]
 fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
     let target = Vector3::new(0.12, 0.0, -0.09);
@@ -114,9 +114,8 @@ fn strands_pinned_out_of_reach_are_drawn_as_near_as_they_go() {
     }
 }
 
-/// Wisps pinned together behind a ball, in reach: what touches presses them is settled by penalties step by step, and meanwhile the pins hold. (An
-/// island of theirs that leaves its contact problem unsolved now and then is not idle: ended for that, 95 of 480 were told as violated, 265 of
-/// others.)
+/// Wisps pinned together behind a ball, in reach: penalties settle the contacts that press them step by step, and meanwhile the
+/// pins hold. (An island of theirs whose contact problem stays unsolved now and then is not idle, and must not end for that.)
 #[test]
 fn wisps_pinned_behind_a_ball_are_held() {
     let target = Vector3::new(0.039_819, 0.0, -0.063_249);

@@ -207,8 +207,8 @@ fn an_impossible_constraint_affects_no_other_strand() {
     }
 }
 
-/// Where no attempt brings a strand near convergence it keeps its initial state, and is reported; the others of its island continue, or they
-/// would stay where they are for as long as it does.
+/// Where no attempt brings a strand near convergence it keeps its initial state, and is reported; the others of its island
+/// continue and do not stay in place with it.
 #[test]
 fn a_strand_that_is_lost_takes_nobody_along() {
     // Too few iterations for a strand whose root is turned over.
@@ -271,8 +271,8 @@ fn what_is_drawn_in_each_other_and_pressed_together_parts() {
     }
 }
 
-/// The reported depth is that of the current strands: contacts keep the points at which they were detected, and where strands move several times
-/// their radius in a step these have slid apart, and say nothing of what lies where. Nor does the list say more.
+/// The reported depth is that of the current strands: contacts keep the points at which they were detected, and where strands
+/// move several times their radius in a step these have slid apart and say nothing about positions. Nor does the list say more.
 #[test]
 fn the_reported_depth_of_hair_in_hair_is_that_of_the_strands_not_of_their_contacts() {
     const STRANDS: usize = 25;

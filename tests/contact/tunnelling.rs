@@ -236,9 +236,8 @@ fn a_deforming_sheet_takes_the_strand_along() {
     assert!(found.iter().all(|touch| touch.normal.z > 0.0), "{found:#?}");
 }
 
-/// A strand drawn round something convex passes through it on the straight path of a step. Where it comes out on the side that it came from it is not
-/// in it: the plane of where it went in would push it out by millimetres, and it was found again by every search though nothing was wrong. Where
-/// it comes out behind, it went through.
+/// A strand drawn round something convex passes through it on the straight path of a step. If it comes out on its own side it is
+/// not in it, and the plane at its entry must not push it out. If it comes out behind, it went through.
 #[test]
 fn a_strand_drawn_round_a_corner_is_not_in_it() {
     const ROUND: f64 = 0.015;

@@ -397,11 +397,7 @@ fn nonsense_is_refused_with_place_and_value() {
         ("int[]", "point3f[] points.timeSamples = { 1: [(0,0,0)], 1: [(0,0,0)] } int[]", "time 1 is sampled twice"),
         ("int[]", "point3f[] points.timeSamples = { x: [] } int[]", "a time is \"x\""),
         ("int[]", "token[] xformOpOrder = [\"xformOp:scale\"] int[]", "/c: xformOp:scale is in xformOpOrder and has no value"),
-        (
-            "int[]",
-            "token[] xformOpOrder = [\"xformOp:skew\"] double3 xformOp:skew = (1, 2, 3) int[]",
-            "not a known operation",
-        ),
+        ("int[]", "token[] xformOpOrder = [\"xformOp:skew\"] double3 xformOp:skew = (1, 2, 3) int[]", "not a known operation"),
         ("int[]", "token[] xformOpOrder = [\"xformOp:scale\"] double3 xformOp:scale = (1, 2) int[]", "wrong number of values"),
     ] {
         let text = layer("BasisCurves", &linear.replacen(replaced, with, 1));

@@ -126,10 +126,13 @@ impl Reader<'_> {
     fn frozen(&mut self) -> Result<Vec<Known>> {
         let count = self.count(8 * 9)?;
         let known = |reader: &mut Self| {
-            let (body, place) =
-                (BodyId::from_bits(reader.u64()?), reader.finite_frame("a body's pose for a frozen strand")?);
+            let (body, place) = (BodyId::from_bits(reader.u64()?), reader.finite_frame("a body's pose for a frozen strand")?);
             let gap = reader.f64()?;
-            if gap.is_nan() { Err(bad("a body's distance from a strand is not a number")) } else { Ok(Known { body, place, gap }) }
+            if gap.is_nan() {
+                Err(bad("a body's distance from a strand is not a number"))
+            } else {
+                Ok(Known { body, place, gap })
+            }
         };
         (0..count).map(|_| known(self)).collect()
     }

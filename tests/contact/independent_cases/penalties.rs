@@ -67,8 +67,8 @@ fn the_same_step_gives_the_same_result() {
     assert_eq!(goes_where_its_neighbour_goes(ContactModel::Penalty, None, 0.0), (0.0, 0));
 }
 
-/// While friction was a switch nearly all forty steps differed by millimetres, by up to 6 mm with penalties and 15 mm with regularised ones. What is left are steps in
-/// which a touch of two strands is found or not, and how far its force has come when the iteration ends.
+/// The differences come from steps in which a contact of two strands is detected or not, and from how far its force has grown
+/// when the iteration ends. Friction must not act as a switch.
 fn is_little(model: ContactModel, (worst, jumps): &(f64, u32)) -> bool {
     if model == ContactModel::Penalty { *worst < 2e-3 && *jumps <= 10 } else { *worst < 1e-2 }
 }
