@@ -6,7 +6,7 @@ use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef};
 use superhelix::step::options::{Integrator, StepOptions};
 
-/// Velocities along a strand after ten steps of `h`, the first of which strikes it: its root, on its way, stops at once.
+/// Velocities along a strand after ten steps of `h`, the first of which strikes it: its moving root stops at once.
 fn velocities(integrator: Integrator, tolerance: f64, h: f64) -> Vec<Vector3<f64>> {
     let step = StepOptions { integrator, tolerance, ..StepOptions::default() };
     let mut solver = Solver::new(SolverOptions { step, ..SolverOptions::default() }).unwrap();
