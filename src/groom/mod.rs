@@ -17,6 +17,7 @@
 //! - `variation.rs`: How strands differ from each other and along themselves: seeded, the same whoever asks, in whatever order.
 //! - `wisp.rs`: Wisps: a guide of a groom stands for the hairs around it, which lie and move together.
 
+pub mod drawn;
 pub mod fit;
 pub mod guide_roots;
 pub mod hair_handle;

@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 
 use crate::error::{Error, Result};
 use crate::rod::definition::StrandDef;
+use crate::rod::material::Material;
 use crate::step::equilibrium;
 
 /// How firmly a strand rests in a shape under gravity, were its natural shape chosen to hold it there.
@@ -44,6 +45,37 @@ impl Stability {
     /// [`Error::InvalidArgument`] for a margin out of range.
     pub fn radius_scale(&self, margin: f64) -> Result<f64> {
         Ok(self.youngs_scale(margin)?.sqrt())
+    }
+}
+
+/// What is changed of a material to make it stiffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stiffening {
+    /// Young's modulus, Poisson's ratio as it is.
+    YoungsModulus,
+    /// Both semi-axes, and with them the weight.
+    Radius,
+}
+
+impl Stiffening {
+    /// The factor that a strand needs, see [`Stability::youngs_scale`].
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a margin out of range.
+    pub fn scale(self, stability: &Stability, margin: f64) -> Result<f64> {
+        match self {
+            Self::YoungsModulus => stability.youngs_scale(margin),
+            Self::Radius => stability.radius_scale(margin),
+        }
+    }
+
+    /// A material with that factor.
+    #[must_use]
+    pub fn applied(self, material: &Material, scale: f64) -> Material {
+        match self {
+            Self::YoungsModulus => Material { youngs_modulus: material.youngs_modulus * scale, ..*material },
+            Self::Radius => Material { radius: material.radius.map(|radius| radius * scale), ..*material },
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use clap::Args;
 use superhelix::contact::options::StrandContact;
 use superhelix::error::Error;
+use superhelix::groom::drawn::GroomOptions;
 use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
 use superhelix::groom::hair_type::HairType;
 use superhelix::groom::variation::Variation;
@@ -74,6 +75,12 @@ pub struct GroomHair {
 }
 
 impl GroomHair {
+    /// Options that make strands of such hair, as they are drawn and with as many elements as the fit's own.
+    pub fn options(&self) -> GroomOptions<'static> {
+        let Self { material, curliness, variation } = *self;
+        GroomOptions { curliness, variation, ..GroomOptions::of(material) }
+    }
+
     /// Whether natural shapes are others than the groom's.
     pub fn reshapes(&self) -> bool {
         self.curliness != 0.0 || self.variation.frizz > 0.0

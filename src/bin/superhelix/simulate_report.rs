@@ -1,10 +1,11 @@
 //! What `superhelix simulate` tells afterwards.
 
 use serde::Serialize;
+use superhelix::groom::drawn::GroomStrand;
 use superhelix::rod::material::Material;
 
 use crate::groom_statistics::Spread;
-use crate::groom_strands::{GroomStrand, Skipped};
+use crate::groom_strands::Skipped;
 use crate::report::Report;
 use crate::settled::Settled;
 use crate::simulate_body::BodyReport;

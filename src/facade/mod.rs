@@ -1,0 +1,36 @@
+//! What Rust programs see: the public names, gathered from the modules that define them.
+
+pub mod editing;
+pub mod experiments;
+pub mod hair;
+pub mod haptic;
+pub mod io;
+pub mod reading;
+pub mod render;
+pub mod settings;
+pub mod shapes;
+pub mod splines;
+pub mod tools;
+
+pub use crate::contact::body::BodyDef;
+pub use crate::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
+pub use crate::contact::shape::Shape;
+pub use crate::energy::Energies;
+pub use crate::error::{Error, Result};
+pub use crate::groom::drawn::{Groom, GroomOptions};
+pub use crate::groom::wisp::Wisp;
+pub use crate::math::frame::Frame;
+pub use crate::math::lane::Precision;
+pub use crate::math::lanes::InstructionSet;
+pub use crate::meter::{StepLimits, Stopped, usual_work};
+pub use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
+pub use crate::rod::freedoms::Freedoms;
+pub use crate::rod::material::Material;
+pub use crate::solver::bodies::{Contact, ContactPartner};
+pub use crate::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatus, Hold};
+pub use crate::solver::definition::{SolverOptions, UsualLimits};
+pub use crate::solver::id::{BodyId, ConstraintId, StrandId};
+pub use crate::solver::report::{Phases, Quadrature, StepReport, StrandStatus, Wrench};
+pub use crate::solver::{Sample, Solver};
+pub use crate::step::options::{Integrator, LinearSolver, StepOptions};
+pub use crate::workers::{ParallelFor, Workers};

@@ -1,0 +1,10 @@
+//! What a host reads back: points of strands in bulk, contact events, snapshots, compliance of strands at bodies.
+//!
+//! [`Solver::sample_at`](crate::Solver::sample_at) is the simple way to points of one strand.
+
+pub use crate::rod::uniform_points::Real;
+pub use crate::solver::contact_events::{Change, ContactEvent, MOST_EVENTS};
+pub use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
+pub use crate::solver::{
+    Restoring, RestoredOptions, SHORTEST_STEP, SNAPSHOT_VERSION, SampleSink, SnapshotShapes, SolverGuides, Tile, Wanted,
+};
