@@ -1,8 +1,7 @@
 //! What is not in the scene costs nothing: strands with fewer freedoms, without drag, without friction. Beside the time stands the
 //! number of arithmetic operations, which no other program on the machine can disturb.
 
-use superhelix::math::lane::Precision;
-use superhelix::rod::freedoms::Freedoms;
+use superhelix::{Freedoms, Precision};
 
 use crate::counted;
 use crate::crowd::{Crowd, Setting};

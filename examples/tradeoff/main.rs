@@ -27,7 +27,7 @@ use nalgebra::Vector3;
 use reference::Truth;
 use scene::Scene;
 use setting::{Setting, integrator_name};
-use superhelix::study::settings::HairShape;
+use superhelix::settings::HairShape;
 use walk::Walk;
 
 fn cases() -> impl Iterator<Item = (Scene, Hair)> {

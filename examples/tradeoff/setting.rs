@@ -1,9 +1,7 @@
 //! The settings that are tried.
 
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::step::options::{Integrator, StepOptions};
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::HairShape;
+use superhelix::settings::{HairShape, Preset};
+use superhelix::{Freedoms, Integrator, StepOptions};
 
 /// Steps a second. A sixth of a second is a whole number of every one of them, so that wind may change there; 960 stands for a thousand.
 pub const RATES: [u32; 7] = [24, 30, 60, 120, 240, 480, 960];

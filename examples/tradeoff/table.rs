@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use superhelix::study::presets::Preset;
+use superhelix::settings::Preset;
 
 use crate::hair::Hair;
 use crate::scene::Scene;

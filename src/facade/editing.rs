@@ -26,7 +26,8 @@
 
 pub use crate::contact::allowance::Allowance;
 pub use crate::groom::pose::{
-    Brush, Brushed, DragTarget, Dragged, ElementChange, Growth, Plane, PoseOptions, PoseScratch, StrandShape, Surroundings, mirrored,
+    Brush, Brushed, DragTarget, Dragged, ElementChange, Growth, Plane, PoseOptions, PoseScratch, StrandShape, Surroundings,
+    mirrored,
 };
 pub use crate::groom::stability::{Stability, Stiffening, stability_under_gravity};
 pub use crate::math::rotation::PoseMove;

@@ -1,4 +1,18 @@
 //! What Rust programs see: the public names, gathered from the modules that define them.
+//!
+//! Files:
+//!
+//! - `editing.rs`: What changes living strands: posing, cutting, growing, clips, heat, rest shapes, level of detail, attachments.
+//! - `experiments.rs`: Experiments with strands: friction coefficients from a recorded motion, combing force, equilibria that buckle.
+//! - `hair.rs`: From measured and drawn hair to strands: kinds of hair, wisps, fits, scalps.
+//! - `haptic.rs`: Force feedback: a tool in a hand, through a haptic device, in simulated hair.
+//! - `io.rs`: Files: grooms, meshes, motions and distance grids in; caches of frames in and out.
+//! - `reading.rs`: What a host reads back: points of strands in bulk, contact events, snapshots, compliance of strands at bodies.
+//! - `render.rs`: Render hair: a hundred thousand strands that follow the simulated ones.
+//! - `settings.rs`: Settings by the error that may be made: time steps, elements, tolerances that were measured to be good enough.
+//! - `shapes.rs`: Shapes of bodies: primitives, hulls, triangle meshes, signed distance grids.
+//! - `splines.rs`: Splines: curves from control points, poses and points over time.
+//! - `tools.rs`: Combs, brushes, fingers, hot plates and barrels: their bodies, and combs that catch the strands they meet.
 
 pub mod editing;
 pub mod experiments;

@@ -6,5 +6,5 @@ pub use crate::rod::uniform_points::Real;
 pub use crate::solver::contact_events::{Change, ContactEvent, MOST_EVENTS};
 pub use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 pub use crate::solver::{
-    Restoring, RestoredOptions, SHORTEST_STEP, SNAPSHOT_VERSION, SampleSink, SnapshotShapes, SolverGuides, Tile, Wanted,
+    RestoredOptions, Restoring, SHORTEST_STEP, SNAPSHOT_VERSION, SampleSink, SnapshotShapes, SolverGuides, Tile, Wanted,
 };

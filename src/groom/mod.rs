@@ -2,6 +2,7 @@
 //!
 //! Files:
 //!
+//! - `drawn.rs`: A groom as it was drawn: curves in metres, and the strands that rest as these curves are.
 //! - `fit.rs`: A strand from a curve: the Super-Helix whose centreline comes closest at equal arclength.
 //! - `guide_roots.rs`: The region that guides' roots stand in: how far they are apart, how near other places are to them, and places among them where no scalp is known.
 //! - `hair_handle.rs`: Hair handle: what a hand feels of hair, as one structure of the three groups of properties that Bonanni and Kmoch 2008, section 2, name.

@@ -3,7 +3,7 @@
 //! A simulation at 120 Hz is another one than at 1 kHz: hair that is struck takes its blow in one step of 8 ms or in one of 1 ms. What that alone comes to
 //! is told beside: the forces of the simulation's own steps, drawn straight from one to the next, which nobody could feel before the later one is known.
 
-use superhelix::haptics::HapticOptions;
+use superhelix::haptic::HapticOptions;
 
 use super::agreement::{Forces, difference, drawn, rms};
 use super::scene::{Rate, combed_hair, direct, handed_over_and_simulated, stroke};

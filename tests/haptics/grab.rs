@@ -1,8 +1,8 @@
 //! A hand that grabs: how soon it feels what it has done, and that stick, slip and leave make no step beyond the stated one.
 
 use nalgebra::Vector3;
-use superhelix::haptics::{HapticOptions, Mode};
-use superhelix::math::frame::Frame;
+use superhelix::Frame;
+use superhelix::haptic::{HapticOptions, Mode};
 
 use super::scene::{Rate, Simulation, TICK, combed_hair, motion, stroke};
 

@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use nalgebra::Vector3;
-use superhelix::groom::drawn::GroomStrand;
-use superhelix::solver::Solver;
-use superhelix::solver::id::StrandId;
+use superhelix::hair::GroomStrand;
+use superhelix::{Solver, StrandId};
 
 use crate::atomic_file::AtomicFile;
 use crate::cache::Cache;

@@ -5,13 +5,10 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use serde::Serialize;
-use superhelix::files::curves::Curves;
-use superhelix::groom::drawn::{DrawnCurve, GroomOptions};
-use superhelix::groom::fit::bulk::fit_curves;
-use superhelix::groom::drawn::{DrawnCurve, GroomOptions};
-use superhelix::groom::fit::{ElementLengths, Fit, FitCurve, FitOptions, MAX_STARTS};
-use superhelix::rod::turning::{LARGEST_TURN, largest_turn};
-use superhelix::workers::Workers;
+use superhelix::editing::{LARGEST_TURN, largest_turn};
+use superhelix::hair::{DrawnCurve, ElementLengths, Fit, FitCurve, FitOptions, MAX_STARTS, fit_curves};
+use superhelix::io::Curves;
+use superhelix::{GroomOptions, Workers};
 
 use crate::argument_values::{not_negative, positive, share};
 use crate::failure::Failure;

@@ -2,8 +2,9 @@
 
 use clap::ValueEnum;
 use serde::Serialize;
-use superhelix::groom::drawn::{self, DrawnCurve, GroomOptions, GroomStrand};
-use superhelix::solver::definition::Workers;
+use superhelix::hair::{DrawnCurve, GroomStrand};
+use superhelix::internals::groom::drawn;
+use superhelix::{GroomOptions, Workers};
 
 use crate::failure::Failure;
 use crate::material_arguments::MaterialArguments;

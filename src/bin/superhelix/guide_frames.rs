@@ -3,15 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::{Curves, CurvesFormat};
-use superhelix::groom::drawn::in_metres;
-use superhelix::groom::render_hair::resampled;
+use superhelix::Error;
+use superhelix::internals::groom::drawn::in_metres;
+use superhelix::io::{CurveCache, Curves, CurvesFormat};
+use superhelix::render::resampled;
 
 use crate::failure::Failure;
 use crate::picture::list_frames;
-use crate::unit;
 
 /// The files that guides come from.
 #[derive(Debug)]

@@ -5,12 +5,10 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters};
-use superhelix::groom::drawn::check_length;
-use superhelix::groom::variation::Variation;
-use superhelix::math::frame::Frame;
-use superhelix::rod::turning::largest_turn;
-use superhelix::solver::definition::StrandDef;
+use superhelix::editing::largest_turn;
+use superhelix::hair::{CurlFormula, HairParameters, Variation};
+use superhelix::internals::groom::drawn::check_length;
+use superhelix::{Frame, StrandDef};
 
 use crate::argument_values::{not_negative, positive, triple};
 use crate::failure::Failure;

@@ -1,13 +1,8 @@
 //! The material on the command line: a kind of hair, flags that change single values of it, and sliders.
 
 use clap::Args;
-use superhelix::contact::options::StrandContact;
-use superhelix::error::Error;
-use superhelix::groom::drawn::GroomOptions;
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
-use superhelix::groom::hair_type::HairType;
-use superhelix::groom::variation::Variation;
-use superhelix::rod::material::Material;
+use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation};
+use superhelix::{Error, GroomOptions, Material, StrandContact};
 
 use crate::failure::Failure;
 

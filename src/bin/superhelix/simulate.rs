@@ -5,19 +5,13 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
-use superhelix::files::curves::Curves;
-use superhelix::files::motion::{Motion, MotionOptions};
-use superhelix::groom::drawn::{GroomOptions, GroomStrand};
-use superhelix::groom::fit::FitOptions;
-use superhelix::math::frame::Frame;
-use superhelix::math::lane::Precision;
-use superhelix::rod::turning::coarse_strands;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, Workers};
-use superhelix::solver::report::StrandStatus;
-use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::HairShape;
+use superhelix::editing::coarse_strands;
+use superhelix::hair::{FitOptions, GroomStrand};
+use superhelix::io::{Curves, Motion, MotionOptions};
+use superhelix::settings::{HairShape, Preset};
+use superhelix::{
+    Frame, GroomOptions, Integrator, LinearSolver, Precision, Solver, SolverOptions, StepOptions, StrandStatus, Workers,
+};
 
 use crate::argument_values::{named, not_negative, png, positive, triple};
 use crate::failure::Failure;

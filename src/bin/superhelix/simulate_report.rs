@@ -1,8 +1,8 @@
 //! What `superhelix simulate` tells afterwards.
 
 use serde::Serialize;
-use superhelix::groom::drawn::GroomStrand;
-use superhelix::rod::material::Material;
+use superhelix::Material;
+use superhelix::hair::GroomStrand;
 
 use crate::groom_statistics::Spread;
 use crate::groom_strands::Skipped;

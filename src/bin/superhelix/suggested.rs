@@ -1,13 +1,11 @@
 //! `superhelix info --suggest`: how many elements the strands of a groom need for their shape.
 
 use serde::Serialize;
-use superhelix::files::curves::Curves;
-use superhelix::groom::drawn::DrawnCurve;
-use superhelix::groom::fit::{FitCurve, FitOptions, FitScratch, fit_curve, fit_polyline};
-use superhelix::rod::turning::{LARGEST_TURN, largest_turn};
+use superhelix::editing::{LARGEST_TURN, largest_turn};
+use superhelix::hair::{DrawnCurve, FitCurve, FitOptions, FitScratch, fit_curve, fit_polyline};
+use superhelix::io::Curves;
 
 use crate::groom_statistics::Spread;
-use crate::unit;
 
 /// Elements at most.
 const MOST: usize = 100;

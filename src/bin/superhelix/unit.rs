@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use superhelix::files::curves::Curves;
-use superhelix::groom::drawn::DrawnCurve;
+use superhelix::hair::DrawnCurve;
+use superhelix::io::Curves;
 
 use crate::failure::Failure;
 

@@ -2,16 +2,10 @@
 
 use std::path::Path;
 
-use superhelix::error::Result as Outcome;
-use superhelix::files::curves::Curves;
-use superhelix::groom::drawn::{DrawnCurve, GroomOptions, NaturalShape};
-use superhelix::groom::fit::bulk::fit_curves;
-use superhelix::groom::fit::{Fit, FitCurve, FitOptions};
-use superhelix::groom::wisp::Wisp;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Stiffening;
-use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef};
+use superhelix::editing::Stiffening;
+use superhelix::hair::{DrawnCurve, Fit, FitCurve, FitOptions, NaturalShape, fit_curves};
+use superhelix::io::Curves;
+use superhelix::{Frame, GroomOptions, MAX_ELEMENTS, Material, Result as Outcome, SolverOptions, StrandDef, Wisp};
 
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
