@@ -6,6 +6,15 @@ use std::sync::atomic::{AtomicU8, AtomicU32, AtomicU64, Ordering};
 use crate::platform::Instant;
 
 /// What the steps of a call may cost. The default has no limits but the one that every step has, see [`StepLimits::work`].
+///
+/// ```
+/// use superhelix::{Solver, SolverOptions, StepLimits, Stopped};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let report = solver.step_within(1.0 / 60.0, 1, &StepLimits { work: Some(10_000), ..StepLimits::default() })?;
+/// assert_eq!(report.stopped, Stopped::No);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLimits<'a> {
     /// Most work on strands in contact or held by constraints, in each substep, in units that each take about a microsecond of one core of 2026. What is

@@ -14,7 +14,7 @@
 //! let found = solver.settle(&ids, &EquilibriumOptions::default())?;
 //! assert!(found[0].converged);
 //! solver.cut(&ids, &[0.15])?;
-//! let target = DragTarget { arclength: 0.15, position: Vector3::new(0.08, 0.02, -0.06), frame: None };
+//! let target = DragTarget { arclength: 0.15, position: Vector3::new(0.08, 0.02, -0.06) };
 //! let dragged = solver.drag(&ids, &[target], &PoseOptions::default())?;
 //! assert!(dragged[0].distance < 1e-3);
 //!
@@ -26,8 +26,7 @@
 
 pub use crate::contact::allowance::Allowance;
 pub use crate::groom::pose::{
-    Brush, Brushed, DragTarget, Dragged, ElementChange, Growth, Plane, PoseOptions, PoseScratch, StrandShape, Surroundings,
-    mirrored,
+    Brush, Brushed, DragTarget, Dragged, ElementChange, Growth, Plane, PoseOptions, StrandShape, mirrored,
 };
 pub use crate::groom::stability::{Stability, Stiffening, stability_under_gravity};
 pub use crate::math::rotation::PoseMove;

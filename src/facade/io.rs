@@ -13,7 +13,7 @@
 //! // Two strands of two points; a second frame in which they have moved.
 //! let rest = [[0.0, 0.0, 0.0], [0.0, 0.0, -0.1], [0.1, 0.0, 0.0], [0.1, 0.0, -0.1]];
 //! let moved = rest.map(|[x, y, z]: [f32; 3]| [x + 0.02, y, z]);
-//! let curves = Curves::new(vec![2, 2], rest.to_vec())?;
+//! let curves = Curves::from_counts(vec![2, 2], rest.to_vec())?;
 //! let mut cache = CurveCacheWriter::create(&path, &curves, 24.0)?;
 //! cache.write(0.0, &rest, None)?;
 //! cache.write(1.0 / 24.0, &moved, None)?;

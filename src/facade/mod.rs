@@ -44,7 +44,7 @@ pub use crate::solver::bodies::{Contact, ContactPartner};
 pub use crate::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatus, Hold};
 pub use crate::solver::definition::{SolverOptions, UsualLimits};
 pub use crate::solver::id::{BodyId, ConstraintId, StrandId};
-pub use crate::solver::report::{Phases, Quadrature, StepReport, StrandStatus, Wrench};
+pub use crate::solver::report::{ContactTally, Phases, Quadrature, StepReport, StrandStatus, Wrench};
 pub use crate::solver::{Sample, Solver};
 pub use crate::step::options::{Integrator, LinearSolver, StepOptions};
 pub use crate::workers::{ParallelFor, Workers};

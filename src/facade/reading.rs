@@ -2,7 +2,8 @@
 //!
 //! [`Solver::sample_at`](crate::Solver::sample_at) is the simple way to points of one strand.
 
-pub use crate::rod::uniform_points::Real;
+pub use crate::contact::law::coefficient::Coefficient as FrictionCoefficient;
+pub use crate::rod::uniform_points::{Lanes, Real, WIDTH};
 pub use crate::solver::contact_events::{Change, ContactEvent, MOST_EVENTS};
 pub use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 pub use crate::solver::{

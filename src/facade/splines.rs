@@ -1,4 +1,4 @@
-//! Splines: curves from control points, poses and points over time.
+//! Splines: curves from control points, poses over time.
 //!
 //! ```
 //! use superhelix::Frame;
@@ -11,6 +11,5 @@
 //! # Ok::<(), superhelix::Error>(())
 //! ```
 
-pub use crate::math::point_spline::PointSpline;
 pub use crate::math::pose_spline::PoseSpline;
 pub use crate::math::spline::{MOST_POINTS_PER_SPAN, Spline, SplineEnds, SplineKind};

@@ -13,7 +13,7 @@
 //!     comb.before_step(&mut solver, &ids, &at(0.1 + 0.001 * f64::from(step)), 1.0 / 60.0)?;
 //!     solver.step(1.0 / 60.0, 1)?;
 //!     let report = comb.after_step(&mut solver)?;
-//!     assert!(report.force.iter().all(|component| component.is_finite())); // N, on the comb
+//!     assert!(report.wrench.force.iter().all(|component| component.is_finite())); // N, on the comb
 //! }
 //! comb.release(&mut solver)?;
 //! # Ok::<(), superhelix::Error>(())

@@ -13,6 +13,22 @@ use crate::rod::material::Material;
 use crate::step::equilibrium;
 
 /// How firmly a strand rests in a shape under gravity, were its natural shape chosen to hold it there.
+///
+/// ```
+/// use superhelix::StrandDef;
+/// use superhelix::editing::{Stiffening, stability_under_gravity};
+/// use superhelix::nalgebra::Vector3;
+///
+/// // A limp strand that leaves upwards falls over; twice as stiff as its border of stability, it stands.
+/// let strand = StrandDef::straight(0.15, 6);
+/// let up = Vector3::new(-9.81, 0.0, 0.0);
+/// let found = stability_under_gravity(&strand, &strand.natural, up)?;
+/// assert!(!found.is_stable());
+/// let scale = Stiffening::YoungsModulus.scale(&found, 0.5)?;
+/// let stiff = StrandDef { material: Stiffening::YoungsModulus.applied(&strand.material, scale), ..strand.clone() };
+/// assert!(stability_under_gravity(&stiff, &strand.natural, up)?.is_stable());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stability {
     /// The smallest eigenvalue λ of the static Hessian against the elastic stiffness: 1 where gravity does nothing (a little more for strands

@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::memory;
 
 /// An identifier as bits.
+#[doc(hidden)]
 pub trait Identifier: Copy {
     /// Sixteen bits that tell this sort of identifiers from the others.
     const SORT: u16;

@@ -78,6 +78,17 @@ pub fn of_strands(counts: impl Iterator<Item = usize>) -> impl Iterator<Item = [
 }
 
 /// The touches of some bodies, and the compliance of the strands between them. Its memory is kept from one use to the next.
+///
+/// ```
+/// use superhelix::reading::TouchCompliance;
+/// use superhelix::{Solver, SolverOptions};
+///
+/// let solver = Solver::new(SolverOptions::default())?;
+/// let mut found = TouchCompliance::default();
+/// solver.touch_compliance(&[], 1.0 / 60.0, 1e-3, &mut found)?;
+/// assert!(found.touches.is_empty());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct TouchCompliance {
     /// The time that it is for, s.

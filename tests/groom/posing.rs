@@ -1,8 +1,9 @@
 //! Strands posed by hand, as shapes: drags against geometry, cuts and mirrors to rounding. Living strands are in `posing_living.rs`.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::editing::{Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, PoseScratch, StrandShape, Surroundings};
+use superhelix::editing::{Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, StrandShape};
 use superhelix::internals::contact::body::BodyAt;
+use superhelix::internals::groom::pose::{PoseScratch, Surroundings};
 use superhelix::{Error, Frame, Freedoms, Shape};
 
 /// Random numbers in [−1, 1).

@@ -23,6 +23,15 @@ pub enum Space {
 }
 
 /// How render strands are made from guides. Lengths in m.
+///
+/// ```
+/// use superhelix::render::RenderSettings;
+///
+/// // Curly hair in tight wisps, kept 1 mm out of bodies.
+/// let settings = RenderSettings { curliness: 0.8, wisps_per_guide: 6, clearance: 1e-3, ..RenderSettings::default() };
+/// settings.check("settings.")?;
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct RenderSettings {
     /// Points of a strand, root and tip included, 2 to [`MOST_POINTS`]; also those that each guide is sampled at. Default 16.
