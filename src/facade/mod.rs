@@ -11,7 +11,7 @@
 //! - `render.rs`: Render hair: a hundred thousand strands that follow the simulated ones.
 //! - `settings.rs`: Settings by the error that may be made: time steps, elements, tolerances that were measured to be good enough.
 //! - `shapes.rs`: Shapes of bodies: primitives, hulls, triangle meshes, signed distance grids.
-//! - `splines.rs`: Splines: curves from control points, poses and points over time.
+//! - `splines.rs`: Splines: curves from control points, poses over time.
 //! - `tools.rs`: Combs, brushes, fingers, hot plates and barrels: their bodies, and combs that catch the strands they meet.
 
 pub mod editing;
