@@ -140,7 +140,7 @@ figures: ## every figure and table of docs/, from their programs
 	@scripts/setup.sh build figures
 	scripts/figures.sh
 
-tradeoff: ## what accuracy costs: docs/notebook/tradeoff.md, its figures, and src/study/measured.rs (about half an hour of one core)
+tradeoff: ## what accuracy costs: docs/notebook/tradeoff.md, its figures, and src/analysis/measured.rs (about half an hour of one core)
 	@scripts/setup.sh build figures
 	scripts/tradeoff.sh
 

@@ -82,6 +82,7 @@
 // - `meter.rs`: What a substep may cost: work, which is counted and the same on every machine; a moment when it is to be over.
 // - `platform.rs`: What the system beneath has: a clock, threads, numbers of processes.
 // - `workers.rs`: Running work on many strands: on the calling thread, in a private pool, or by the host's task system.
+// - `analysis/`: Analysis of strands, on top of the solver: settings by error, elements by need, friction from recordings, combing force, equilibria that buckle.
 // - `capi/`: The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
 // - `chain/`: The linear systems of one strand: the linear-time elimination from tip to root, and the dense reference it is tested against.
 // - `contact/`: Contact and constraints: bodies and hair against hair.
@@ -94,9 +95,9 @@
 // - `rod/`: One strand at rest in itself: material, freedoms, kinematics.
 // - `solver/`: The scene: strands, their roots, the step, and everything a host reads back.
 // - `step/`: Time integration of one strand.
-// - `study/`: Studies on top of the solver: what is asked of strands beside their motion, what a measurement says about them, what settings cost and are good for.
 // - `styling/`: Styling by hand: the bodies of tools from a few numbers, and combs whose teeth hold the strands that they meet until these are combed.
 
+mod analysis;
 mod capi;
 mod chain;
 mod contact;
@@ -113,7 +114,6 @@ mod platform;
 mod rod;
 mod solver;
 mod step;
-mod study;
 mod styling;
 mod workers;
 
@@ -131,5 +131,5 @@ pub mod internals {
         };
     }
 
-    expose! { capi chain contact energy error files groom haptics math meter rod solver step study styling workers }
+    expose! { analysis capi chain contact energy error files groom haptics math meter rod solver step styling workers }
 }

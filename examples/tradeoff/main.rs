@@ -4,7 +4,7 @@
 //! `cargo run --profile demo --example tradeoff -- sweep docs/figures 1` measures everything: `tradeoff.csv` and `tradeoff_truth.csv`
 //! (about a quarter of an hour of processor time; times are those of the thread, so that two threads may share it). `presets docs/figures 1` measures the
 //! presets anew. `check docs/figures` compares the trajectories with those of the reference integrator:
-//! `tradeoff_check.csv`. `table docs/figures` writes src/study/measured.rs from `tradeoff.csv`.
+//! `tradeoff_check.csv`. `table docs/figures` writes src/analysis/measured.rs from `tradeoff.csv`.
 
 mod hair;
 mod measure;

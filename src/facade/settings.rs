@@ -11,7 +11,7 @@
 //! # Ok::<(), superhelix::Error>(())
 //! ```
 
-pub use crate::study::elements::{Demand, RootMotion, Suggestion, suggest_elements};
-pub use crate::study::presets::{Preset, Recipe};
-pub use crate::study::settings::{HairShape, Settings};
-pub use crate::study::suggestion::{Scenes, suggest_settings};
+pub use crate::analysis::elements::{Demand, RootMotion, Suggestion, suggest_elements};
+pub use crate::analysis::presets::{Preset, Recipe};
+pub use crate::analysis::settings::{HairShape, Settings};
+pub use crate::analysis::suggestion::{Scenes, suggest_settings};

@@ -29,8 +29,8 @@ use hair::Hair;
 use scene::Scene;
 use setting::Setting;
 use superhelix::Error;
-use superhelix::internals::study::measured;
-use superhelix::internals::study::measured::{ELEMENTS, RATES};
+use superhelix::internals::analysis::measured;
+use superhelix::internals::analysis::measured::{ELEMENTS, RATES};
 use superhelix::settings::{HairShape, Preset, Scenes, suggest_settings};
 
 /// A row of the measured table by the names of its columns.

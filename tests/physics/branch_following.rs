@@ -1,4 +1,4 @@
-//! Branches of static equilibria (`study::branch`) against theory: Greenhill's self-buckling, the transition of a hanging curl from bending
+//! Branches of static equilibria (`analysis::branch`) against theory: Greenhill's self-buckling, the transition of a hanging curl from bending
 //! to twisting, a turning clamp, a fold. Errors of the elements fall as 1/N² (`docs/theory/validation_physics.md`), so that two numbers of
 //! elements extrapolate to the continuous rod.
 

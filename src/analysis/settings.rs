@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
+use crate::analysis::measured;
 use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
 use crate::solver::SHORTEST_STEP;
 use crate::step::options::StepOptions;
-use crate::study::measured;
 
 /// What settings are chosen for.
 ///
