@@ -38,7 +38,8 @@ case $profile in
     types=("cdylib,staticlib")
     ;;
 esac
-arguments=(-C "link-arg=-Wl,-soname,$soname" --print native-static-libs)
+# The C libraries alone have the allocator that a host may replace (src/capi/allocator.rs).
+arguments=(-C "link-arg=-Wl,-soname,$soname" --print native-static-libs --cfg superhelix_c_library)
 [ -z "${SHX_LINKER:-}" ] || arguments+=(-C "linker=$SHX_LINKER")
 
 mkdir -p "$build/lib" "$build/include"

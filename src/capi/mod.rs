@@ -1,7 +1,7 @@
 //! The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
 //!
 //! `include/superhelix.h` is generated from this floor (`tests/capi/header.rs`), so the comments here are written for the C
-//! programmer who reads it there. Nothing here is process-wide: no table of solvers, no logger, no pool, no panic hook, and the
+//! programmer who reads it there. Nothing here is process-wide but the host's allocator: no table of solvers, no logger, no pool, no panic hook, and the
 //! only thread-local variables (the last error's text, the host's floating-point mode) have no destructor, since one would keep
 //! the library mapped after `dlclose`.
 //!
@@ -12,6 +12,7 @@
 //!
 //! Files:
 //!
+//! - `allocator.rs`: The host's allocator, for the C libraries: a global allocator that goes to the system until the host gives its own.
 //! - `attachment.rs`: Strands, bodies and constraints that follow one pose.
 //! - `bodies.rs`: Bodies: what strands are kept out of.
 //! - `body_def.rs`: What a body is made from.
@@ -23,6 +24,7 @@
 //! - `curve_cache.rs`: Caches: curves over time with velocities, in one .usda file.
 //! - `curve_data.rs`: All that groom files may say beside the points: out of curves, and into files.
 //! - `curves.rs`: Groom files in, cache frames out.
+//! - `debug_draw.rs`: Debug drawing by callback.
 //! - `distance_grid.rs`: Meshes baked into signed distance grids.
 //! - `errors.rs`: Result codes, and the text of the last error of each thread.
 //! - `fit.rs`: Strands from polylines, and natural shapes that hold them up.
@@ -71,6 +73,7 @@
 //! - `types.rs`: Plain data that crosses the border.
 //! - `version.rs`: Which library this is.
 //! - `versioned.rs`: Structures that may grow.
+//! - `wind.rs`: Wind as a field.
 //! - `wisp.rs`: Wisps: what a guide of a groom stands for.
 //! - `wrenches.rs`: Wrenches into the caller's memory: those on follicles and those on bodies.
 // Comments here are those of the C header too, plain text: ids[i] is not a link.
@@ -78,6 +81,7 @@
 #![allow(unsafe_code, non_camel_case_types)]
 #![allow(clippy::missing_safety_doc)] // said once, above
 
+pub mod allocator;
 pub mod attachment;
 pub mod bodies;
 pub mod body_def;
@@ -89,6 +93,7 @@ pub mod contacts;
 pub mod curve_cache;
 pub mod curve_data;
 pub mod curves;
+pub mod debug_draw;
 pub mod distance_grid;
 pub mod errors;
 pub mod fit;
@@ -137,5 +142,6 @@ mod thread;
 pub mod types;
 pub mod version;
 mod versioned;
+pub mod wind;
 pub mod wisp;
 mod wrenches;

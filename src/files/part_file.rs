@@ -14,13 +14,17 @@ const PARTS: u32 = 16;
 /// A hidden file beside the target. A lock says that its writer lives: the system releases it when the process ends, however it ends. Dropped,
 /// the file is removed.
 #[derive(Debug)]
-pub(super) struct PartFile {
+pub struct PartFile {
     path: PathBuf,
+    /// The file itself.
     pub file: File,
 }
 
 impl PartFile {
     /// A part of `target`, open for reading and writing. Parts of the same target whose writers are dead are removed.
+    ///
+    /// # Errors
+    /// [`Error::File`] where it cannot be made, or 16 others are writing the same target.
     pub fn create(target: &Path) -> Result<Self> {
         if target.file_name().is_none() {
             return Err(Error::file(target, "cannot be written: it has no file name"));
@@ -62,6 +66,9 @@ impl PartFile {
     }
 
     /// Puts the file in the target's place.
+    ///
+    /// # Errors
+    /// Those of the system.
     pub fn take_name(self, target: &Path) -> io::Result<()> {
         fs::rename(&self.path, target)
     }

@@ -1,4 +1,4 @@
-//! Reading many strands at uniform places: packs of them side by side, shared out among the solver's threads.
+//! Reading many strands at uniform places: packs of them side by side, shared out among the solver's workers.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -33,6 +33,9 @@ const AHEAD: usize = 16;
 /// Points that a task takes at a time, about: enough to be worth handing out.
 const POINTS_A_PART: usize = 1024;
 
+/// Most of them at a time.
+const PARTS_A_TASK: usize = 8;
+
 /// What is to be sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wanted {
@@ -65,7 +68,7 @@ pub struct Tile<'a, T> {
     pub velocities: &'a [[Lanes<T>; 3]],
 }
 
-/// Who takes samples. Tiles come in any order and from any of the solver's threads, each point of each strand once.
+/// Who takes samples. Tiles come in any order and from any of the solver's workers, each point of each strand once.
 pub trait SampleSink<T>: Sync {
     /// Takes a tile.
     fn take(&self, tile: &Tile<T>);
@@ -78,12 +81,16 @@ impl Solver {
     /// to within 10⁻⁶ of the strand's length (measured: 2·10⁻⁷), plus the rounding of what is given out; frames and velocities to 10⁻⁶ of
     /// one and of the largest velocity. What a strand's samples are does not depend on the other strands or on threads.
     ///
-    /// Runs on the solver's own threads where it has them and there is enough to do; a host's task system is not used: a host that has
-    /// one calls from its tasks, for some of the strands each.
+    /// Runs on the solver's workers, a host's task system too, where there is enough to do for more than one. Several threads may sample at once: a
+    /// host's task system is then called from each.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for fewer than two points; [`Error::InvalidId`] naming `ids[i]`. Nothing has gone to the sink then.
     pub fn sample_tiles<T: Real>(&self, ids: &[StrandId], wanted: &Wanted, sink: &impl SampleSink<T>) -> Result<()> {
+        self.timed_sampling(|| self.sample_tiles_now(ids, wanted, sink))
+    }
+
+    fn sample_tiles_now<T: Real>(&self, ids: &[StrandId], wanted: &Wanted, sink: &impl SampleSink<T>) -> Result<()> {
         if wanted.points_per_strand < 2 {
             return Err(Error::invalid("points_per_strand", wanted.points_per_strand, "2 or more: root and tip"));
         }
@@ -103,7 +110,7 @@ impl Solver {
         let each = (POINTS_A_PART / wanted.points_per_strand / WIDTH).max(1) * WIDTH;
         let mut parts: Vec<&[Asked]> = strands.chunks(each).collect();
         let set = self.instruction_set();
-        self.crew.for_each_on_own(&mut parts, |part, _| {
+        let sample = |part: &[Asked]| {
             let part = Part { strands: part, wanted, rules: &self.rules, sink, number: PhantomData::<T> };
             match set {
                 #[cfg(target_arch = "x86_64")]
@@ -112,7 +119,12 @@ impl Solver {
                 InstructionSet::Avx2 => F64x4::call(part),
                 _ => part.run(),
             }
-        });
+        };
+        match &mut parts[..] {
+            // Handing out one would cost a host more than doing it.
+            [part] => sample(part),
+            parts => self.crew.for_each_task(parts, 1, PARTS_A_TASK, |parts, _| parts.iter().for_each(|part| sample(part))),
+        }
         Ok(())
     }
 }

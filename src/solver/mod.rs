@@ -11,6 +11,7 @@
 //! - `constraints.rs`: Hard constraints: what pins, clamps, ties and rings strands, and what forces that takes.
 //! - `contact_events.rs`: Contacts that begin and end, kept for a host that drains them: between which strand and what, where.
 //! - `crossing.rs`: Where strands cross a blade or the surface that a tooth sweeps, and where they are in a box.
+//! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.
 //! - `deep_places.rs`: Where strands are in bodies and in each other as they are now, whatever a step makes of it.
 //! - `definition.rs`: What a host says to make a solver; strands: `StrandDef`.
 //! - `editing.rs`: Changing strands from outside: where their roots go, their natural and present shapes, their rest.
@@ -42,6 +43,7 @@
 //! - `touching.rs`: Who touches whom in a substep: bodies and strands found near held strands, as joints.
 //! - `trial_steps.rs`: Strands that a body is near step as if it were not, side by side with those that nothing is near.
 //! - `trimming.rs`: Living strands cut and grown.
+//! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
 //! - `workers.rs`: Who runs the strands of a step.
 
 mod astray;
@@ -53,9 +55,10 @@ pub mod clips;
 pub mod constraints;
 pub mod contact_events;
 mod crossing;
+pub mod debug_draw;
 mod deep_places;
 pub mod definition;
-mod editing;
+pub(crate) mod editing;
 mod fast_bodies;
 mod freezing;
 pub mod heating;
@@ -84,7 +87,10 @@ pub mod touch_compliance;
 mod touching;
 mod trial_steps;
 mod trimming;
+mod wind;
 mod workers;
+
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::Vector3;
 
@@ -95,11 +101,13 @@ pub use overlaps::Overlap;
 pub use render_guides::SolverGuides;
 pub use sampling::Sample;
 pub use snapshot::{Restoring, SNAPSHOT_VERSION, SnapshotShapes};
-pub use stepping::SHORTEST_STEP;
+pub use stepping::{LONGEST_STEP, SHORTEST_STEP};
+pub use wind::{WIND_BATCH, WindField};
 
 use crate::error::{Error, Result, check_finite};
 use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
+use crate::platform::Instant;
 use bodies::SceneBody;
 use constraints::Constraint;
 use contact_events::ContactEvents;
@@ -127,6 +135,9 @@ pub struct Solver {
     body_slots: SlotMap<BodyId>,
     bodies: Vec<SceneBody>,
     events: Option<Box<ContactEvents>>,
+    wind_field: Option<std::sync::Arc<dyn WindField>>,
+    /// Nanoseconds that sampling took since the last step.
+    sampling: AtomicU64,
 }
 
 impl std::fmt::Debug for Solver {
@@ -160,6 +171,8 @@ impl Solver {
             body_slots: SlotMap::new(mark as u16),
             bodies: Vec::new(),
             events: None,
+            wind_field: None,
+            sampling: AtomicU64::new(0),
         })
     }
 
@@ -185,6 +198,14 @@ impl Solver {
             + self.constraints.capacity() * size_of::<Constraint>()
             + self.events.as_deref().map_or(0, |events| size_of::<ContactEvents>() + events.heap_bytes());
         (lists as f64 + strands + self.sections.heap_bytes()).round() as u64
+    }
+
+    /// Does something that counts as sampling.
+    fn timed_sampling<R>(&self, sample: impl FnOnce() -> R) -> R {
+        let started = Instant::now();
+        let result = sample();
+        self.sampling.fetch_add(started.elapsed().as_nanos() as u64, Ordering::Relaxed);
+        result
     }
 
     fn index(&self, argument: &str, id: StrandId) -> Result<usize> {

@@ -48,7 +48,7 @@ pub struct StepReport {
     pub phases: Phases,
 }
 
-/// What a step spent its time on, s. The sum is at most [`StepReport::seconds`]; the rest is what surrounds these.
+/// What a step spent its time on, s. The sum of the first three is at most [`StepReport::seconds`]; the rest is what surrounds these.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Phases {
     /// The search for contacts between strands and with bodies.
@@ -57,6 +57,8 @@ pub struct Phases {
     pub strands: f64,
     /// The contact problems of islands.
     pub contact: f64,
+    /// Sampling since the step before, of all threads together: no part of the step itself.
+    pub sampling: f64,
 }
 
 impl Phases {

@@ -11,13 +11,15 @@
 //! - `bytes.rs`: Numbers into bytes and back: little-endian, every length checked against what is left before memory is taken.
 //! - `constraints.rs`: Constraints: what they ask, where their targets are on their way, what they did last.
 //! - `contact.rs`: What acts on contact beside bodies: options, what strands are to it, and what the last substep left to begin the next with.
+//! - `packed_strands.rs`: Strands as images hold them: what a strand shares with the one before it, or says twice itself, is written once.
 //! - `shapes.rs`: Shapes that stay as they are, kept once beside any number of snapshots, each under its content's hash.
-//! - `strands.rs`: Strands: constants and states.
+//! - `strands.rs`: Parts of strands, and whole ones for hashes.
 
 mod bodies;
 mod bytes;
 mod constraints;
 mod contact;
+mod packed_strands;
 mod shapes;
 mod strands;
 
@@ -46,7 +48,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use bytes::{FNV_START, Reader, Writer, bad, fnv1a, of_part};
 
 /// Changes whenever an image of an older version could not be read.
-pub const SNAPSHOT_VERSION: u32 = 7;
+pub const SNAPSHOT_VERSION: u32 = 8;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -187,10 +189,7 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let mut sections = Sections::default();
     for index in 0..strand_count {
         let id = reader.id("strand", &slots, index)?;
-        let mut strand = reader.strand(id, rules, &mut sections)?;
-        strand.authored = reader.authored(strand.model.length())?;
-        (strand.contact, strand.touched) = (reader.strand_contact()?, reader.flag()?);
-        strand.allowance = reader.allowance()?;
+        let strand = reader.packed_strand(id, strands.last(), rules, &mut sections)?;
         strands.push(strand);
     }
     let bodies = reader.bodies(&body_slots, find)?;
@@ -279,13 +278,9 @@ impl Solver {
         writer.slots(&self.body_slots);
         writer.slots(&self.constraint_slots);
         writer.u64(self.strands.len() as u64);
-        for strand in &self.strands {
+        for (index, strand) in self.strands.iter().enumerate() {
             writer.u64(strand.id.bits());
-            writer.strand(strand);
-            writer.authored(strand.authored.as_deref());
-            writer.strand_contact(strand.contact.as_deref());
-            writer.flag(strand.touched);
-            writer.allowance(strand.allowance.as_deref());
+            writer.packed_strand(strand, index.checked_sub(1).map(|before| &self.strands[before]));
         }
         writer.bodies(&self.bodies, shapes, |writer, body| {
             writer.u64(body.id.bits());
@@ -296,7 +291,7 @@ impl Solver {
             writer.u64(constraint.id.bits());
             writer.u64(constraint.user_data);
         });
-        writer.touches(&self.holding.memory());
+        writer.packed_touches(&self.holding.memory());
     }
 
     /// Goes back to a snapshot, of this solver or another: strands, bodies, constraints, identifiers and options become those of the

@@ -22,6 +22,9 @@ use crate::step::{Setting, Surroundings, packs, subdivision};
 /// The shortest substep, s: below it rounding of the positions, divided by the step's square, drowns every acceleration.
 pub const SHORTEST_STEP: f64 = 1e-9;
 
+/// The longest substep, s: whoever gives more has another unit in mind. What rests when all motion has died down is [`Solver::settle`]'s.
+pub const LONGEST_STEP: f64 = 3600.0;
+
 /// A part of a substep is to have so many times the time of what it takes beside its iterations at least, and so much work an element of all strands.
 const SHARE_OF_BESIDE: f64 = 3.0;
 const WORK_OF_A_PART: f64 = 8.0;
@@ -89,6 +92,8 @@ struct Place {
     is_last: bool,
     /// One of the parts of a substep in which a body goes far.
     is_fast: bool,
+    /// Seconds from the call's start to its own.
+    from: f64,
 }
 
 /// What substeps have taken, and why they were ended before all strands were at their end.
@@ -118,7 +123,8 @@ impl Solver {
     /// touches or constraints without end, is rolled back to the substep's start and counted; the others go on.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`];
+    /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`] or above
+    /// [`LONGEST_STEP`];
     /// [`Error::Unsupported`] where strands may touch something or constraints hold them and the integrator is
     /// [`Integrator::Reference`], which steps free strands only.
     pub fn step(&mut self, dt: f64, substeps: u32) -> Result<StepReport> {
@@ -149,8 +155,8 @@ impl Solver {
             return Err(Error::invalid("substeps", substeps, "1 or more"));
         }
         let h = dt / f64::from(substeps);
-        if h < SHORTEST_STEP {
-            return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP} s or more")));
+        if !(SHORTEST_STEP..=LONGEST_STEP).contains(&h) {
+            return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP:e} to {LONGEST_STEP} s")));
         }
         self.check_integrator()?;
         let elements = self.strands.iter().map(|strand| strand.model.element_count()).sum();
@@ -164,7 +170,9 @@ impl Solver {
             (ContactTally::default(), self.step_free(h, &clock, &total))
         };
         let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let Spent { work, stopped, parts, phases } = spent;
+        let Spent { work, stopped, parts, mut phases } = spent;
+        phases.sampling = *self.sampling.get_mut() as f64 * 1e-9;
+        *self.sampling.get_mut() = 0;
         self.note_contacts();
         let report = self.report(&total, substeps, started);
         Ok(StepReport { contact, work, stopped, carried: jumped, parts: parts.max(1), phases, ..report })
@@ -172,29 +180,47 @@ impl Solver {
 
     /// The substeps of a scene in which nothing can hold strands: each task takes its own through all of them.
     fn step_free(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> Spent {
+        let meter = clock.meter(&Left { work: clock.work(), parts: 1.0, all_parts: 1.0, substeps: 0.0 }, 0.0);
+        let begins = Instant::now();
+        if self.wind_field.is_none() {
+            self.take_free(h, clock.substeps, &meter, total);
+        } else {
+            // The field is looked up for all strands before any begins the next substep.
+            for substep in 0..clock.substeps {
+                let halted = meter.is_halted();
+                let length = if halted { h * f64::from(clock.substeps - substep) } else { h };
+                self.look_up_wind(h * f64::from(substep), length);
+                self.take_free(length, 1, &meter, total);
+                if halted {
+                    break;
+                }
+            }
+        }
+        // What was done in time does not tell that time was up afterwards.
+        let late = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
+        let phases = Phases { strands: begins.elapsed().as_secs_f64(), ..Phases::default() };
+        Spent { stopped: if late { meter.stopped() } else { Stopped::No }, phases, ..Spent::default() }
+    }
+
+    /// Takes all strands through so many substeps of `h` seconds, each task its own.
+    fn take_free(&mut self, h: f64, substeps: u32, meter: &Meter, total: &Mutex<Tally>) {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
-        let meter = clock.meter(&Left { work: clock.work(), parts: 1.0, all_parts: 1.0, substeps: 0.0 }, 0.0);
-        let begins = Instant::now();
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
-            for substep in 0..clock.substeps {
+            for substep in 0..substeps {
                 let halted = meter.is_halted();
-                let h = if halted { h * f64::from(clock.substeps - substep) } else { h };
+                let h = if halted { h * f64::from(substeps - substep) } else { h };
                 let mut counts = TrialTally { all: &mut tally, on_trial: &mut [] };
-                side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, &meter);
+                side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, meter);
                 if halted {
                     break;
                 }
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
-        // What was done in time does not tell that time was up afterwards.
-        let late = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
-        let phases = Phases { strands: begins.elapsed().as_secs_f64(), ..Phases::default() };
-        Spent { stopped: if late { meter.stopped() } else { Stopped::No }, phases, ..Spent::default() }
     }
 
     /// Whether something may hold strands. Bodies and constraints are on their ways whether they do or not.
@@ -208,6 +234,13 @@ impl Solver {
     fn check_integrator(&self) -> Result<()> {
         if self.options.step.integrator != Integrator::Reference {
             return Ok(());
+        }
+        if self.wind_field.is_some() && self.strands.iter().any(|strand| strand.model.material.air_drag > 0.0) {
+            return Err(Error::Unsupported {
+                argument: "the solver's integrator".into(),
+                value: "reference".into(),
+                hint: "its error control cannot see a field of wind; take second order or implicit Euler".into(),
+            });
         }
         let hair = self.options.contact.hair;
         let touches = |contact: &StrandContact| {
@@ -245,17 +278,18 @@ impl Solver {
                 let (to_do, all_parts) = (f64::from(parts - part), f64::from(parts));
                 let left = Left { work, parts: to_do, all_parts, substeps: substeps - 1.0 };
                 let meter = clock.meter(&left, self.holding.beside().end);
+                let from = h * (f64::from(substep) + f64::from(part) / all_parts);
                 if clock.is_over() {
                     // There is nothing more to be done in any of them: all go along with their roots, at once.
                     let rest = h * (substeps - 1.0 + to_do / all_parts);
                     self.ready_ways(rest);
-                    let phases = self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false });
+                    let phases = self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false, from });
                     spent.phases.add(&phases);
                     spent.add(&meter, true);
                     break 'substeps;
                 }
                 let is_last = substep + 1 == clock.substeps && part + 1 == parts;
-                let place = Place { is_last, is_fast: parts > 1 };
+                let place = Place { is_last, is_fast: parts > 1, from };
                 let phases = self.take_substep(h / all_parts, &meter, &mut contact, total, place);
                 spent.phases.add(&phases);
                 let left = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
@@ -272,11 +306,14 @@ impl Solver {
 
     /// A substep of `h` seconds, or a part of one. Gives what it spent its time on.
     fn take_substep(&mut self, h: f64, meter: &Meter, contact: &mut ContactTally, total: &Mutex<Tally>, place: Place) -> Phases {
-        let Place { is_last, is_fast } = place;
+        let Place { is_last, is_fast, from } = place;
         for scene_body in &mut self.bodies {
             scene_body.body.begin(h);
         }
         self.wake_touched(h);
+        let looks_up = Instant::now();
+        self.look_up_wind(from, h);
+        let looked_up = looks_up.elapsed().as_secs_f64();
         let set = self.instruction_set();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
@@ -326,7 +363,7 @@ impl Solver {
         }
         // Strands are what is neither searching nor contact: who takes them does so between the two.
         let Phases { search, contact, .. } = self.holding.take_phases();
-        Phases { search, contact, strands: (taken - search - contact).max(0.0) }
+        Phases { search, contact, sampling: 0.0, strands: (taken - search - contact).max(0.0) + looked_up }
     }
 
     fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {

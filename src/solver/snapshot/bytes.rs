@@ -253,22 +253,7 @@ impl<'a> Reader<'a> {
         if unit && frame.origin.iter().all(|x| x.is_finite()) { Ok(frame) } else { Err(bad(format!("{what} is no pose"))) }
     }
 
-    /// A way from pose to pose, and how many seconds of it are done.
-    pub fn way(&mut self) -> Result<Option<(PoseMove, f64)>> {
-        if !self.flag()? {
-            return Ok(None);
-        }
-        let way = PoseMove {
-            from: self.frame()?,
-            to: self.frame()?,
-            velocity: self.vector()?,
-            angular_velocity: self.vector()?,
-            duration: self.f64()?,
-        };
-        Ok(Some((way, self.f64()?)))
-    }
-
-    /// [`Reader::way`] of which every number is one.
+    /// A way from pose to pose of finite numbers, and how many seconds of it are done.
     pub fn finite_way(&mut self, what: &str) -> Result<Option<(PoseMove, f64)>> {
         if !self.flag()? {
             return Ok(None);
