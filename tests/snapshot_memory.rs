@@ -17,8 +17,8 @@ use superhelix::solver::definition::{SolverOptions, StrandDef, UsualLimits};
 use superhelix::solver::{SnapshotShapes, Solver};
 
 const FRAMES: usize = 100;
-/// What the header advises for hair of this kind.
-const ELEMENTS: usize = 5;
+/// Three more than the header advises for hair of this kind.
+const ELEMENTS: usize = 8;
 /// Metres per unit of the groom and the bust.
 const SCALE: f64 = 0.01;
 

@@ -187,8 +187,8 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let strand_count = reader.count(8)?;
     let mut strands = Vec::with_capacity(strand_count);
     let mut sections = Sections::default();
-    for index in 0..strand_count {
-        let id = reader.id("strand", &slots, index)?;
+    let ids = slots.by_index(strand_count).ok_or_else(|| bad(format!("it holds {strand_count} strands and identifiers of others")))?;
+    for id in ids {
         let strand = reader.packed_strand(id, strands.last(), rules, &mut sections)?;
         strands.push(strand);
     }
@@ -197,7 +197,6 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let elements = |index: u32| strands.get(index as usize).map(|strand: &Strand| &*strand.model.lengths);
     let holding = Holding::taken_up(reader.touches()?, elements, bodies.len())
         .ok_or_else(|| bad("what it remembers of touches is not of its scene"))?;
-    check_taken("strands", &slots, strands.len())?;
     check_taken("bodies", &body_slots, bodies.len())?;
     check_taken("constraints", &constraint_slots, constraints.len())?;
     if !reader.left.is_empty() {
@@ -279,7 +278,6 @@ impl Solver {
         writer.slots(&self.constraint_slots);
         writer.u64(self.strands.len() as u64);
         for (index, strand) in self.strands.iter().enumerate() {
-            writer.u64(strand.id.bits());
             writer.packed_strand(strand, index.checked_sub(1).map(|before| &self.strands[before]));
         }
         writer.bodies(&self.bodies, shapes, |writer, body| {
