@@ -68,7 +68,7 @@ for type in "${types[@]}"; do
     fi
   fi
 done
-install -m 644 include/superhelix.h "$build/include/superhelix.h"
+install -m 644 include/superhelix.h include/superhelix_inline.h "$build/include/"
 # The C++ headers, which need nothing built.
 rm -rf "$build/include/superhelix"
 (cd bindings/cpp/include && find superhelix -name '*.hpp') | while read -r header; do

@@ -138,16 +138,15 @@ unsafe impl GlobalAlloc for HostAllocator {
 
 /// Makes the library take all of its memory from your functions, for the whole process and until it is
 /// unloaded. Call it before every other function of the library: what was allocated before could not be freed.
-/// The pointers must remain valid until the library is unloaded; a few tables of the library stay allocated
-/// until then. What does not go through your functions: stacks of threads, and what the C library allocates for
-/// itself (threads, open files).
+/// The pointers must remain valid until the library is unloaded. Stacks of threads, and what the C library
+/// allocates for itself (threads, open files), do not go through your functions.
 /// If alloc returns null, a function fails with SHX_ERROR_OUT_OF_MEMORY where it lists that code, and the
 /// process aborts elsewhere, as it does without your functions.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (alloc returns memory that is not aligned),
 /// SHX_ERROR_OUT_OF_MEMORY (alloc returns null at once), SHX_ERROR_UNSUPPORTED (too late: the library has
-/// allocated already, or it has functions by an earlier call; or it is linked into a program in Rust, which has
-/// its own allocator). Nothing has changed then.
-/// Threads: no other call of the library may run meanwhile.
+/// allocated already, or it has functions by an earlier call; or it is linked into a program in Rust, which
+/// has its own allocator). Nothing has changed then.
+/// Threads: any, but no other call of the library may run meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_set_allocator(alloc: shx_alloc_fn, free: shx_free_fn, user: *mut c_void) -> shx_result {
     const FUNCTION: &str = "shx_set_allocator";

@@ -21,11 +21,11 @@ pub const SHX_DEBUG_CENTRELINES: u32 = 1;
 pub const SHX_DEBUG_FRAMES: u32 = 2;
 /// Contacts of the last substep: a point and the normal (yellow), and the force on the strand (magenta).
 pub const SHX_DEBUG_CONTACTS: u32 = 4;
-/// Centrelines coloured by island, instead of SHX_DEBUG_CENTRELINES: strands that contacts or ties couple share
-/// a colour; strands alone are grey.
+/// Centrelines coloured by island, instead of SHX_DEBUG_CENTRELINES: strands that contacts or ties couple
+/// share a colour; strands alone are grey.
 pub const SHX_DEBUG_ISLANDS: u32 = 8;
-/// Outlines of bodies, green: circles of round shapes, edges of boxes, hulls and meshes, a square of 1 m and the
-/// normal of a half-space. Of a distance grid the box around its nodes.
+/// Outlines of bodies, green: circles of round shapes, edges of boxes, hulls and meshes, a square of 1 m and
+/// the normal of a half-space. Of a distance grid the box around its nodes.
 pub const SHX_DEBUG_BODIES: u32 = 16;
 /// Constraints: a point on the strand and a line to its target (cyan), and the force on the strand (magenta).
 pub const SHX_DEBUG_CONSTRAINTS: u32 = 32;
@@ -37,7 +37,7 @@ pub struct shx_debug_vertex {
     /// In the space of shx_debug_draw_def.
     pub position: [f64; 3],
     /// 0xRRGGBB.
-    pub colour: u32,
+    pub color: u32,
     /// The layer that it belongs to: SHX_DEBUG_.
     pub layer: u32,
 }
@@ -54,7 +54,7 @@ pub type shx_debug_vertices_fn =
 pub struct shx_debug_draw_def {
     /// Set by shx_debug_draw_def_init.
     pub struct_size: u32,
-    /// Sum of SHX_DEBUG_. Default centrelines, contacts and bodies.
+    /// SHX_DEBUG_ bits. Default centrelines, contacts and bodies.
     pub layers: u32,
     /// Points of a centreline, 2 to 4096. Default 17.
     pub points_per_strand: u32,
@@ -112,7 +112,7 @@ unsafe impl Versioned for shx_debug_draw_def {
 
 #[cfg(target_pointer_width = "64")]
 const _: () = {
-    assert!(size_of::<shx_debug_vertex>() == 32 && offset_of!(shx_debug_vertex, colour) == 24);
+    assert!(size_of::<shx_debug_vertex>() == 32 && offset_of!(shx_debug_vertex, color) == 24);
     assert!(size_of::<shx_debug_draw_def>() == 184 && offset_of!(shx_debug_draw_def, lines) == 160);
 };
 
@@ -142,7 +142,7 @@ impl HostCanvas {
         self.batch.extend(vertices.iter().map(|vertex| {
             let position = (vertex.position - self.origin).into();
             let position = self.transform.as_ref().map_or(position, |transform| transform.point(position));
-            shx_debug_vertex { position, colour: vertex.colour, layer: vertex.layer as u32 }
+            shx_debug_vertex { position, color: vertex.colour, layer: vertex.layer as u32 }
         }));
         // SAFETY: the host's function, called as its type says; the batch outlives the call.
         with_host_mode(|| unsafe { function(self.user, self.batch.as_ptr(), self.batch.len()) });

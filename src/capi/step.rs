@@ -221,8 +221,8 @@ fn tell(log: &LogSink, report: &StepReport) {
 }
 
 /// Advances time by dt seconds in the given number of equal substeps (at least 1); each is a full solve and
-/// lasts from 1e-9 to 3600 s. report may be null. A strand whose state becomes non-finite, or that contacts or constraints make
-/// diverge, is rolled back and quarantined; the other strands go on, and the report and
+/// lasts from 1e-9 to 3600 s. report may be null. A strand whose state becomes non-finite, or that contacts or
+/// constraints make diverge, is rolled back and quarantined; the other strands go on, and the report and
 /// shx_solver_strand_status say so. The same input gives the same bits for any number of threads. Limits of
 /// the call are those of shx_solver_options.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps),

@@ -20,7 +20,7 @@ static void add(drawing *d, const shx_debug_vertex *vertices, size_t count) {
     d->layers |= vertices[i].layer;
     d->lowest = fmin(d->lowest, vertices[i].position[2]);
     d->highest = fmax(d->highest, vertices[i].position[2]);
-    EXPECT(vertices[i].colour <= 0xffffff);
+    EXPECT(vertices[i].color <= 0xffffff);
   }
 }
 

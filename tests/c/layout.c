@@ -56,7 +56,7 @@ AT(shx_solver_options, reserved0, 140);
 
 SIZE(shx_debug_vertex, 32);
 AT(shx_debug_vertex, position, 0);
-AT(shx_debug_vertex, colour, 24);
+AT(shx_debug_vertex, color, 24);
 AT(shx_debug_vertex, layer, 28);
 
 SIZE(shx_debug_draw_def, 184);

@@ -195,6 +195,19 @@ fn the_host_may_give_its_allocator_before_anything_is_allocated() {
     run(&mut valgrind(&path));
 }
 
+/// As C99 and as C++17, without warnings.
+#[test]
+fn inline_helpers_agree_with_the_library() {
+    run(&mut Command::new(program("inline")));
+    let path = build().join("inline_cpp");
+    let library = build().join("lib");
+    let mut command = Command::new("c++");
+    command.args(["-x", "c++", "-std=c++17"]).args(WARNINGS).arg("-I").arg(build().join("include"));
+    command.arg(root().join("tests/c/inline.c")).arg("-o").arg(&path).arg("-L").arg(&library).args(["-lsuperhelix", "-lm"]);
+    run(command.arg(format!("-Wl,-rpath,{}", library.display())));
+    run(&mut Command::new(path));
+}
+
 #[test]
 fn debug_drawing_and_wind_from_c() {
     let path = program("debug_draw");

@@ -63,7 +63,7 @@ fn every_size_and_offset_is_as_published() {
     let expected = layouts! {
         shx_solver_def: 184 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reference_tolerance: 136, quadrature_tolerance: 144, jump_acceleration: 152, reserved: 160, user_data: 176 }
         shx_solver_options: 144 { struct_size: 0, integrator: 4, linear_solver: 8, precision: 12, max_iterations: 16, exact_hessian: 20, max_subdivisions: 24, instruction_set: 28, gravity: 32, wind: 56, tolerance: 80, error_tolerance: 88, reference_tolerance: 96, quadrature_tolerance: 104, jump_acceleration: 112, max_work: 120, max_seconds: 128, worker_count: 136, reserved0: 140 }
-        shx_debug_vertex: 32 { position: 0, colour: 24, layer: 28 }
+        shx_debug_vertex: 32 { position: 0, color: 24, layer: 28 }
         shx_debug_draw_def: 184 { struct_size: 0, layers: 4, points_per_strand: 8, reserved: 12, frame_length: 16, normal_length: 24, force_scale: 32, origin: 40, x_axis: 64, y_axis: 88, z_axis: 112, translation: 136, lines: 160, points: 168, user: 176 }
         shx_restore_def: 24 { struct_size: 0, options: 4, shapes: 8, shapes_size: 16 }
         shx_snapshot_def: 8 { struct_size: 0, shapes: 4 }
