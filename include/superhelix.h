@@ -2717,8 +2717,8 @@ typedef struct shx_debug_vertex {
   uint32_t layer;
 } shx_debug_vertex;
 
-// Receives a batch of count vertices, at most 1024: for lines, pairs. It runs on the thread that called the
-// library, in that thread's floating-point mode; vertices are valid during the call only. It may read the same
+// Receives a batch of count vertices, at most 1024: for lines, pairs. They are valid during the call only. It
+// runs on the thread that called the library, in that thread's floating-point mode. It may read the same
 // solver but not change it (SHX_ERROR_BUSY), and it must return normally: no exceptions, no longjmp.
 typedef void (*shx_debug_vertices_fn)(void *user, const shx_debug_vertex *vertices, size_t count);
 

@@ -42,8 +42,8 @@ pub struct shx_debug_vertex {
     pub layer: u32,
 }
 
-/// Receives a batch of count vertices, at most 1024: for lines, pairs. It runs on the thread that called the
-/// library, in that thread's floating-point mode; vertices are valid during the call only. It may read the same
+/// Receives a batch of count vertices, at most 1024: for lines, pairs. They are valid during the call only. It
+/// runs on the thread that called the library, in that thread's floating-point mode. It may read the same
 /// solver but not change it (SHX_ERROR_BUSY), and it must return normally: no exceptions, no longjmp.
 pub type shx_debug_vertices_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, vertices: *const shx_debug_vertex, count: usize)>;
