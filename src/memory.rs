@@ -41,6 +41,12 @@ pub(crate) fn repeated<T: Clone>(item: T, count: usize) -> Result<Vec<T>> {
     Ok(all)
 }
 
+/// An empty list in the memory of another one, whose items have the same layout: lists of what is borrowed outlive what they borrow.
+pub(crate) fn recycled<A, B>(mut list: Vec<A>) -> Vec<B> {
+    list.clear();
+    list.into_iter().map(|_| unreachable!("the list is empty")).collect()
+}
+
 /// Whether there is room for so many bytes, in blocks of any size: asks for all of them at once and gives them back. What is allocated next, by
 /// the same thread and up to that sum, then does not fail, unless others take the memory meanwhile.
 pub(crate) fn check_room(bytes: usize) -> Result<()> {
@@ -50,6 +56,15 @@ pub(crate) fn check_room(bytes: usize) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_recycled_list_keeps_its_memory() {
+        let text = String::from("borrowed");
+        let list: Vec<&str> = vec![&text; 100];
+        let (at, capacity) = (list.as_ptr().cast::<u8>(), list.capacity());
+        let empty: Vec<&'static str> = recycled(list);
+        assert!(empty.is_empty() && empty.as_ptr().cast() == at && empty.capacity() == capacity);
+    }
 
     #[test]
     fn what_no_machine_has_is_an_error() {

@@ -20,6 +20,7 @@ use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
 use superhelix::math::frame::Frame;
 use superhelix::solver::Solver;
 use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
+use superhelix::solver::report::Phases;
 
 const ELEMENTS: usize = 10;
 const SCALE: f64 = 0.01;
@@ -98,6 +99,8 @@ fn pose(seconds: f64) -> UnitQuaternion<f64> {
 struct Shaken {
     model: &'static str,
     milliseconds: Vec<f64>,
+    /// Of a mean step: searching, stepping strands, solving contact problems, s.
+    phases: [f64; 3],
     touches: f64,
     iterations: f64,
     most_iterations: u32,
@@ -128,6 +131,7 @@ fn shake(
     let mut out = Shaken {
         model: name,
         milliseconds: Vec::new(),
+        phases: [0.0; 3],
         touches: 0.0,
         iterations: 0.0,
         most_iterations: 0,
@@ -155,6 +159,10 @@ fn shake(
             continue;
         }
         out.milliseconds.push(report.seconds * 1e3);
+        let Phases { search, strands, contact } = report.phases;
+        for (sum, seconds) in out.phases.iter_mut().zip([search, strands, contact]) {
+            *sum += seconds / steps as f64;
+        }
         out.touches += f64::from(report.contact.touches) / steps as f64;
         out.iterations += report.mean_iterations / steps as f64;
         out.most_iterations = out.most_iterations.max(report.contact.iterations);
@@ -199,7 +207,7 @@ fn main() -> Outcome<()> {
     }
     let defs = guides(&head, count)?;
     let mut csv = String::from(
-        "model,median_ms,ninth_decile_ms,worst_ms,touches,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
+        "model,median_ms,ninth_decile_ms,worst_ms,search_ms,strands_ms,contact_ms,touches,iterations,most_iterations,sweeps,penetration_m,overlap_m,deep_steps,residual,unconverged,rolled_back\n",
     );
     println!(
         "{} guides x {ELEMENTS} elements on {} triangles, {threads} threads, {steps} steps of 1/60 s",
@@ -210,11 +218,14 @@ fn main() -> Outcome<()> {
         let out = shake(&defs, &head, model, steps, threads)?;
         let at = |share: f64| out.milliseconds[((out.milliseconds.len() - 1) as f64 * share) as usize];
         let row = format!(
-            "\"{}\",{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.2e},{},{:.1e},{},{}",
+            "\"{}\",{:.1},{:.1},{:.1},{:.1},{:.1},{:.1},{:.0},{:.2},{},{:.0},{:.2e},{:.2e},{},{:.1e},{},{}",
             out.model,
             at(0.5),
             at(0.9),
             at(1.0),
+            1e3 * out.phases[0],
+            1e3 * out.phases[1],
+            1e3 * out.phases[2],
             out.touches,
             out.iterations,
             out.most_iterations,

@@ -145,7 +145,7 @@ def quadrature():
     lines = ["| points | " + " | ".join(f"10⁻{exponent}" for exponent in raised) + " |", "|---" * 12 + "|"]
     for points, turns in table.items():
         lines.append(f"| {points} | " + " | ".join("–" if turn == 0 else f"{turn:#.3g}".rstrip(".") for turn in turns) + " |")
-    put(lines, "theory/mathematics.md", "quadrature angles")
+    put(lines, "theory/quadrature.md", "quadrature angles")
 
     tolerances = ["1e-2", "1e-3", "1e-4", "1e-6"]
     worst = defaultdict(lambda: defaultdict(float))

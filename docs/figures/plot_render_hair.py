@@ -1,4 +1,4 @@
-"""Writes the tables of docs/notebook/render_hair.md. Run by `make figures`."""
+"""Writes the tables of docs/theory/render_strands.md and docs/notebook/render_hair.md. Run by `make figures`."""
 
 from plot import put, rows
 from plot_performance import table
@@ -13,7 +13,7 @@ def tables():
         lines.append(head + (row["mixed"],) + percent)
         last = key
     put(table(("groom", "guides", "strands made", "mixed", "length kept, %", "turning kept, %", "curls kept, %", "apart, % of the length"), lines),
-        "theory/render_hair.md", "kept")
+        "theory/render_strands.md", "kept")
     lines = [(row["space"], row["threads"], row["output"], row["least_ms"], row["median_ms"]) for row in rows("render_hair_cost.csv")]
     put(table(("mixed in", "threads", "what", "least, ms", "median, ms"), lines), "notebook/render_hair.md", "render_cost")
 

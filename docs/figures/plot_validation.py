@@ -1,5 +1,5 @@
 """Draws docs/figures/validation_*.png from the csv files that the validation tests record, and writes the measured tables of
-docs/theory/validation_physics.md and docs/theory/extremes.md between their markers. Run by `make figures`."""
+docs/theory/validation_statics.md, validation_dynamics.md and extremes.md between their markers. Run by `make figures`."""
 
 import csv
 import re
@@ -31,7 +31,9 @@ def natural(text):
     return [(1, float(part), "") if k % 2 else (0, 0.0, part) for k, part in enumerate(parts)]
 
 
-# Sections of the page: marker, its tables in the csv.
+STATICS, DYNAMICS = "theory/validation_statics.md", "theory/validation_dynamics.md"
+
+# Sections of the pages: marker, its tables in the csv.
 SECTIONS = [
     ("cantilever", ["cantilever"]), ("ellipse", ["ellipse"]), ("planar", ["planar"]), ("curl", ["curl"]), ("generic", ["generic"]),
     ("bend-twist", ["bend-twist", "postbuckled"]), ("greenhill", ["greenhill"]), ("lateral", ["lateral"]),
@@ -41,10 +43,17 @@ SECTIONS = [
 
 def elements():
     """Every case: its errors at the N that were tried, the order, and the N that 1 % and 0.1 % take."""
-    data = defaultdict(lambda: defaultdict(dict))
+    found = defaultdict(lambda: defaultdict(list))
     for test in ("statics", "vibration"):
         for row in table(test, "elements"):
-            data[row["section"]][row["case"]][int(row["elements"])] = float(row["error"])
+            found[row["section"], row["case"]][int(row["elements"])].append(float(row["error"]))
+    # Cases that share a name (two weights) are lines of their own, the smaller errors first.
+    data = defaultdict(lambda: defaultdict(dict))
+    for (section, case), line in found.items():
+        many = max(len(errors) for errors in line.values())
+        for n, errors in line.items():
+            for k, error in enumerate(sorted(errors)):
+                data[section][case if many == 1 else f"{case} ({k + 1})"][n] = error
     for marker, sections in SECTIONS:
         counts = sorted({n for section in sections for line in data[section].values() for n in line})
         lines = ["| case | " + " | ".join(f"N = {n}" for n in counts) + " | order | N for 1 % | N for 0.1 % |",
@@ -57,7 +66,7 @@ def elements():
                 need = [int(np.ceil(n2 * np.sqrt(e2 / share))) for share in (1e-2, 1e-3)]
                 cells = " | ".join(f"{line[n]:.1e}" if n in line else "" for n in counts)
                 lines.append(f"| {case} | {cells} | {order:.2f} | {need[0]} | {need[1]} |")
-        put(lines, "theory/validation_physics.md", marker)
+        put(lines, DYNAMICS if marker in ("frequency", "hair") else STATICS, marker)
     figure, axes = plt.subplots(1, 3, figsize=(10.5, 3.9), sharey=True)
     groups = [("shapes at rest: distance of the tip, L", ["cantilever", "ellipse", "planar", "curl", "generic", "hair", "postbuckled"]),
               ("critical weights, relative", ["bend-twist", "greenhill", "lateral"]),
@@ -199,7 +208,7 @@ def motion():
     lines = ["| case | " + " | ".join(f"1/{1 / step:.0f} s" for step in every) + " |", "|---" * (len(every) + 1) + "|"]
     for case, points in sorted(steps.items()):
         lines.append(f"| {case} | " + " | ".join(f"{dict(points)[step]:.1e}" for step in every) + " |")
-    put(lines, "theory/validation_physics.md", "steps")
+    put(lines, DYNAMICS, "steps")
     step = np.array([1 / 7680, 1 / 480])
     panel.loglog(step, 2e3 * step**2, ":", color="black", linewidth=1.2, label="second order")
     panel.set_ylim(1e-10, 3e-2)
@@ -229,11 +238,11 @@ def motion():
 def whirl():
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.6, 3.5))
     data = defaultdict(list)
-    lines = ["| shaft | spin / critical | growth / ω | theory | goes round at / ω | theory |", "|---" * 6 + "|"]
+    lines = ["| shaft | spin / critical | growth / ω | theory | whirls at / ω | theory |", "|---" * 6 + "|"]
     for row in table("whirl", "whirl"):
         data[row["case"]].append([float(row[key]) for key in ("spin_by_critical", "growth_by_omega", "theory")])
         lines.append("| " + " | ".join(row[key] for key in row) + " |")
-    put(lines, "theory/validation_physics.md", "whirl")
+    put(lines, DYNAMICS, "whirl")
     for k, (case, points) in enumerate(sorted(data.items())):
         spin, growth, theory = np.array(sorted(points)).T
         left.plot(spin, theory, "-", color=plt.cm.tab10(k), linewidth=0.9)
@@ -254,13 +263,13 @@ def whirl():
     lines = ["| acceleration / g | largest Γ(1 + a/g) | furthest out of its plane, L | leaves (L/20) after |", "|---" * 4 + "|"]
     for strength, out, when in shaken:
         lines.append(f"| {strength:g} | {9 * (1 + strength):.1f} | {out:.1e} | {when + ' s' if when else 'stays'} |")
-    put(lines, "theory/validation_physics.md", "shaken")
+    put(lines, DYNAMICS, "shaken")
 
 
 def extremes():
     if not (FIGURES / "extremes.csv").exists():
         return
-    lines = ["| integrator | draws | cases | failed | steps | strand-seconds | iterations a step | unconverged | in parts | not finite | quiet stretches | energy grew in | the same, unconverged | "
+    lines = ["| integrator | draws | cases | failed | steps | strand-seconds | iterations a step | unconverged | in substeps | not finite | quiet stretches | energy grew in | the same, unconverged | "
              "worst stretch | worst frame | converged, checked | worst, L | wound up |", "|---" * 18 + "|"]
     for row in rows("extremes.csv"):
         steps = int(row["steps"])

@@ -4,8 +4,8 @@
     python3 scripts/docs/links.py
 
 Relative links and anchors of every Markdown page; files of the repository that pages name in code (`tests/...rs`), except in the notebook and the
-changelog, which are history; names of pages (`docs/...md`) in sources, scripts and tests; every page of docs/ is listed in docs/SUMMARY.md. Prints
-what is broken; exit status 1 if anything is.
+changelog, which are history; tests that pages of docs/theory name (`a_long_name_of_a_test`); names of pages (`docs/...md`) in sources, scripts and
+tests; every page of docs/ is listed in docs/SUMMARY.md. Prints what is broken; exit status 1 if anything is.
 """
 
 from __future__ import annotations
@@ -21,6 +21,8 @@ from pages import ROOT, anchors, links, prose, tracked
 NAMED = re.compile(r"(?<![\w./$-])docs/[\w/-]+\.md(?:#[\w-]+)?")
 #: What names a file of the repository in a page's code.
 FILE = re.compile(r"`((?:src|tests|examples|examples_c|examples_wasm|benches|scripts|bindings|abi|packaging|include)/[\w/.-]*\w)`")
+#: What names a test or another function in a page of the theory.
+LONG_NAME = re.compile(r"`([a-z][a-z0-9]*(?:_[a-z0-9]+){3,})`")
 HISTORY = (Path("docs/notebook"), Path("CHANGELOG.md"))
 #: Files that name pages.
 TEXT = {".rs", ".h", ".c", ".hpp", ".cpp", ".cs", ".py", ".sh", ".toml", ".txt", ".json", ".md", ".mjs", ".ipynb", ".cmake", ".js", ".css", ""}
@@ -61,6 +63,19 @@ class Checker:
                 for found in FILE.finditer(words):
                     self.file(f"{page}:{line}", found[1])
 
+    def claims(self, pages: list[Path]) -> None:
+        """The tests that pages name are there: long names in code are words of some source."""
+        words: set[str] = set()
+        for file in tracked("src", "tests", "include", "bindings", "examples", "benches"):
+            if file.suffix in {".rs", ".h", ".py", ".c"}:
+                words.update(re.findall(r"\b[a-z][a-z0-9_]+\b", (ROOT / file).read_text(encoding="utf-8")))
+        for page in pages:
+            for line, text in prose((ROOT / page).read_text(encoding="utf-8")):
+                for found in LONG_NAME.finditer(text):
+                    self.checked += 1
+                    if found[1] not in words:
+                        self.broken.append(f"{page}:{line}: no source has {found[1]}")
+
     def file(self, where: str, name: str) -> None:
         """A file that a page names; a module may go without its ending."""
         self.checked += 1
@@ -95,6 +110,7 @@ def main() -> int:
         if (file.suffix in TEXT and not file.is_relative_to("tests/data") and not file.is_relative_to("docs/figures")) or file.suffix == ".py":
             checker.names(file)
     checker.summary()
+    checker.claims(tracked("docs/theory/*.md"))
     for line in checker.broken:
         print(line, file=sys.stderr)
     print(f"links: {checker.checked} checked, {len(checker.broken)} broken")

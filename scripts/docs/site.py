@@ -97,6 +97,7 @@ class Stage:
         for page in (STAGE / HEADER).iterdir():
             page.write_text(page.read_text(encoding="utf-8").replace("../../include/superhelix.h", "../../files/include/superhelix_h.txt"), encoding="utf-8")
         self.copy(Path("include/superhelix.h"), Path("files/include/superhelix_h.txt"))
+        shutil.copyfile(ROOT / "docs" / "site.css", STAGE / "site.css")
         book = (ROOT / "docs" / "book.toml").read_text(encoding="utf-8")
         (STAGE / "book.toml").write_text(book.replace('build-dir = "../build/docs"', 'build-dir = "book"'), encoding="utf-8")
 
@@ -106,6 +107,17 @@ def equation(source: str) -> str:
     from latex2mathml.converter import convert
 
     return f'<p class="equation">{convert(" ".join(source.split()), display="block")}</p>\n'
+
+
+def breakable(site: Path) -> None:
+    """Long names in tables may break behind an underscore, a slash or a colon."""
+
+    def code(found: re.Match[str]) -> str:
+        return f"<code{found[1]}>" + re.sub(r"(?<=[a-z])(_|::|/)(?=[a-z])", r"\1<wbr>", found[2], flags=re.I) + "</code>"
+
+    for file in site.rglob("*.html"):
+        text = file.read_text(encoding="utf-8")
+        file.write_text(re.sub(r"<td>.*?</td>", lambda cell: re.sub(r"<code([^>]*)>([^<]*)</code>", code, cell[0]), text, flags=re.S), encoding="utf-8")
 
 
 def summary(text: str, sections: list[tuple[str, str]]) -> str:
@@ -175,6 +187,7 @@ def main() -> int:
         return 1
     shutil.rmtree(out, ignore_errors=True)
     shutil.move(STAGE / "book", out)
+    breakable(out)
     count, found = broken(out)
     for line in found:
         print(line, file=sys.stderr)

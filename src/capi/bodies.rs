@@ -1,13 +1,14 @@
 //! Bodies: what strands are kept out of. The host moves them, and reads what strands do to them.
 
 use super::body_def::{points, shx_body_def};
-use super::buffers::{FRAME_FORMATS, Place, Places, Writer, body_ids, each, frames_of};
+use super::buffers::{FRAME_FORMATS, Place, Places, Writer, array, body_ids, each, frames_reader};
 use super::errors::{SHX_OK, shx_result};
 use super::guard::{read, shx_solver, write};
 use super::types::{shx_body_id, shx_input, shx_output};
 use super::versioned::definitions;
 use super::wrenches::write_wrenches;
-use crate::error::Error;
+use crate::error::{Error, Result};
+use crate::math::frame::Frame;
 use crate::memory;
 use crate::solver::id::BodyId;
 
@@ -142,7 +143,7 @@ pub unsafe extern "C" fn shx_solver_set_body_frames(
     // SAFETY: the caller's handle, count ids and frames.
     unsafe {
         write("shx_solver_set_body_frames", solver, |core, _| {
-            core.set_body_frames(&body_ids(ids, count)?, &frames_of(frames, count)?, over_seconds)
+            core.set_body_frames_of(count, body_frames(ids, count, frames)?, over_seconds)
         })
     }
 }
@@ -160,9 +161,7 @@ pub unsafe extern "C" fn shx_solver_teleport_bodies(
 ) -> shx_result {
     // SAFETY: the caller's handle, count ids and frames.
     unsafe {
-        write("shx_solver_teleport_bodies", solver, |core, _| {
-            core.teleport_bodies(&body_ids(ids, count)?, &frames_of(frames, count)?)
-        })
+        write("shx_solver_teleport_bodies", solver, |core, _| core.teleport_bodies_of(count, body_frames(ids, count, frames)?))
     }
 }
 
@@ -269,7 +268,21 @@ pub unsafe extern "C" fn shx_solver_body_wrenches(
     // SAFETY: the caller's handle, ids and memory for the outputs.
     unsafe {
         read("shx_solver_body_wrenches", solver, |core| {
-            write_wrenches(count, forces, torques, || body_ids(ids, count), |id| core.body_wrench(id))
+            write_wrenches(forces, torques, array("ids", "count", ids, count)?, |id| core.body_wrench(BodyId::from_bits(id.bits)))
         })
     }
+}
+
+/// The caller's ids and frames, one by one.
+///
+/// # Safety
+/// `ids` is null or has `count` items that outlive what is returned, and so has `frames`, null or a shx_input.
+unsafe fn body_frames(
+    ids: *const shx_body_id,
+    count: usize,
+    frames: *const shx_input,
+) -> Result<impl Fn(usize) -> Result<(BodyId, Frame)>> {
+    // SAFETY: the same.
+    let (ids, frames) = unsafe { (array("ids", "count", ids, count)?, frames_reader(frames, count)?) };
+    Ok(move |index: usize| Ok((BodyId::from_bits(ids[index].bits), frames.frame("frames", index)?)))
 }

@@ -87,10 +87,7 @@ pub(crate) unsafe fn constraint_ids(ids: *const shx_constraint_id, count: usize)
 /// `frames` is null or a shx_input whose memory is there.
 pub(crate) unsafe fn frames_of(frames: *const shx_input, count: usize) -> Result<Vec<Frame>> {
     // SAFETY: the same.
-    let reader = unsafe { Reader::new("frames", frames, &[SHX_FORMAT_FRAME])? };
-    if reader.count() != count {
-        return Err(Error::invalid("frames.count", reader.count(), format!("{count}, one for each id")));
-    }
+    let reader = unsafe { frames_reader(frames, count)? };
     let mut frames = memory::list(count)?;
     for index in 0..count {
         frames.push(reader.frame("frames", index)?);
@@ -98,16 +95,34 @@ pub(crate) unsafe fn frames_of(frames: *const shx_input, count: usize) -> Result
     Ok(frames)
 }
 
+/// A reader of one frame for each of the caller's `count` ids.
+///
+/// # Safety
+/// `frames` is null or a shx_input whose memory is there as long as the reader.
+pub(crate) unsafe fn frames_reader(frames: *const shx_input, count: usize) -> Result<Reader> {
+    // SAFETY: the same.
+    let reader = unsafe { Reader::new("frames", frames, &[SHX_FORMAT_FRAME])? };
+    if reader.count() != count {
+        return Err(Error::invalid("frames.count", reader.count(), format!("{count}, one for each id")));
+    }
+    Ok(reader)
+}
+
 /// Something of each of the caller's ids; an error says which of them it is about.
 pub(crate) fn each<I: Copy, T>(ids: &[I], item: impl Fn(I) -> Result<T>) -> Result<Vec<T>> {
     let mut items = memory::list(ids.len())?;
-    for (index, id) in ids.iter().enumerate() {
-        items.push(item(*id).map_err(|error| match error {
-            Error::InvalidId { bits, .. } => Error::InvalidId { argument: format!("ids[{index}]"), bits },
-            other => other,
-        })?);
+    for index in 0..ids.len() {
+        items.push(of_one(ids, index, &item)?);
     }
     Ok(items)
+}
+
+/// The same of one of them.
+pub(crate) fn of_one<I: Copy, T>(ids: &[I], index: usize, item: &impl Fn(I) -> Result<T>) -> Result<T> {
+    item(ids[index]).map_err(|error| match error {
+        Error::InvalidId { bits, .. } => Error::InvalidId { argument: format!("ids[{index}]"), bits },
+        other => other,
+    })
 }
 
 /// Where a function leaves one value; checked at once, written when all went well.
@@ -356,14 +371,14 @@ impl Reader {
     pub(crate) fn rotation(&self, argument: &str, index: usize) -> Result<nalgebra::UnitQuaternion<f64>> {
         let first = if self.format == SHX_FORMAT_FRAME { 3 } else { 0 };
         let rotation = [0, 1, 2, 3].map(|position| self.number(index, first + position));
-        Ok(Frame::from_arrays(&format!("{argument}[{index}]"), [0.0; 3], rotation)?.rotation)
+        Ok(Frame::from_arrays(format_args!("{argument}[{index}]"), [0.0; 3], rotation)?.rotation)
     }
 
     /// An item of SHX_FORMAT_FRAME.
     pub(crate) fn frame(&self, argument: &str, index: usize) -> Result<Frame> {
         assert_eq!(self.format, SHX_FORMAT_FRAME);
         let rotation = [3, 4, 5, 6].map(|position| self.number(index, position));
-        Frame::from_arrays(&format!("{argument}[{index}]"), self.point(index), rotation)
+        Frame::from_arrays(format_args!("{argument}[{index}]"), self.point(index), rotation)
     }
 }
 

@@ -218,7 +218,9 @@ pub unsafe extern "C" fn shx_solver_root_wrenches(
     // SAFETY: the caller's handle, ids and memory for the outputs.
     unsafe {
         read("shx_solver_root_wrenches", solver, |core| {
-            write_wrenches(count, forces, torques, || strand_ids(ids, count), |id| core.root_wrench(id))
+            write_wrenches(forces, torques, array("ids", "count", ids, count)?, |id| {
+                core.root_wrench(StrandId::from_bits(id.bits))
+            })
         })
     }
 }

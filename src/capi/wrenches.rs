@@ -1,30 +1,32 @@
 //! Wrenches into the caller's memory: those on follicles and those on bodies.
 
-use super::buffers::{VECTOR_FORMATS, Writer, each};
+use super::buffers::{VECTOR_FORMATS, Writer, of_one};
 use super::types::shx_output;
 use crate::error::{Error, Result};
 use crate::solver::report::Wrench;
 
-/// Writes the wrench of each of `count` things; one of the two outputs may be null.
+/// Writes the wrench of each of the ids; one of the two outputs may be null.
 ///
 /// # Safety
 /// As [`Writer::optional`], for both outputs.
 pub(crate) unsafe fn write_wrenches<I: Copy>(
-    count: usize,
     forces: *const shx_output,
     torques: *const shx_output,
-    ids: impl FnOnce() -> Result<Vec<I>>,
+    ids: &[I],
     wrench: impl Fn(I) -> Result<Wrench>,
 ) -> Result<()> {
     if forces.is_null() && torques.is_null() {
         return Err(Error::NullArgument { argument: "forces (and torques)".into() });
     }
-    let ids = ids()?;
     // SAFETY: the caller's outputs, as it says.
     let (forces, torques) = unsafe {
-        (Writer::optional("forces", forces, VECTOR_FORMATS, count)?, Writer::optional("torques", torques, VECTOR_FORMATS, count)?)
+        let of = |argument, output| Writer::optional(argument, output, VECTOR_FORMATS, ids.len());
+        (of("forces", forces)?, of("torques", torques)?)
     };
-    for (index, wrench) in each(&ids, wrench)?.into_iter().enumerate() {
+    // An unknown id is an error before anything is written.
+    (0..ids.len()).try_for_each(|index| of_one(ids, index, &wrench).map(drop))?;
+    for index in 0..ids.len() {
+        let wrench = of_one(ids, index, &wrench)?;
         if let Some(forces) = &forces {
             forces.vector(index, wrench.force.into());
         }

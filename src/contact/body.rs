@@ -242,7 +242,7 @@ impl Body {
     }
 }
 
-fn check_pose(argument: &str, pose: &Frame) -> Result<()> {
+pub(crate) fn check_pose(argument: impl std::fmt::Display, pose: &Frame) -> Result<()> {
     for axis in 0..3 {
         check_finite(|| format!("{argument}.origin[{axis}]"), pose.origin[axis])?;
     }

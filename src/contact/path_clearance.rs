@@ -1,7 +1,7 @@
 //! Whether a strand that has stepped freely stayed clear of a body all the way: a bound on the distance, place by place and time by time.
 //!
 //! As in the exact search, points go straight in the body's turning axes. A piece of strand in a part of the step lies within a ball about where its
-//! middle is in the middle of that part; pieces whose ball may meet the surface are halved, along the strand or in time.
+//! middle is in the middle of that part, or around its chord then; pieces whose ball or chord may meet the surface are halved, along the strand or in time.
 
 use nalgebra::Vector3;
 
@@ -14,7 +14,7 @@ use crate::math::vector::Vec3;
 use crate::rod::kinematics::{ElementState, element_states};
 use crate::step::state::rotation_matrix;
 
-/// Most balls of a strand and a body whose distance is measured.
+/// Most balls, or chords, of a strand and a body whose distance is measured.
 const MOST_BALLS: u32 = 256;
 /// Most pieces of an element that wait to be measured: halves of halves.
 const MOST_PIECES: usize = 24;
@@ -72,6 +72,17 @@ struct Piece {
     time: [f64; 2],
 }
 
+/// A piece of an element, by its ends.
+#[derive(Debug, Clone, Copy, Default)]
+struct Chord {
+    /// From arclength to arclength of the element.
+    along: [f64; 2],
+    /// Where its first end and its second are when that part begins and ends, the body's axes.
+    ways: [[Vector3<f64>; 2]; 2],
+    /// That part of the step, from 0 to 1.
+    time: [f64; 2],
+}
+
 /// An element at the start and at the end of the step, each in the body's axes then.
 struct Element<'a> {
     states: [&'a ElementState<f64>; 2],
@@ -85,6 +96,11 @@ impl Element<'_> {
     /// Where the material point at an arclength of it is.
     fn way(&self, s: f64) -> [Vector3<f64>; 2] {
         [0, 1].map(|end| self.origins[end] + Vector3::from(self.states[end].point(s).position))
+    }
+
+    /// How far, at most, a piece of some length is off its chord, point by point, at the start and at the end.
+    fn off_chord(&self, length: f64) -> f64 {
+        self.states[0].off_chord_of(length).max(self.states[1].off_chord_of(length))
     }
 
     fn chord_middles(&self) -> [Vector3<f64>; 2] {
@@ -188,21 +204,88 @@ impl FreePath<'_> {
         scratch.near.clear();
         for (k, (state, displacement)) in scratch.elements[1].iter().zip(self.displacements(roots)).enumerate() {
             let length = state.length;
-            let middle = to.origin + 0.5 * Vector3::from(state.origin_left + state.origin_right());
-            let enough = needed + slope * (0.5 * length + displacement);
-            if start + length > self.exempt && body.shape.distance(middle, enough) < enough {
-                scratch.near.push((k, start));
+            if start + length > self.exempt {
+                let chord = [state.origin_left, state.origin_right()].map(|end| to.origin + Vector3::from(end));
+                // The shape knows either how far a whole chord is, or how far its middle is.
+                let (distance, enough) = match body.shape.distance_of_segment(chord) {
+                    Some(distance) => (distance, needed + state.off_chord() + displacement),
+                    None => {
+                        let enough = needed + slope * (0.5 * length + displacement);
+                        (body.shape.distance(0.5 * (chord[0] + chord[1]), enough), enough)
+                    }
+                };
+                if distance < enough {
+                    scratch.near.push((k, start));
+                }
             }
             start += length;
         }
     }
 
     fn is_element_clear(&self, body: &BodyAt, element: &Element, spare: f64, balls: &mut u32) -> bool {
-        let (length, slope) = (element.states[0].length, body.shape.distance_slope());
+        let length = element.states[0].length;
         let exempt = (self.exempt - element.start).max(0.0);
         if exempt >= length {
             return true;
         }
+        if body.shape.knows_segments() {
+            self.is_clear_by_chords(body, element, exempt, spare, balls)
+        } else {
+            self.is_clear_by_balls(body, element, exempt, spare, balls)
+        }
+    }
+
+    /// How near to a body's surface a piece of an element may be: within its own radius, as a rule.
+    fn needed(&self, body: &BodyAt, element: &Element, [from, to]: [f64; 2], spare: f64) -> f64 {
+        let sunk = self.allowance.map_or(0.0, |allowance| allowance.least_sunk(element.start + from, element.start + to));
+        self.radius + body.thickness - spare - sunk
+    }
+
+    /// By chords of pieces in the middle of their time: what goes straight from an arc to an arc stays as near to the chord that goes from
+    /// chord to chord.
+    fn is_clear_by_chords(&self, body: &BodyAt, element: &Element, exempt: f64, spare: f64, chords: &mut u32) -> bool {
+        let length = element.states[0].length;
+        let mut pieces = [Chord::default(); MOST_PIECES];
+        pieces[0] = Chord { along: [exempt, length], ways: [element.way(exempt), element.way(length)], time: [0.0, 1.0] };
+        let mut count = 1;
+        while count > 0 {
+            count -= 1;
+            let Chord { along: [from, to], ways, time } = pieces[count];
+            if *chords == 0 {
+                return false;
+            }
+            *chords -= 1;
+            let needed = self.needed(body, element, [from, to], spare);
+            let off_chord = element.off_chord(to - from);
+            let half_way = 0.5 * (ways[0][1] - ways[0][0]).norm_squared().max((ways[1][1] - ways[1][0]).norm_squared()).sqrt();
+            let midway = ways.map(|[a, b]| 0.5 * (a + b));
+            let distance = body.shape.distance_of_segment(midway).unwrap_or(f64::NEG_INFINITY);
+            if distance >= needed + (off_chord + half_way) {
+                continue;
+            }
+            if distance < needed - (off_chord + half_way) || count + 2 > MOST_PIECES {
+                return false;
+            }
+            if off_chord >= half_way {
+                let s = 0.5 * (from + to);
+                let whole = element.way(s);
+                let middle = time.map(|t: f64| whole[0] + (whole[1] - whole[0]) * t);
+                pieces[count] = Chord { along: [from, s], ways: [ways[0], middle], time };
+                pieces[count + 1] = Chord { along: [s, to], ways: [middle, ways[1]], time };
+            } else {
+                let t = 0.5 * (time[0] + time[1]);
+                pieces[count] = Chord { along: [from, to], ways: [0, 1].map(|k| [ways[k][0], midway[k]]), time: [time[0], t] };
+                pieces[count + 1] =
+                    Chord { along: [from, to], ways: [0, 1].map(|k| [midway[k], ways[k][1]]), time: [t, time[1]] };
+            }
+            count += 2;
+        }
+        true
+    }
+
+    /// By balls about the middles of pieces, for shapes that only know how far they are from a point.
+    fn is_clear_by_balls(&self, body: &BodyAt, element: &Element, exempt: f64, spare: f64, balls: &mut u32) -> bool {
+        let (length, slope) = (element.states[0].length, body.shape.distance_slope());
         let mut pieces = [Piece::default(); MOST_PIECES];
         // (The middle of its chord does for the whole element, and is at hand; it is no point of the strand, so that an overlap there proves nothing.)
         let way = if exempt > 0.0 { element.way(0.5 * (exempt + length)) } else { element.chord_middles() };
@@ -215,8 +298,7 @@ impl FreePath<'_> {
                 return false;
             }
             *balls -= 1;
-            let sunk = self.allowance.map_or(0.0, |allowance| allowance.least_sunk(element.start + from, element.start + to));
-            let needed = self.radius + body.thickness - spare - sunk;
+            let needed = self.needed(body, element, [from, to], spare);
             let (half_piece, half_way) = (0.5 * (to - from), 0.5 * (b - a).norm());
             let enough = needed + slope * (half_piece + half_way);
             let middle = 0.5 * (a + b);
@@ -329,6 +411,30 @@ mod tests {
             let pose = [Frame { origin: at(0.05, 0.0, 0.0), ..Frame::default() }; 2];
             let is_clear = |z: f64| is_clear(&ball, [at(0.0, 0.0, z); 2], RADIUS, Some(&allowance), pose);
             assert!(is_clear(0.0282) && !is_clear(0.0279));
+        }
+    }
+
+    /// What glides past a tooth of a comb, a micrometre off it, is clear of it; what grazes it is not.
+    #[test]
+    fn a_tooth_is_passed_closely() {
+        let axis = at(0.06, 0.0, -0.004);
+        for curvature in [0.0, 8.0] {
+            let rows = [[0.0, curvature, 0.0]; 4];
+            let mut elements = Vec::new();
+            element_states(rotation_matrix(&Frame::default()), [LENGTH / 4.0; 4].into_iter(), &rows, &mut elements);
+            let places =
+                elements.iter().flat_map(|element| (0..=1000).map(|k| element.point(f64::from(k) * LENGTH / 4000.0).position));
+            let nearest = places.map(|place| (axis.xz() - Vector3::from(place).xz()).norm()).fold(f64::INFINITY, f64::min);
+            let passes = |gap: f64| {
+                let along = Vector3::y() * 0.05;
+                let tooth = Shape::new_capsule(axis - along, axis + along, nearest - RADIUS - gap).unwrap();
+                let root = [0.0, 3e-4].map(|y| Frame { origin: at(0.0, y, 0.0), ..Frame::default() });
+                let lengths = &[LENGTH / 4.0; 4];
+                let path = FreePath { lengths, root, curvatures: [&rows, &rows], exempt: 0.01, radius: RADIUS, allowance: None };
+                let body = BodyAt::new(0, &tooth, Frame::default(), Frame::default(), 0.0);
+                path.is_clear_of([&body], 0.0, &mut Scratch::default())
+            };
+            assert!(passes(1e-6) && !passes(-1e-6), "{curvature}");
         }
     }
 

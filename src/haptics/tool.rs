@@ -134,12 +134,15 @@ impl Tool {
         if self.time.is_none() {
             return Ok(());
         }
-        let frames: Vec<Frame> = self.places.iter().map(|place| self.handle[0].compose(place)).collect();
         if is_first {
             self.handle[1] = self.handle[0];
-            return solver.teleport_bodies(&self.bodies, &frames);
         }
-        solver.set_body_frames(&self.bodies, &frames, dt)
+        let frame_of = |k: usize| Ok((self.bodies[k], self.handle[0].compose(&self.places[k])));
+        if is_first {
+            solver.teleport_bodies_of(self.bodies.len(), frame_of)
+        } else {
+            solver.set_body_frames_of(self.bodies.len(), frame_of, dt)
+        }
     }
 
     /// After the step: publishes what touches the tool. Nothing before the device has told a pose.

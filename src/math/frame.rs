@@ -28,7 +28,7 @@ impl Frame {
     /// # Errors
     /// [`Error::InvalidArgument`] when a number is not finite or the quaternion's length is not 1 within
     /// [`UNIT_QUATERNION_TOLERANCE`] (it is then normalised to rounding).
-    pub fn from_arrays(argument: &str, origin: [f64; 3], rotation: [f64; 4]) -> Result<Self> {
+    pub fn from_arrays(argument: impl std::fmt::Display, origin: [f64; 3], rotation: [f64; 4]) -> Result<Self> {
         for (axis, value) in origin.iter().enumerate() {
             check_finite(|| format!("{argument}.origin[{axis}]"), *value)?;
         }

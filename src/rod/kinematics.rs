@@ -95,10 +95,15 @@ pub fn element_states<T: Lane>(
 }
 
 impl ElementState<f64> {
-    /// No point of it is farther from its chord, m: a curve that turns by an angle leaves its chord by no more than half its length times half of
-    /// that, and never by more than half its length.
+    /// How far a point of it is, at most, from the point at the same fraction of its chord, m, see [`Self::off_chord_of`].
     pub fn off_chord(&self) -> f64 {
-        0.5 * self.length * (0.5 * self.kappa_squared.sqrt() * self.length).min(1.0)
+        self.off_chord_of(self.length)
+    }
+
+    /// The same of a piece of some length, m: a curve r(s) is off its linear interpolation by no more than |r''| length²/8, and never by more than
+    /// half its length.
+    pub fn off_chord_of(&self, length: f64) -> f64 {
+        0.5 * length * (0.25 * self.kappa_squared.sqrt() * length).min(1.0)
     }
 }
 

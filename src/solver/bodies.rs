@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::Solver;
 use super::id::{self, BodyId, StrandId};
 use super::report::Wrench;
-use crate::contact::body::{Body, BodyDef};
+use crate::contact::body::{Body, BodyDef, check_pose};
 use crate::contact::options::{ContactOptions, StrandContact};
 use crate::contact::shape::Shape;
 use crate::error::{Error, Result, check_not_negative};
@@ -155,11 +155,18 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ or a time that is not finite and 0 or more; [`Error::InvalidId`].
     pub fn set_body_frames(&mut self, ids: &[BodyId], frames: &[Frame], over_seconds: f64) -> Result<()> {
+        self.set_body_frames_of(ids.len(), listed_frames(ids, frames)?, over_seconds)
+    }
+
+    /// The same of `count` bodies and frames of any source, which is read twice: nothing is allocated.
+    pub(crate) fn set_body_frames_of(
+        &mut self,
+        count: usize,
+        frame_of: impl Fn(usize) -> Result<(BodyId, Frame)>,
+        over_seconds: f64,
+    ) -> Result<()> {
         check_not_negative(|| "over_seconds".into(), over_seconds)?;
-        for (index, frame) in self.body_indices(ids, frames)?.into_iter().zip(frames) {
-            self.bodies[index].body.move_to(*frame, over_seconds)?;
-        }
-        Ok(())
+        self.for_each_body_of(count, frame_of, |body, frame| body.move_to(frame, over_seconds))
     }
 
     /// Puts bodies at `frames` at once, at rest: they do not sweep what lies between.
@@ -167,17 +174,32 @@ impl Solver {
     /// # Errors
     /// [`Error::InvalidArgument`] for counts that differ; [`Error::InvalidId`].
     pub fn teleport_bodies(&mut self, ids: &[BodyId], frames: &[Frame]) -> Result<()> {
-        for (index, frame) in self.body_indices(ids, frames)?.into_iter().zip(frames) {
-            self.bodies[index].body.place(*frame)?;
-        }
-        Ok(())
+        self.teleport_bodies_of(ids.len(), listed_frames(ids, frames)?)
     }
 
-    fn body_indices(&self, ids: &[BodyId], frames: &[Frame]) -> Result<Vec<usize>> {
-        if frames.len() != ids.len() {
-            return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a body", ids.len())));
+    /// The same of `count` bodies and frames of any source, which is read twice: nothing is allocated.
+    pub(crate) fn teleport_bodies_of(&mut self, count: usize, frame_of: impl Fn(usize) -> Result<(BodyId, Frame)>) -> Result<()> {
+        self.for_each_body_of(count, frame_of, Body::place)
+    }
+
+    /// Checks all before it changes any.
+    fn for_each_body_of(
+        &mut self,
+        count: usize,
+        frame_of: impl Fn(usize) -> Result<(BodyId, Frame)>,
+        change: impl Fn(&mut Body, Frame) -> Result<()>,
+    ) -> Result<()> {
+        for k in 0..count {
+            let (id, frame) = frame_of(k)?;
+            self.body_index(|| format!("ids[{k}]"), id)?;
+            check_pose(format_args!("frames[{k}]"), &frame)?;
         }
-        ids.iter().enumerate().map(|(k, id)| self.body_index(|| format!("ids[{k}]"), *id)).collect()
+        for k in 0..count {
+            let (id, frame) = frame_of(k)?;
+            let index = self.body_index(|| format!("ids[{k}]"), id)?;
+            change(&mut self.bodies[index].body, frame)?;
+        }
+        Ok(())
     }
 
     /// Sends the vertices of a mesh (m, the body's axes) to new places in `over_seconds` (0: within the next substep), each straight and
@@ -310,4 +332,12 @@ impl Solver {
     pub fn contacts(&self) -> &[Contact] {
         self.holding.contacts()
     }
+}
+
+/// The identifiers and frames of two lists, one frame a body.
+fn listed_frames<'a>(ids: &'a [BodyId], frames: &'a [Frame]) -> Result<impl Fn(usize) -> Result<(BodyId, Frame)> + 'a> {
+    if frames.len() != ids.len() {
+        return Err(Error::invalid("frames (count)", frames.len(), format!("{} frames, one a body", ids.len())));
+    }
+    Ok(|k| Ok((ids[k], frames[k])))
 }

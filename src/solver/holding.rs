@@ -36,12 +36,13 @@ use crate::contact::island::Island;
 use crate::contact::joint::Joint;
 use crate::contact::options::ContactOptions;
 use crate::math::lanes::InstructionSet;
+use crate::memory::recycled;
 use crate::meter::{Meter, Stopped};
 use crate::platform::Instant;
 use crate::step::held_packs::AnyPack;
 use crate::step::options::Integrator;
 use crate::step::{Setting, StrandOutcome};
-use packs::Packs;
+use packs::{Packs, Pair, Work};
 
 /// How often strands are searched for touches that the last search did not know of.
 const MOST_SEARCHES: u32 = 16;
@@ -69,6 +70,11 @@ pub(super) struct Holding {
     packs: Packs,
     islands: Vec<Island>,
     island_count: usize,
+    /// Memory of lists of islands at work.
+    at_work: Vec<&'static mut Island>,
+    /// Islands whose strands may have to begin by another formula, and the strands that do.
+    asked: Vec<bool>,
+    pressed: Vec<u32>,
     joints: Vec<Joint>,
     parents: Vec<u32>,
     touching: Touching,
@@ -336,8 +342,11 @@ impl Holding {
     }
 
     /// The marked strands, each with its place in `strands`.
-    fn pairs<'a>(strands: &'a mut [Strand], held: &'a mut [HeldStrand]) -> Vec<(&'a mut Strand, &'a mut HeldStrand)> {
-        strands.iter_mut().filter(|strand| strand.is_held()).zip(held).collect()
+    fn pairs<'a>(
+        strands: &'a mut [Strand],
+        held: &'a mut [HeldStrand],
+    ) -> impl Iterator<Item = (&'a mut Strand, &'a mut HeldStrand)> {
+        strands.iter_mut().filter(|strand| strand.is_held()).zip(held)
     }
 
     /// Begins the step of those strands anew that are marked for it, by implicit Euler.
@@ -358,8 +367,7 @@ impl Holding {
             return;
         }
         let islands = &self.islands[..self.island_count];
-        let pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]).into_iter();
-        let mut work = self.packs.gather(pairs, |(_, held)| (held.pack, held.lane));
+        let pairs = Self::pairs(scene.strands, &mut self.strands[..self.count]);
         let (setting, bodies) = (scene.setting, scene.bodies);
         let (stopped, fast) = (scene.meter.stopped(), scene.is_fast && !scene.options.model.is_soft());
         let finish_one = |pack: &mut AnyPack, strand: &mut Strand, held: &mut HeldStrand, scratch: &mut Scratch| {
@@ -407,12 +415,13 @@ impl Holding {
             }
             strand.touched = held.attachments.iter().any(|end| island.joints[end.joint as usize].presses());
         };
-        scene.crew.for_each(&mut work, |work, scratch| {
+        let finish = |work: &mut Work<Pair>, scratch: &mut Scratch| {
             work.finish(setting, h, |held| stopped == Stopped::No || stopped != Stopped::Cancelled && held.advanced);
             for (strand, held) in work.members.iter_mut().flatten() {
                 finish_one(work.pack, strand, held, scratch);
             }
-        });
+        };
+        self.packs.with_pairs(pairs, |work| scene.crew.for_each(work, finish));
     }
 
     fn begin(&mut self, scene: &mut Scene, h: f64) {
@@ -531,7 +540,7 @@ impl Holding {
     /// Newton's iterations of all islands, `most` of them at most.
     fn iterate(&mut self, scene: &mut Scene, h: f64, contact: &mut ContactTally, most: u32) {
         let (setting, options, meter) = (scene.setting, scene.options, scene.meter);
-        let Self { strands, islands, packs, count, island_count, contact_seconds, .. } = self;
+        let Self { strands, islands, packs, count, island_count, contact_seconds, at_work, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         for _ in 0..most {
             let stopped = scene.meter.stopped();
@@ -568,8 +577,9 @@ impl Holding {
             let begins = Instant::now();
             share_out(islands, meter.left());
             // The large ones in turn, by all threads together; the others one by one, the largest first: a few take longer than all the others.
-            let mut to_solve: Vec<&mut Island> = islands.iter_mut().filter(|island| !island.done).collect();
-            to_solve.sort_by_key(|island| std::cmp::Reverse(island.joints.len()));
+            let mut to_solve: Vec<&mut Island> = recycled(std::mem::take(at_work));
+            to_solve.extend(islands.iter_mut().filter(|island| !island.done));
+            to_solve.sort_unstable_by_key(|island| std::cmp::Reverse(island.joints.len()));
             let large = to_solve.partition_point(|island| island.joints.len() >= LARGE);
             let (large, small) = to_solve.split_at_mut(large);
             let solve = |island: &mut Island, scratch: &mut Scratch, crew: &Crew| {
@@ -589,6 +599,7 @@ impl Holding {
                     solve(island, scratch, &alone);
                 }
             });
+            *at_work = recycled(to_solve);
             *contact_seconds += begins.elapsed().as_secs_f64();
             if setting.options.integrator == Integrator::SecondOrder {
                 for island in islands.iter().filter(|island| !island.done && island.iterations < options.max_iterations) {

@@ -115,6 +115,7 @@ use definition::SolverOptions;
 use holding::Holding;
 use id::{BodyId, ConstraintId, SlotMap, StrandId};
 use sections::Sections;
+use stepping::BodiesAtWork;
 use strand::Strand;
 use workers::Crew;
 
@@ -134,6 +135,7 @@ pub struct Solver {
     holding: Box<Holding>,
     body_slots: SlotMap<BodyId>,
     bodies: Vec<SceneBody>,
+    bodies_at_work: BodiesAtWork,
     events: Option<Box<ContactEvents>>,
     wind_field: Option<std::sync::Arc<dyn WindField>>,
     /// Nanoseconds that sampling took since the last step.
@@ -170,6 +172,7 @@ impl Solver {
             holding: Box::default(),
             body_slots: SlotMap::new(mark as u16),
             bodies: Vec::new(),
+            bodies_at_work: BodiesAtWork::default(),
             events: None,
             wind_field: None,
             sampling: AtomicU64::new(0),

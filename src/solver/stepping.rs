@@ -14,6 +14,7 @@ use super::strand::{Holds, Tally};
 use crate::contact::body::{Body, BodyAt};
 use crate::contact::options::StrandContact;
 use crate::error::{Error, Result, check_positive};
+use crate::memory::recycled;
 use crate::meter::{Meter, StepLimits, Stopped, usual_work};
 use crate::platform::{HAS_CLOCK, Instant};
 use crate::step::options::Integrator;
@@ -85,6 +86,14 @@ struct Left {
     all_parts: f64,
     /// Substeps after it.
     substeps: f64,
+}
+
+/// Lists of what a substep works on, one item a body, kept for their memory.
+#[derive(Default)]
+pub(super) struct BodiesAtWork {
+    at: Vec<BodyAt<'static>>,
+    ids: Vec<BodyId>,
+    wrenches: Vec<Wrench>,
 }
 
 /// Which of a call's substeps one is.
@@ -318,17 +327,21 @@ impl Solver {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let width = packs::width(self.options.step.precision, set);
-        let bodies: Vec<BodyAt> = self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)).collect();
-        let body_ids: Vec<BodyId> = self.bodies.iter().map(|body| body.id).collect();
+        let BodiesAtWork { at, mut ids, mut wrenches } = std::mem::take(&mut self.bodies_at_work);
+        let mut bodies: Vec<BodyAt> = recycled(at);
+        bodies.extend(self.bodies.iter().enumerate().map(|(k, body)| body.body.at(k as u32, h)));
+        ids.clear();
+        ids.extend(self.bodies.iter().map(|body| body.id));
+        wrenches.clear();
+        wrenches.resize(bodies.len(), Wrench::default());
         let copies = || -> Vec<Body> { self.bodies.iter().map(|body| body.body.clone()).collect() };
-        let mut wrenches = vec![Wrench::default(); bodies.len()];
         let mut scene = Scene {
             strands: &mut self.strands,
             slots: &self.slots,
             constraints: &mut self.constraints,
             bodies: &bodies,
             copies: &copies,
-            body_ids: &body_ids,
+            body_ids: &ids,
             options: &self.options.contact,
             setting: &setting,
             set,
@@ -357,10 +370,12 @@ impl Solver {
         self.holding.take(&mut scene, h, subdivision::levels(&self.options.step), account);
         let taken = begins.elapsed().as_secs_f64();
         total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
-        for (body, wrench) in self.bodies.iter_mut().zip(wrenches) {
-            body.wrench = wrench;
+        let at = recycled(bodies);
+        for (body, wrench) in self.bodies.iter_mut().zip(&wrenches) {
+            body.wrench = *wrench;
             body.body.finish(h);
         }
+        self.bodies_at_work = BodiesAtWork { at, ids, wrenches };
         // Strands are what is neither searching nor contact: who takes them does so between the two.
         let Phases { search, contact, .. } = self.holding.take_phases();
         Phases { search, contact, sampling: 0.0, strands: (taken - search - contact).max(0.0) + looked_up }

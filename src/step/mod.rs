@@ -11,6 +11,7 @@
 //! - `held_pack.rs`: Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of `super::held`.
 //! - `held_packs.rs`: Packs of strands that forces hold, in registers of any width.
 //! - `iterate.rs`: Where Newton's iteration is: a spring at every quadrature point and at every curvature, drawn to its target (`energy`), and the strand between them.
+//! - `line_search.rs`: The line search of Newton's iteration, for strands alone and for those that forces hold.
 //! - `linearly_implicit.rs`: The papers' step (Bertails et al. 2006, section 3.4; document 004, section 4.2.8), kept with its second-order terms.
 //! - `local_error.rs`: The error that one step adds to the positions of a strand's points, told from the step itself (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).
 //! - `members.rs`: The strands that take a step side by side, one a lane, and the way of their numbers into the lanes and back.
@@ -40,7 +41,8 @@ mod held_loads;
 pub mod held_pack;
 pub mod held_packs;
 pub mod iterate;
-pub mod linearly_implicit;
+pub mod line_search;
+mod linearly_implicit;
 pub mod local_error;
 pub mod members;
 pub mod newton;

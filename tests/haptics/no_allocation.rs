@@ -4,7 +4,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use superhelix::haptics::{HapticOptions, haptic};
+use superhelix::haptics::{HapticOptions, Mode, haptic};
 
 use super::scene::{Rate, Simulation, TICK, combed_hair, motion, stroke};
 
@@ -92,4 +92,31 @@ fn a_hand_over_uses_its_memory_again() {
     println!("{most:?} allocations at most");
     // Two for lists of the bodies; where more strands are near than ever before, a few more.
     assert!(most[3] <= 6 && most[0] > 10 * most[3], "{most:?}");
+}
+
+#[test]
+fn direct_ticks_allocate_nothing() {
+    let (mut solver, teeth) = combed_hair(40, 15.0);
+    let options = HapticOptions { mode: Mode::Direct, ..HapticOptions::default() };
+    let (mut tool, mut device) = haptic(&solver, &teeth, &options).unwrap();
+    let mut counted = [0; 4];
+    let mut pressed = 0;
+    for counted in &mut counted {
+        for tick in 0..1400 {
+            let (pose, velocity, spin) = motion(stroke, f64::from(tick) * TICK);
+            let before = allocations_so_far();
+            let (_, state) = device.update(&pose, velocity, spin, TICK).unwrap();
+            tool.before_step(&mut solver, TICK).unwrap();
+            solver.step(TICK, 1).unwrap();
+            tool.after_step(&mut solver).unwrap();
+            pressed = pressed.max(state.pressing);
+            // (Going back the comb sweeps through all of the hair.)
+            if tick > 2 {
+                *counted += allocations_so_far() - before;
+            }
+        }
+    }
+    println!("{counted:?} allocations in 1400 ticks each, {pressed} touches pressed at once at most");
+    // Lists grow in a stroke where more is touched at once than ever before.
+    assert!(pressed > 4 && counted[0] > 100 && counted[3] <= 10, "{pressed} {counted:?}");
 }

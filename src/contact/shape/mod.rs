@@ -57,6 +57,7 @@ pub(crate) use parts::Parts;
 pub(crate) use planes::PlaneField;
 pub use surface::Surface;
 
+use super::segment_distance::closest_of_segments;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// The shape of a body, in the body's own axes. Made by the functions `new_…`, which check their arguments.
@@ -212,6 +213,24 @@ impl Shape {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.closest(point, within).map_or(within, |surface| surface.distance),
             Kind::Grid(grid) => grid.distance(point, within, self.distance_slope()),
             _ => self.closest_smooth(point).distance,
+        }
+    }
+
+    /// Whether [`Shape::distance_of_segment`] knows an answer.
+    pub(in crate::contact) fn knows_segments(&self) -> bool {
+        matches!(self.0, Kind::Sphere { .. } | Kind::Capsule { .. } | Kind::HalfSpace { .. })
+    }
+
+    /// The distance (m) of the surface from a straight segment, below zero inside; `None` for shapes that do not know it in closed form.
+    pub(in crate::contact) fn distance_of_segment(&self, [from, to]: [Vector3<f64>; 2]) -> Option<f64> {
+        match &self.0 {
+            Kind::Sphere { radius } => {
+                let centre = Vector3::zeros();
+                Some(closest_of_segments([&centre, &centre], [&from, &to]).distance - radius)
+            }
+            Kind::Capsule { a, b, radius } => Some(closest_of_segments([a, b], [&from, &to]).distance - radius),
+            Kind::HalfSpace { normal } => Some(normal.dot(&from).min(normal.dot(&to))),
+            _ => None,
         }
     }
 

@@ -4,6 +4,7 @@
 use super::{Holding, Scene};
 use crate::contact::held_strand::HeldStrand;
 use crate::contact::island::Island;
+use crate::memory::recycled;
 use crate::step::options::Integrator;
 
 impl Holding {
@@ -13,24 +14,26 @@ impl Holding {
         if scene.setting.options.integrator != Integrator::SecondOrder {
             return;
         }
-        let Self { strands, islands, packs, count, island_count, .. } = self;
+        let Self { strands, islands, packs, count, island_count, at_work, asked, pressed, .. } = self;
         let (strands, islands) = (&mut strands[..*count], &mut islands[..*island_count]);
         // Of the islands that have touches and strands on their own formula.
-        let asked = |island: &Island, strands: &[HeldStrand]| {
+        let is_asked = |island: &Island, strands: &[HeldStrand]| {
             island.strands.iter().any(|held| !strands[*held as usize].first_order) && island.has_touches()
         };
-        let asked: Vec<bool> = islands.iter().map(|island| asked(island, strands)).collect();
+        asked.clear();
+        asked.extend(islands.iter().map(|island| is_asked(island, strands)));
         if !asked.contains(&true) {
             return;
         }
-        let mut refreshed: Vec<&mut Island> =
-            islands.iter_mut().zip(&asked).filter(|(_, asked)| **asked).map(|(island, _)| island).collect();
+        let mut refreshed: Vec<&mut Island> = recycled(std::mem::take(at_work));
+        refreshed.extend(islands.iter_mut().zip(&*asked).filter(|(_, asked)| **asked).map(|(island, _)| island));
         let meter = scene.meter;
         scene.crew.for_each(&mut refreshed, |island, _| {
             if !meter.is_halted() {
                 island.refresh(strands, scene.bodies);
             }
         });
+        *at_work = recycled(refreshed);
         // (What it takes is counted when it would be due.)
         meter.uncounted(|| packs.linearise(strands, islands, scene.crew, meter, |held| asked[held.island as usize]));
         for held in strands.iter_mut().filter(|held| asked[held.island as usize]) {
@@ -39,11 +42,11 @@ impl Holding {
         if meter.is_halted() {
             return;
         }
-        let mut pressed = Vec::new();
-        for (island, _) in islands.iter_mut().zip(&asked).filter(|(_, asked)| **asked) {
-            island.about_to_press(strands, &mut pressed);
+        pressed.clear();
+        for (island, _) in islands.iter_mut().zip(&*asked).filter(|(_, asked)| **asked) {
+            island.about_to_press(strands, pressed);
         }
-        for held in &pressed {
+        for held in &*pressed {
             let held = &mut strands[*held as usize];
             held.begins_again = !held.first_order;
         }

@@ -8,6 +8,7 @@ use crate::contact::held_strand::{FirstHalf, HeldStrand};
 use crate::contact::island::Island;
 use crate::math::frame::Frame;
 use crate::math::lane::Precision;
+use crate::memory::recycled;
 use crate::meter::Meter;
 use crate::rod::strand::StrandModel;
 use crate::solver::strand::{Strand, root_after};
@@ -28,9 +29,13 @@ pub(super) struct Packs {
     count: usize,
     /// Those that begin: by formula and kind, then by iterations; and their places among the held strands.
     order: Vec<(bool, Kind, u32, u32)>,
+    /// Memory of lists of packs at work.
+    held_work: Vec<Work<'static, &'static mut HeldStrand>>,
+    pair_work: Vec<Work<'static, Pair<'static>>>,
 }
 
 /// A pack, and strands of it by their lanes.
+#[derive(Debug)]
 pub(super) struct Work<'a, M> {
     pub pack: &'a mut AnyPack,
     pub members: [Option<M>; MOST],
@@ -45,10 +50,14 @@ impl Packs {
         self.count = 0;
     }
 
-    /// The packs that some of `items` are in, whose places are a pack and a lane.
-    pub fn gather<M>(&mut self, items: impl Iterator<Item = M>, place: impl Fn(&M) -> (u32, u32)) -> Vec<Work<'_, M>> {
-        let mut work: Vec<Work<M>> =
-            self.packs[..self.count].iter_mut().map(|pack| Work { pack, members: [const { None }; MOST] }).collect();
+    /// Writes the packs that some of `items` are in, whose places are a pack and a lane, into an empty list.
+    fn gather<'a, M>(
+        packs: &'a mut [AnyPack],
+        items: impl Iterator<Item = M>,
+        place: impl Fn(&M) -> (u32, u32),
+        mut work: Vec<Work<'a, M>>,
+    ) -> Vec<Work<'a, M>> {
+        work.extend(packs.iter_mut().map(|pack| Work { pack, members: [const { None }; MOST] }));
         for item in items {
             let (pack, lane) = place(&item);
             work[pack as usize].members[lane as usize] = Some(item);
@@ -57,9 +66,21 @@ impl Packs {
         work
     }
 
-    /// The same of held strands.
-    pub fn of<'a>(&'a mut self, strands: &'a mut [HeldStrand]) -> Vec<Work<'a, &'a mut HeldStrand>> {
-        self.gather(strands.iter_mut(), |held| (held.pack, held.lane))
+    /// Works on the packs of held strands.
+    fn with_held(&mut self, strands: &mut [HeldStrand], run: impl FnOnce(&mut [Work<'_, &mut HeldStrand>])) {
+        let list = recycled(std::mem::take(&mut self.held_work));
+        let place = |held: &&mut HeldStrand| (held.pack, held.lane);
+        let mut work = Self::gather(&mut self.packs[..self.count], strands.iter_mut(), place, list);
+        run(&mut work);
+        self.held_work = recycled(work);
+    }
+
+    /// Works on the packs of held strands and of what the scene has of them.
+    pub fn with_pairs<'a>(&mut self, pairs: impl Iterator<Item = Pair<'a>>, run: impl FnOnce(&mut [Work<'_, Pair<'a>>])) {
+        let list = recycled(std::mem::take(&mut self.pair_work));
+        let mut work = Self::gather(&mut self.packs[..self.count], pairs, |(_, held)| (held.pack, held.lane), list);
+        run(&mut work);
+        self.pair_work = recycled(work);
     }
 
     /// Packs those of the held strands that are to begin, and begins their step of `h` seconds.
@@ -70,7 +91,7 @@ impl Packs {
         let (setting, set) = (scene.setting, scene.set);
         let width = packs::width(Precision::F64, set).min(MOST);
         self.order.clear();
-        for (place, (strand, held)) in super::Holding::pairs(scene.strands, held).into_iter().enumerate() {
+        for (place, (strand, held)) in super::Holding::pairs(scene.strands, held).enumerate() {
             if begins(held) {
                 strand.begin_root_way(h);
                 let kind = Kind::of(&strand.model, &strand.state, setting.options.integrator, h);
@@ -88,11 +109,10 @@ impl Packs {
             }
         }
         self.packs.resize_with(self.packs.len().max(self.count), AnyPack::default);
-        let pairs = super::Holding::pairs(scene.strands, held).into_iter().filter(|(_, held)| begins(held));
-        let mut work = self.gather(pairs, |(_, held)| (held.pack, held.lane));
+        let pairs = super::Holding::pairs(scene.strands, held).filter(|(_, held)| begins(held));
         // (Constraints are told of with the paths of their strands, whatever halted the step.)
-        let (constrained, meter) = (!scene.constraints.is_empty(), scene.meter);
-        scene.crew.for_each(&mut work, |Work { pack, members }, _| {
+        let (constrained, meter, crew) = (!scene.constraints.is_empty(), scene.meter, scene.crew);
+        let begin = |Work { pack, members }: &mut Work<Pair>| {
             if !constrained && meter.is_halted() {
                 return;
             }
@@ -104,7 +124,8 @@ impl Packs {
             }
             pack.begin(&Present(strands), setting, h, first_order, set, &mut lanes);
             members.iter_mut().flatten().for_each(|(_, held)| held.begun());
-        });
+        };
+        self.with_pairs(pairs, |work| crew.for_each(work, |work, _| begin(work)));
     }
 
     /// The first half of an iteration of the strands whose islands are `asked`.
@@ -116,7 +137,7 @@ impl Packs {
         meter: &Meter,
         asked: impl Fn(&HeldStrand) -> bool + Sync,
     ) {
-        crew.for_each(&mut self.of(strands), |Work { pack, members }, _| {
+        let linearise = |Work { pack, members }: &mut Work<&mut HeldStrand>| {
             let mut halves = [FirstHalf::None; MOST];
             for (lane, held) in running(members) {
                 if asked(held) && !meter.is_halted() {
@@ -132,12 +153,13 @@ impl Packs {
                 lanes[lane] = Some(&mut held.held);
             }
             pack.linearise(&mut lanes);
-        });
+        };
+        self.with_held(strands, |work| crew.for_each(work, |work, _| linearise(work)));
     }
 
     /// The second half of the strands whose islands go on.
     pub fn advance(&mut self, strands: &mut [HeldStrand], islands: &[Island], setting: &Setting, crew: &Crew, meter: &Meter) {
-        crew.for_each(&mut self.of(strands), |Work { pack, members }, _| {
+        let advance = |Work { pack, members }: &mut Work<&mut HeldStrand>| {
             let mut goes = [false; MOST];
             for (lane, held) in running(members) {
                 let island = &islands[held.island as usize];
@@ -156,7 +178,8 @@ impl Packs {
             }
             pack.advance(setting, &mut lanes);
             running(members).filter(|(lane, _)| goes[*lane]).for_each(|(_, held)| held.advanced());
-        });
+        };
+        self.with_held(strands, |work| crew.for_each(work, |work, _| advance(work)));
     }
 
     /// The pack of a strand.
