@@ -237,7 +237,10 @@ mod tests {
         let close = said(0.20000000000000018, 0.19999999999999998);
         assert_eq!(close, "arclength is 0.20000000000000018; expected 0 to the length 0.19999999999999998");
         // Whole numbers and parts of names stay.
-        assert_eq!(without_rounding("12345678901234567890 of v1.23456789012345678"), "12345678901234567890 of v1.23456789012345678");
+        assert_eq!(
+            without_rounding("12345678901234567890 of v1.23456789012345678"),
+            "12345678901234567890 of v1.23456789012345678"
+        );
         assert_eq!(without_rounding("[-99.99999999999999, 1e-7, NaN]"), "[-100, 1e-7, NaN]");
     }
 }

@@ -192,6 +192,9 @@ pub unsafe extern "C" fn shx_set_allocator(alloc: shx_alloc_fn, free: shx_free_f
     if SOURCE.load(Ordering::Acquire) == HOST {
         SHX_OK
     } else {
-        undo(SHX_ERROR_UNSUPPORTED, "alloc, free and user cannot be used: the library is part of a program in Rust, which has its own allocator")
+        undo(
+            SHX_ERROR_UNSUPPORTED,
+            "alloc, free and user cannot be used: the library is part of a program in Rust, which has its own allocator",
+        )
     }
 }

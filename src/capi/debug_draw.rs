@@ -45,8 +45,7 @@ pub struct shx_debug_vertex {
 /// Receives a batch of count vertices, at most 1024: for lines, pairs. They are valid during the call only. It
 /// runs on the thread that called the library, in that thread's floating-point mode. It may read the same
 /// solver but not change it (SHX_ERROR_BUSY), and it must return normally: no exceptions, no longjmp.
-pub type shx_debug_vertices_fn =
-    Option<unsafe extern "C" fn(user: *mut c_void, vertices: *const shx_debug_vertex, count: usize)>;
+pub type shx_debug_vertices_fn = Option<unsafe extern "C" fn(user: *mut c_void, vertices: *const shx_debug_vertex, count: usize)>;
 
 /// What shx_solver_debug_draw draws, and where it goes. Fill it with shx_debug_draw_def_init.
 #[repr(C)]

@@ -13,9 +13,8 @@ use crate::solver::WindField;
 /// the time since the call of shx_solver_step began: add your own clock. It runs on the thread that called
 /// shx_solver_step, in that thread's floating-point mode. It must not call the same solver (SHX_ERROR_BUSY),
 /// and it must return normally: no exceptions, no longjmp.
-pub type shx_wind_fn = Option<
-    unsafe extern "C" fn(user: *mut c_void, seconds: f64, positions: *const f64, velocities: *mut f64, count: usize),
->;
+pub type shx_wind_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, seconds: f64, positions: *const f64, velocities: *mut f64, count: usize)>;
 
 type HostFunction = unsafe extern "C" fn(*mut c_void, f64, *const f64, *mut f64, usize);
 

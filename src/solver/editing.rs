@@ -105,7 +105,12 @@ impl Solver {
 
     /// The same; `run` runs pieces of the work. The dense eigenvalue kernels leave memory behind on the threads that run them, which not every host
     /// can have on its own.
-    pub(crate) fn settle_by(&mut self, ids: &[StrandId], options: &EquilibriumOptions, run: RunPiece) -> Result<Vec<Equilibrium>> {
+    pub(crate) fn settle_by(
+        &mut self,
+        ids: &[StrandId],
+        options: &EquilibriumOptions,
+        run: RunPiece,
+    ) -> Result<Vec<Equilibrium>> {
         options.check("options")?;
         let indices = self.indices(ids)?;
         let mut settled: Vec<_> = indices.iter().map(|index| (*index, Vec::new(), Equilibrium::default())).collect();

@@ -187,7 +187,8 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let strand_count = reader.count(8)?;
     let mut strands = Vec::with_capacity(strand_count);
     let mut sections = Sections::default();
-    let ids = slots.by_index(strand_count).ok_or_else(|| bad(format!("it holds {strand_count} strands and identifiers of others")))?;
+    let ids =
+        slots.by_index(strand_count).ok_or_else(|| bad(format!("it holds {strand_count} strands and identifiers of others")))?;
     for id in ids {
         let strand = reader.packed_strand(id, strands.last(), rules, &mut sections)?;
         strands.push(strand);

@@ -292,7 +292,8 @@ impl Solver {
                     // There is nothing more to be done in any of them: all go along with their roots, at once.
                     let rest = h * (substeps - 1.0 + to_do / all_parts);
                     self.ready_ways(rest);
-                    let phases = self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false, from });
+                    let phases =
+                        self.take_substep(rest, &meter, &mut contact, total, Place { is_last: true, is_fast: false, from });
                     spent.phases.add(&phases);
                     spent.add(&meter, true);
                     break 'substeps;

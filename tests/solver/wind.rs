@@ -42,8 +42,11 @@ fn constant(velocity: Vector3<f64>) -> Option<Arc<dyn WindField>> {
 /// Hash after a run; the wind among the options is none.
 fn run(mut solver: Solver, ids: &[StrandId]) -> u64 {
     for frame in 1..=12 {
-        let roots: Vec<Frame> =
-            ids.iter().enumerate().map(|(k, _)| Frame { origin: Vector3::new(0.01 * f64::from(frame), 0.004 * k as f64, 0.0), ..Frame::default() }).collect();
+        let roots: Vec<Frame> = ids
+            .iter()
+            .enumerate()
+            .map(|(k, _)| Frame { origin: Vector3::new(0.01 * f64::from(frame), 0.004 * k as f64, 0.0), ..Frame::default() })
+            .collect();
         solver.set_root_frames(ids, &roots, 1.0 / 60.0).unwrap();
         solver.step(1.0 / 60.0, 3).unwrap();
     }
@@ -52,7 +55,10 @@ fn run(mut solver: Solver, ids: &[StrandId]) -> u64 {
 }
 
 fn with_ball(mut solver: Solver, ids: &[StrandId]) -> Solver {
-    let ball = BodyDef { pose: Frame { origin: Vector3::new(0.05, 0.08, -0.06), ..Frame::default() }, ..BodyDef::new(Arc::new(Shape::new_sphere(0.05).unwrap())) };
+    let ball = BodyDef {
+        pose: Frame { origin: Vector3::new(0.05, 0.08, -0.06), ..Frame::default() },
+        ..BodyDef::new(Arc::new(Shape::new_sphere(0.05).unwrap()))
+    };
     solver.add_bodies(vec![ball]).unwrap();
     solver.set_contact(ids, Some(&StrandContact { exempt_length: 0.01, ..StrandContact::default() })).unwrap();
     solver
@@ -127,7 +133,11 @@ fn the_order_in_the_step_remains_two() {
         def.root.rotation = nalgebra::UnitQuaternion::from_euler_angles(0.0, 0.9, 0.0);
         let id = solver.add_strands(&[def]).unwrap()[0];
         let eddies = |seconds: f64, position: Vector3<f64>| {
-            Vector3::new((25.0 * position.z + 6.0 * seconds).sin(), 0.7 * (20.0 * position.x).cos(), 0.3 * (30.0 * position.y).sin())
+            Vector3::new(
+                (25.0 * position.z + 6.0 * seconds).sin(),
+                0.7 * (20.0 * position.x).cos(),
+                0.3 * (30.0 * position.y).sin(),
+            )
         };
         solver.set_wind_field(Some(Arc::new(eddies)));
         solver.step(0.5, substeps).unwrap();
@@ -163,15 +173,24 @@ fn calls_come_in_one_order_for_the_strands_that_feel_them() {
         for _ in 0..2 {
             solver.step(0.02, 4).unwrap();
         }
-        let points: u32 = ids.iter().enumerate().filter(|(k, _)| k % 4 != 0 && *k != 5).map(|(k, id)| (1 + k % 9) as u32 * solver.quadrature(*id).unwrap().points).sum();
+        let points: u32 = ids
+            .iter()
+            .enumerate()
+            .filter(|(k, _)| k % 4 != 0 && *k != 5)
+            .map(|(k, id)| (1 + k % 9) as u32 * solver.quadrature(*id).unwrap().points)
+            .sum();
         let calls = std::mem::take(&mut *field.0.lock().unwrap());
         (calls, points as usize, solver.state_hash())
     };
     let (calls, points, hash) = recorded(Workers::Serial);
-    let sum = |second: f64| calls.iter().filter(|(seconds, _)| *seconds == second).map(|(_, positions)| positions.len()).sum::<usize>();
+    let sum =
+        |second: f64| calls.iter().filter(|(seconds, _)| *seconds == second).map(|(_, positions)| positions.len()).sum::<usize>();
     let mut seconds: Vec<f64> = calls.iter().map(|(seconds, _)| *seconds).collect();
     seconds.dedup();
-    assert!(seconds.iter().zip([0.005, 0.01, 0.015, 0.02, 0.005, 0.01, 0.015, 0.02]).all(|(a, b)| (a - b).abs() < 1e-12), "{seconds:?}");
+    assert!(
+        seconds.iter().zip([0.005, 0.01, 0.015, 0.02, 0.005, 0.01, 0.015, 0.02]).all(|(a, b)| (a - b).abs() < 1e-12),
+        "{seconds:?}"
+    );
     assert_eq!(seconds.len(), 8);
     // Two steps; the rules are those of the end.
     assert_eq!(sum(seconds[3]), 2 * points);

@@ -287,7 +287,10 @@ impl<'a> Reader<'a> {
         while slots.slots.len() < slot_count {
             let (length, generation, highest, index) = (self.u32()?, self.u32()?, self.u32()?, self.u32()?);
             let first = Slot { generation, highest, index: (index != u32::MAX).then_some(index) };
-            if length == 0 || length as usize > slot_count - slots.slots.len() || index.checked_add(length - 1).is_none() && index != u32::MAX {
+            if length == 0
+                || length as usize > slot_count - slots.slots.len()
+                || index.checked_add(length - 1).is_none() && index != u32::MAX
+            {
                 return Err(bad(format!("{length} slots follow one another where {} are left", slot_count - slots.slots.len())));
             }
             slots.slots.extend((0..length).map(|k| first.after(k)));

@@ -66,7 +66,8 @@ fn material_numbers(material: &Material) -> [f64; 8] {
 
 fn contact_bits(contact: Option<&StrandContact>) -> Option<([u64; 9], [u32; 2])> {
     contact.map(|contact| {
-        let StrandContact { radius, wisp_radius, friction, hair_friction, viscous_friction, exempt_length, groups, mask } = *contact;
+        let StrandContact { radius, wisp_radius, friction, hair_friction, viscous_friction, exempt_length, groups, mask } =
+            *contact;
         let frictions = [friction, hair_friction, viscous_friction].map(|friction| [friction.along, friction.against]);
         let [[a, b], [c, d], [e, f]] = frictions;
         (bits([radius, wisp_radius, a, b, c, d, e, f, exempt_length]), [groups, mask])
@@ -251,8 +252,7 @@ impl Reader<'_> {
             return Err(bad("a strand holds a number that is not finite, or a length not above zero"));
         }
         let root_move = if has(flag::HAS_WAY) { Some(Box::new(self.root_way(flags, &state, before)?)) } else { None };
-        let fared =
-            Fared { iterations: self.u32()?, converged: has(flag::CONVERGED), quarantined: has(flag::QUARANTINED) };
+        let fared = Fared { iterations: self.u32()?, converged: has(flag::CONVERGED), quarantined: has(flag::QUARANTINED) };
         let (mut astray, mut known) = (None, None);
         if has(flag::HAS_ASTRAY) {
             match self.u32()? {
