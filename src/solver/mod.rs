@@ -6,7 +6,7 @@
 //! - `attachment.rs`: Strands, bodies and targets of constraints that go along with one pose: a head with all that is on it.
 //! - `bodies.rs`: Bodies: what strands are kept out of.
 //! - `bringing_out.rs`: Curves drawn inside a body of the scene, brought out of it before strands are made of them.
-//! - `bulk_sampling.rs`: Reading many strands at uniform places: packs of them side by side, shared out among the solver's threads.
+//! - `bulk_sampling.rs`: Reading many strands at uniform places: packs of them side by side, shared out among the solver's workers.
 //! - `clips.rs`: Clips: strands held where they are in a box, and the box moved.
 //! - `constraints.rs`: Hard constraints: what pins, clamps, ties and rings strands, and what forces that takes.
 //! - `contact_events.rs`: Contacts that begin and end, kept for a host that drains them: between which strand and what, where.
