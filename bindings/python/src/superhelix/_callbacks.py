@@ -126,9 +126,9 @@ def wind_callback(field: WindField, failures: Failures) -> Any:
 
     def callback(_user: object, seconds: float, positions: int, velocities: int, count: int) -> None:
         try:
-            numbers = ctypes.c_double * (3 * count)
-            points = np.frombuffer(numbers.from_address(positions)).reshape(count, 3)
-            np.frombuffer(numbers.from_address(velocities)).reshape(count, 3)[:] = field(seconds, points.copy())
+            rows = (ctypes.c_double * 3) * count
+            points = np.ctypeslib.as_array(rows.from_address(positions))
+            np.ctypeslib.as_array(rows.from_address(velocities))[:] = field(seconds, points.copy())
         except BaseException as error:  # raised again by the call that this happened in
             failures.keep(error)
 
