@@ -77,7 +77,7 @@ int main(int argc, char **argv) {
     }
     const double grown = ((double)held() - (double)before) / rounds;
     printf("%u workers: %.0f bytes a round\n", (unsigned)workers, grown);
-    if (grown > (workers == 1 ? 256 : 16384))
+    if (grown > (workers == 1 ? 1024 : 16384))
       return 1;
   }
   return 0;
