@@ -342,19 +342,19 @@ namespace Superhelix.Tests
         Check.Hanging(uniform, 3);
         Check.Hanging(field, 3);
         uniform.SetWind(new Vec3(1, -0.5, 0.25));
-        int calls = 0;
-        field.SetWindField((seconds, positions, velocities, count) =>
+        int batches = 0;
+        field.SetWindField((seconds, positions, velocities, points) =>
         {
-          calls++;
-          for (int i = 0; i < count; i++)
+          batches++;
+          for (int i = 0; i < points; i++)
             velocities[i] = new Vec3(1, -0.5, 0.25);
         });
         uniform.Step(0.05, 3);
         GC.Collect();
         field.Step(0.05, 3);
         uniform.SetWind(new Vec3(0, 0, 0));
-        Check.That(calls == 3 && field.StateHash() == uniform.StateHash(), "a field of wind");
-        field.SetWindField((seconds, positions, velocities, count) => { throw new FormatException("gust"); });
+        Check.That(batches == 3 && field.StateHash() == uniform.StateHash(), "a field of wind");
+        field.SetWindField((seconds, positions, velocities, points) => { throw new FormatException("gust"); });
         Check.Throws<InvalidOperationException>(() => field.Step(0.01));
         field.SetWindField(null);
         field.Step(0.01);

@@ -51,7 +51,7 @@ namespace Superhelix
     /// </summary>
     public static void SetAllocator(IntPtr alloc, IntPtr free, IntPtr user)
     {
-      Error.Check(Native.shx_set_allocator(alloc, free, user));
+      Error.Check(Native.shx_set_allocator(alloc, free, (void*)user));
     }
 
     /// <summary>One line for bug reports.</summary>

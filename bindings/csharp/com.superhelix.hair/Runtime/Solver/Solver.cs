@@ -99,7 +99,8 @@ namespace Superhelix
     public void SetWindField(WindField field)
     {
       Wind next = field == null ? null : new Wind(field);
-      int result = Native.shx_solver_set_wind_field(Handle, next == null ? IntPtr.Zero : Wind.Address, next == null ? IntPtr.Zero : next.User);
+      IntPtr user = next == null ? IntPtr.Zero : next.User;
+      int result = Native.shx_solver_set_wind_field(Handle, next == null ? IntPtr.Zero : Wind.Address, (void*)user);
       Wind old = result == 0 ? wind : next;
       if (result == 0)
         wind = next;
