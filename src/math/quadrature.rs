@@ -249,7 +249,7 @@ mod tests {
             let rule = Rule::gauss_legendre(count);
             assert_eq!(rule.len(), count);
             for degree in 0..2 * count {
-                let sum: f64 = rule.nodes.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(degree as i32)).sum();
+                let sum: f64 = rule.nodes.iter().zip(rule.weights.iter()).map(|(x, w)| w * x.powi(degree as i32)).sum();
                 let exact = 1.0 / (degree as f64 + 1.0);
                 assert!((sum - exact).abs() < 4e-15, "{count} points, degree {degree}: {sum} against {exact}");
             }
@@ -260,9 +260,9 @@ mod tests {
     fn interpolates_smooth_functions() {
         let (from, to) = (Rule::gauss_legendre(20), Rule::gauss_legendre(32));
         let mut coefficients = Vec::new();
-        for x in to.nodes.iter().chain(&[0.0, 1.0]).chain(&from.nodes) {
+        for x in to.nodes.iter().chain(&[0.0, 1.0]).chain(from.nodes.iter()) {
             from.interpolation(*x, &mut coefficients);
-            let value: f64 = coefficients.iter().zip(&from.nodes).map(|(c, node)| c * (9.0 * node).cos()).sum();
+            let value: f64 = coefficients.iter().zip(from.nodes.iter()).map(|(c, node)| c * (9.0 * node).cos()).sum();
             assert!((value - (9.0 * x).cos()).abs() < 1e-10);
         }
     }

@@ -113,7 +113,7 @@ mod tests {
             let segments = outline(shape);
             assert!(segments.len() >= 12, "{shape:?}");
             for end in segments.iter().flatten() {
-                let surface = shape.closest(*end).expect("a surface");
+                let surface = shape.closest(*end, 1.0).expect("a surface");
                 assert!(surface.distance.abs() < 1e-12, "{shape:?}: {}", surface.distance);
             }
         }
