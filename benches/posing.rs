@@ -1,24 +1,21 @@
-//! How long it takes to pose strands: `cargo bench --bench posing --profile demo`. Prints the rows of a table in `docs/theory/posing.md`.
+//! The time for posing strands: `cargo bench --bench posing --profile demo`. Prints the rows of a table in
+//! `docs/theory/posing.md`.
 
 use std::time::Instant;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::Shape;
-use superhelix::groom::pose::{Brush, DragTarget, PoseOptions};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
+use superhelix::editing::{Brush, DragTarget, PoseOptions};
+use superhelix::{BodyDef, Frame, Shape, Solver, SolverOptions, StrandDef, Workers};
 
 const STRANDS: usize = 1000;
 const ELEMENTS: usize = 10;
 const LENGTH: f64 = 0.25;
 /// Moves of a stroke.
 const MOVES: usize = 30;
-/// Strokes; the quickest counts.
+/// Strokes; the fastest counts.
 const STROKES: usize = 7;
 
-/// Wavy strands on a head of 9 cm, falling down.
+/// Wavy strands that fall down a head of 9 cm.
 fn groom() -> Vec<StrandDef> {
     (0..STRANDS)
         .map(|k| {
@@ -75,7 +72,7 @@ fn main() {
                 solver.set_shapes(&ids, &before).expect("shapes");
                 let mut targets = Vec::new();
                 for id in &ids {
-                    let push = |_: usize, sample: &superhelix::solver::Sample| {
+                    let push = |_: usize, sample: &superhelix::Sample| {
                         targets.push(DragTarget { arclength: LENGTH, position: sample.position });
                     };
                     solver.sample_at(*id, &[LENGTH], push).expect("a tip");

@@ -1,8 +1,8 @@
-//! What render hair costs: 150,000 strands of 16 points from the 1000 guides of a real groom, through the C ABI into the caller's floats; and as many
-//! from 228 guides on their bust, kept out of it.
+//! The cost of render hair: 150,000 strands of 16 points from the 1000 guides of a real groom, through the C ABI into the
+//! caller's floats; and as many from 228 guides on their bust, kept out of it.
 //!
-//! Each round evaluates every kind of output once, so that what else the machine does falls on all alike; the figures are the least and
-//! the median over the rounds.
+//! Each round evaluates every type of output once, so that other programs affect all alike; the figures are the least and the
+//! median over the rounds.
 //!
 //! `cargo bench --profile demo --bench render_hair -- [--csv FILE] [--rounds 15] [--strands 150000]`
 #![allow(unsafe_code)] // calls of the C ABI
@@ -12,16 +12,15 @@ use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 use std::time::Instant;
 
-use superhelix::capi::bodies::shx_solver_add_bodies;
-use superhelix::capi::body_def::{SHX_SHAPE_GRID, shx_body_def, shx_body_def_init};
-use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::render_def::*;
-use superhelix::capi::render_hair::*;
-use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::capi::types::*;
-use superhelix::contact::shape::{DistanceGrid, Mesh};
-use superhelix::files::curves::Curves;
-use superhelix::files::{distance_grid, obj_mesh};
+use superhelix::internals::capi::bodies::shx_solver_add_bodies;
+use superhelix::internals::capi::body_def::{SHX_SHAPE_GRID, shx_body_def, shx_body_def_init};
+use superhelix::internals::capi::errors::SHX_OK;
+use superhelix::internals::capi::render_def::*;
+use superhelix::internals::capi::render_hair::*;
+use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::types::*;
+use superhelix::io::{Curves, distance_grid, obj_mesh};
+use superhelix::shapes::{DistanceGrid, Mesh};
 
 const POINTS: usize = 16;
 
@@ -65,7 +64,7 @@ fn output<T>(data: &mut [T], count: usize, format: u32) -> shx_output {
     shx_output { data: data.as_mut_ptr().cast(), stride: 0, count, format, reserved: 0 }
 }
 
-/// A mesh as a distance grid in cells as heads are baked.
+/// A mesh as a distance grid, with the usual cells of a baked head.
 fn head(path: &str) -> Vec<u8> {
     let mut mesh = obj_mesh::read(path).expect("a mesh");
     mesh.vertices.iter_mut().for_each(|vertex| *vertex *= 0.01);
@@ -76,7 +75,7 @@ fn head(path: &str) -> Vec<u8> {
 }
 
 /// A solver with that one body.
-fn solver_with(grid: &[u8]) -> *mut superhelix::capi::guard::shx_solver {
+fn solver_with(grid: &[u8]) -> *mut superhelix::internals::capi::guard::shx_solver {
     let (mut solver, mut def, mut id) = (null_mut(), MaybeUninit::uninit(), MaybeUninit::uninit());
     // SAFETY: living structures and places for handles.
     unsafe {
@@ -100,7 +99,7 @@ fn time(work: impl FnOnce()) -> f64 {
     begun.elapsed().as_secs_f64() * 1e3
 }
 
-/// A groom's guides, and roots of strands among theirs.
+/// A groom's guides, and roots of strands among them.
 struct Groom {
     counts: Vec<u32>,
     points: Vec<[f32; 3]>,

@@ -8,14 +8,14 @@ use std::fmt::Write as _;
 mod friction_cases;
 
 use friction_cases::{Case, case, truth};
-use superhelix::study::friction_fit::Coefficient::{self, AirDrag, InternalFriction, Viscosity};
-use superhelix::study::friction_fit::{FrictionFit, FrictionFitOptions, Sought, fit_friction};
+use superhelix::experiments::Coefficient::{AirDrag, InternalFriction, Viscosity};
+use superhelix::experiments::{Coefficient, FrictionFit, FrictionFitOptions, Sought, fit_friction};
 
 fn fit(case: &Case, options: &FrictionFitOptions) -> FrictionFit {
     fit_friction(&case.strand, &case.recording, &case.motion, options).expect("a fit")
 }
 
-/// The curve with internal friction as it is given.
+/// The curve with the given internal friction.
 fn curve_with(case: &Case, internal_friction: f64) -> Vec<f64> {
     let held = Sought {
         coefficient: InternalFriction,

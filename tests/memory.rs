@@ -1,4 +1,4 @@
-//! What a solver says of its memory against what it asked the allocator for, and how much a strand takes.
+//! A solver's reported memory against its requests to the allocator, and the memory of a strand.
 
 mod held_bytes;
 
@@ -6,16 +6,10 @@ use std::sync::Arc;
 
 use held_bytes::held_bytes;
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
+use superhelix::shapes::Sides;
+use superhelix::{
+    BodyDef, ConstraintDef, Frame, Hold, Integrator, Material, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId,
+};
 
 /// Twice a number that fills tasks and packs of any width, also where there are two kinds.
 const STRANDS: usize = 512;
@@ -34,7 +28,7 @@ fn strands(count: usize, elements: impl Fn(usize) -> usize) -> Vec<StrandDef> {
         .collect()
 }
 
-/// What is held, what the solver tells: both without what there is for no strand and for the threads, which a twin of half as many has too.
+/// The bytes in use, and the bytes reported: both minus those of a solver with half the strands, which cancels fixed costs and threads.
 fn compare(what: &str, made: impl Fn(usize) -> Solver) -> f64 {
     let of = |count: usize| {
         let before = held_bytes();
@@ -63,7 +57,7 @@ fn stepped(count: usize, integrator: Integrator, elements: impl Fn(usize) -> usi
 
 // One test: the counter is the process's.
 #[test]
-fn memory_is_told_as_it_is() {
+fn memory_is_reported_accurately() {
     // The quadrature rules are the process's: the first solver makes them.
     drop(Solver::new(SolverOptions::default()).unwrap());
     for elements in [5, 10, 50] {

@@ -1,17 +1,11 @@
-//! A step allocates nothing once its scratch memory has grown: not alone, not on threads, not in parts, with no instruction set and in
+//! A step allocates nothing once its scratch memory has grown: not alone, not on threads, not when subdivided, with no instruction set and in
 //! no precision. (It grows again when a strand is bent further than ever before, and needs more quadrature points.)
 
 mod allocations;
 
 use allocations::allocations_so_far;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::math::lane::Precision;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::step::options::Integrator;
+use superhelix::{Frame, InstructionSet, Integrator, Material, Precision, Solver, SolverOptions, StrandDef, Workers};
 
 /// A root from which strands hang, swayed.
 fn swayed(t: f64) -> Frame {

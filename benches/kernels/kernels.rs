@@ -1,23 +1,21 @@
-//! The kernels one by one, and the step that they make, with criterion's statistics: to see what a change of one of them brings.
-//! Tables that compare are in `benches/performance`.
+//! The kernels one by one, and the step that they make, with criterion's statistics: for the effect of a change of one of them.
+//! Comparisons are in `benches/performance`.
 //!
-//! A package of its own, so that nothing else of the project has to compile criterion:
+//! A separate package, so that nothing else in the project has to compile criterion:
 //! `cargo bench --manifest-path benches/kernels/Cargo.toml -- [FILTER]`
 
 use std::hint::black_box;
 
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::Vector3;
-use superhelix::chain::elimination::Elimination;
-use superhelix::chain::system::{ChainSystem, LinearSolve};
-use superhelix::math::entire::Stumpff;
-use superhelix::math::lane::{Lane, Precision};
-use superhelix::math::lanes::InstructionSet;
-use superhelix::math::quadrature::Rules;
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::{InstructionSet, Precision, Solver, SolverOptions, StrandDef};
+use superhelix::internals::chain::elimination::Elimination;
+use superhelix::internals::chain::system::{ChainSystem, LinearSolve};
+use superhelix::internals::math::entire::Stumpff;
+use superhelix::internals::math::lane::Lane;
+use superhelix::internals::math::quadrature::Rules;
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::Kinematics;
 
 /// Elements of the strands.
 const COUNT: usize = 10;

@@ -1,4 +1,4 @@
-//! How fast solvers of the contact problem come to its solution.
+//! The speed of convergence of solvers for the contact problem.
 
 mod problem;
 
@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use problem::{Kind, build};
-use superhelix::contact::gauss_seidel::{GaussSeidel, Settings};
+use superhelix::internals::contact::gauss_seidel::{GaussSeidel, Settings};
 
 fn main() {
     let base = Kind { strands: 1000, elements: 10, on_head: 5, pairs: 2.5, mu: 0.3, curl: 5.0 };

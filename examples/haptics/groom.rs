@@ -1,24 +1,17 @@
-//! A groom of a thousand guides as wisps of the default kind, and the comb that goes down its side.
+//! A groom of a thousand guides as default wisps, and a comb that goes down its side.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::{FitCurve, FitOptions, FitScratch, fit_curve};
-use superhelix::groom::wisp::Wisp;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::BodyId;
-use superhelix::solver::{Solver, Stiffening};
+use superhelix::editing::Stiffening;
+use superhelix::hair::{FitCurve, FitOptions, FitScratch, fit_curve};
+use superhelix::io::Curves;
+use superhelix::{BodyDef, BodyId, Frame, Material, Shape, Solver, SolverOptions, StrandContact, StrandDef, Wisp, Workers};
 
 const TEETH: usize = 7;
 
-/// Guides of `fibermesh_1k.tfx`, every so manieth, and the comb beside it.
+/// Every `every`-th guide of `fibermesh_1k.tfx`, and the comb beside it.
 pub fn combed(every: usize, elements: usize, threads: usize) -> (Solver, Vec<BodyId>) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/grooms/fibermesh_1k.tfx");
     let curves = Curves::read(path).expect("a groom");

@@ -1,16 +1,16 @@
-//! src/study/measured.rs from tradeoff.csv.
+//! Writes src/analysis/measured.rs from tradeoff.csv.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use superhelix::study::presets::Preset;
+use superhelix::settings::Preset;
 
 use crate::hair::Hair;
 use crate::scene::Scene;
 use crate::setting::{ELEMENTS, RATES, TOLERANCE};
 
-/// What one row is about, and its error and cost as they stand in the csv.
+/// The subject of a row, and its error and cost as written in the csv.
 type Prices = HashMap<(String, String, String), (String, String)>;
 
 /// Rows of second order without caps or frozen freedoms, by "rate elements", and the presets, by name.
@@ -110,5 +110,5 @@ pub static PRESETS: [[[Price; 6]; 4]; 3] = [
         text += "    ],\n";
     }
     text += "];\n";
-    crate::write(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/study")), "measured.rs", &text);
+    crate::write(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/analysis")), "measured.rs", &text);
 }

@@ -1,4 +1,4 @@
-//! The list of contacts: where something met strands at the end of the last substep.
+//! The list of contacts at the end of the last substep.
 
 use std::mem::{offset_of, size_of};
 
@@ -48,6 +48,7 @@ const _: () = {
     assert!(offset_of!(shx_contact, position) == 48 && offset_of!(shx_contact, gap) == 144);
 };
 
+#[doc(hidden)]
 impl From<&Contact> for shx_contact {
     fn from(contact: &Contact) -> Self {
         let (none, nothing) = (shx_strand_id { bits: 0 }, shx_body_id { bits: 0 });

@@ -8,10 +8,10 @@ use super::errors::shx_result;
 use super::guard::call;
 use super::hair_type::shx_hair_type;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
+use crate::analysis::combing::CombingTest;
 use crate::error::{Error, Result};
 use crate::groom::hair_handle::HairHandle;
 use crate::groom::hair_type::HairType;
-use crate::study::combing::CombingTest;
 
 /// Hair handle (Bonanni and Kmoch 2008, section 2): what a hand feels of hair, in the three groups geometry,
 /// bending and friction. Fill it with shx_hair_handle_init or shx_hair_handle_from_name.
@@ -87,7 +87,7 @@ impl shx_hair_handle {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_hair_handle_init(handle: *mut shx_hair_handle, size: usize) -> shx_result {
-    // SAFETY: the caller says that handle holds size bytes.
+    // SAFETY: the caller guarantees that handle holds size bytes.
     unsafe { initialise("shx_hair_handle_init", "handle", handle, size) }
 }
 
@@ -226,7 +226,7 @@ impl shx_combing_test {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_combing_test_init(test: *mut shx_combing_test, size: usize) -> shx_result {
-    // SAFETY: the caller says that test holds size bytes.
+    // SAFETY: the caller guarantees that test holds size bytes.
     unsafe { initialise("shx_combing_test_init", "test", test, size) }
 }
 

@@ -1,15 +1,15 @@
-//! Settings by name and by error: what to choose without reading the price list.
+//! Settings by name, and by permitted error.
 
 use std::mem::{offset_of, size_of};
 
 use super::errors::shx_result;
 use super::guard::call;
 use super::versioned::{Versioned, VersionedOutput, initialise};
+use crate::analysis::presets::Preset;
+use crate::analysis::settings::{HairShape, Settings};
+use crate::analysis::suggestion::{Scenes, suggest_settings};
 use crate::error::{Error, Result};
 use crate::step::options::StepOptions;
-use crate::study::presets::Preset;
-use crate::study::settings::{HairShape, Settings};
-use crate::study::suggestion::{Scenes, suggest_settings};
 
 /// For interactive work: the character of the motion is right, its course is not.
 pub const SHX_PRESET_PREVIEW: u32 = 1;
@@ -101,7 +101,7 @@ impl shx_settings {
 /// Threads: any.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shx_settings_init(settings: *mut shx_settings, size: usize) -> shx_result {
-    // SAFETY: the caller says that settings holds size bytes.
+    // SAFETY: the caller guarantees that settings holds size bytes.
     unsafe { initialise("shx_settings_init", "settings", settings, size) }
 }
 

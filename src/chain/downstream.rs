@@ -1,9 +1,10 @@
-//! The elimination of [`super::elimination`], whose symbols are used, for least squares over a strand: fits and poses. Plain numbers, whole
-//! blocks; the steps' own packs symmetric blocks and works on lanes.
+//! The elimination along a strand for least squares (fits and poses), with the symbols of [`super::elimination`].
+//!
+//! It works on plain numbers and whole blocks. The time step's own elimination packs symmetric blocks and works on lanes.
 
 use crate::math::vector::{Mat3, Vec3};
 
-/// What lies downstream of a node, as seen there: `[A B; Bᵀ C]` and what pulls.
+/// What lies downstream of a node, as seen from there: `[A B; Bᵀ C]` and its pull.
 #[derive(Clone, Copy)]
 pub(crate) struct Downstream {
     pub a: Mat3<f64>,
@@ -13,8 +14,8 @@ pub(crate) struct Downstream {
     pub force: Vec3<f64>,
 }
 
-/// An element's freedoms, eliminated: Cholesky's factor (its diagonal inverted), their coupling to the left end's ψ and ρ and their force,
-/// both times the factor's inverse.
+/// An eliminated element: the Cholesky factor of its freedoms (diagonal inverted), their coupling to the left end's ψ and ρ, and
+/// their force. The last two are multiplied by the factor's inverse.
 #[derive(Clone, Copy)]
 pub(crate) struct Reduced<const D: usize> {
     factor: [[f64; D]; D],
@@ -41,8 +42,8 @@ impl Downstream {
         }
     }
 
-    /// Takes an element's freedoms out of what is downstream of its left end: `factor` of their pivot, their coupling to ψ and to ρ there, what
-    /// pulls at them. Those that are not `free` stay.
+    /// Eliminates an element's freedoms from what lies downstream of its left end. Takes the `factor` of their pivot, their
+    /// coupling to ψ and to ρ there, and their pull. Freedoms that are not `free` keep their values.
     pub fn reduce<const D: usize>(
         &mut self,
         factor: [[f64; D]; D],
@@ -76,7 +77,7 @@ impl Downstream {
                 self.force.0[row] -= w[row + 3] * y;
             }
         }
-        // Kept symmetric: without it rounding grows along the strand.
+        // Symmetry is enforced: otherwise rounding errors grow along the strand.
         for m in [&mut self.a, &mut self.c] {
             for i in 0..3 {
                 for j in 0..i {
@@ -90,7 +91,7 @@ impl Downstream {
 }
 
 impl<const D: usize> Reduced<D> {
-    /// The freedoms' changes where the left end turns by ψ and moves by ρ.
+    /// The change of the freedoms when the left end turns by ψ and moves by ρ.
     pub fn change(&self, psi: Vec3<f64>, rho: Vec3<f64>) -> [f64; D] {
         let mut delta = [0.0; D];
         for i in (0..D).rev() {
@@ -106,7 +107,7 @@ impl<const D: usize> Reduced<D> {
         delta
     }
 
-    /// The squares that the elimination completes, one a freedom: twice what the quadratic model falls by.
+    /// The squares that the elimination completes, one per freedom: together twice the fall of the quadratic model.
     pub fn squares(&self) -> impl Iterator<Item = f64> {
         self.force.into_iter().rev().map(|force| force * force)
     }

@@ -1,11 +1,11 @@
-//! The linear-time solve: elimination from tip to root, then one pass from root to tip (`docs/theory/mathematics.md`; Featherstone's recursion for
-//! flexible segments, Bertails 2009).
+//! The linear-time solve: elimination from tip to root, then one pass from root to tip (`docs/theory/mathematics.md`). It is
+//! Featherstone's recursion for flexible segments (Bertails 2009).
 //!
-//! Everything of a segment is in the axes of its left end. Symbols: u = (ψ, ρ) rotation and displacement of the left end; δκ; the right
-//! end turns by ψ + Ψδκ and moves by ρ + ψ×a + Jδκ, a the right end's place. What lies downstream acts on the right end as a quadratic
-//! ½ uᵀPu − pᵀu, `P = [A B; Bᵀ C]`; F, M are the sum of the forces downstream and their moment about the right end. A point with
-//! stiffness k and force f at place x moves by ρ + ψ×x + J_x δκ. The exact Hessian adds tension: the second variations of x and of the
-//! right end, weighted by −f, −F, −M.
+//! Every quantity of a segment is in the axes of its left end. Symbols: u = (ψ, ρ) is the rotation and displacement of the left
+//! end, δκ the change of curvatures. The right end turns by ψ + Ψδκ and moves by ρ + ψ×a + Jδκ, where a is its position. What
+//! lies downstream acts on the right end as a quadratic ½ uᵀPu − pᵀu, `P = [A B; Bᵀ C]`; F and M are the sum of the forces
+//! downstream and their moment about the right end. A point with stiffness k and force f at x moves by ρ + ψ×x + J_x δκ. The
+//! exact Hessian adds tension: the second variations of x and of the right end, weighted by −f, −F, −M.
 
 use super::axes::{axes, for_axes};
 use super::load::Load;
@@ -16,7 +16,7 @@ use crate::math::vector::{Mat3, Vec3};
 use crate::rod::kinematics::Kinematics;
 use crate::rod::segment::{self, CurvatureForm};
 
-/// What the second pass needs of an element, D free curvatures.
+/// What the second pass needs from an element with D free curvatures.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Eliminated<T, const D: usize> {
     /// Cholesky factor of the pivot, diagonal inverted.
@@ -25,14 +25,14 @@ pub(super) struct Eliminated<T, const D: usize> {
     pub coupling: [[T; 6]; D],
     /// Factor⁻¹ × reduced force.
     pub reduced: [T; D],
-    /// Force on the free curvatures before any elimination: the potential's slope.
+    /// Force on the free curvatures before any elimination: minus the slope of the potential.
     pub force: [T; D],
     /// Ψ and J at the right end, free columns.
     pub psi: [Vec3<T>; D],
     pub jacobian: [Vec3<T>; D],
 }
 
-/// Scratch of the elimination; kept between calls so that nothing is allocated.
+/// Scratch memory of the elimination, kept between calls so that a solve allocates nothing.
 #[derive(Debug, Clone)]
 pub struct Elimination<T> {
     pub(super) one: Vec<Eliminated<T, 1>>,
@@ -62,7 +62,7 @@ impl<T: Lane> LinearSolve<T> for Elimination<T> {
     }
 }
 
-/// The solve for the D free curvatures of MASK an element, as a function of its own.
+/// The solve for the D free curvatures of MASK, compiled as a function of its own.
 struct SolveFor<'a, T, const D: usize, const MASK: u32, const LOADED: bool> {
     scratch: &'a mut Vec<Eliminated<T, D>>,
     kinematics: &'a Kinematics<T>,
@@ -81,8 +81,8 @@ impl<T: Lane, const D: usize, const MASK: u32, const LOADED: bool> Kernel for So
 }
 
 impl<T: Lane> Elimination<T> {
-    /// The same as [`LinearSolve::solve`] of a strand on which forces act at stations (`loads`, from root to tip): their geometric terms
-    /// and springs are in the matrix; their forces are not in the direction, see [`super::response`].
+    /// [`LinearSolve::solve`] for a strand with forces at material points (`loads`, ordered from root to tip). Their geometric
+    /// terms and springs enter the matrix. Their forces do not enter the direction: see [`super::response`].
     pub fn solve_loaded(
         &mut self,
         kinematics: &Kinematics<T>,
@@ -144,8 +144,8 @@ fn columns<T: Lane, const D: usize>(m: &Mat3<T>, axes: [usize; D], factor: T) ->
 /// Rows and columns of an upper triangle.
 const PAIRS: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
 
-/// What lies downstream of a point of the strand, in the axes at hand. A and C are kept symmetric by construction: without it rounding
-/// grows like a geometric series along the strand.
+/// What lies downstream of a point of the strand, in the current axes. A and C are symmetric by construction: otherwise rounding
+/// errors grow like a geometric series along the strand.
 #[derive(Clone, Copy)]
 struct Downstream<T> {
     a: Upper<T>,
@@ -175,7 +175,7 @@ impl<T: Lane> Downstream<T> {
         }
     }
 
-    /// The same, seen in axes from which the present ones are turned by `turn`.
+    /// The same in other axes: `turn` takes the new axes to the current ones.
     #[inline(always)]
     fn turned(&self, turn: &Mat3<T>) -> Self {
         Self {
@@ -191,7 +191,7 @@ impl<T: Lane> Downstream<T> {
         }
     }
 
-    /// The same, acting at a point that lies at −x from here: A gains −BS + SBᵀ − SCS, B gains SC, moments x × force, `S = [x]×`.
+    /// The same as seen from a point at −x: A gains −BS + SBᵀ − SCS, B gains SC, moments gain x × force, with `S = [x]×`.
     #[inline(always)]
     fn moved(&self, x: Vec3<T>) -> Self {
         let sc = full(&self.c).crossed_from_left(x);
@@ -217,7 +217,7 @@ impl<T: Lane> Downstream<T> {
         }
     }
 
-    /// Adds −sym(f xᵀ) + (f·x) I to A: the tension of force f at place x.
+    /// Adds −sym(f xᵀ) + (f·x) I to A: the tension of force f at position x.
     #[inline(always)]
     fn add_tension(&mut self, f: Vec3<T>, x: Vec3<T>) {
         let half = T::splat(0.5);
@@ -289,7 +289,8 @@ fn solve_for<T: Lane, const D: usize, const LOADED: bool>(
     Direction { descent, rotation_squared, rotation_sum, repaired, condition: 0.0 }
 }
 
-/// Eliminates one element's curvatures: what it and all downstream are to its left end, and what the second pass needs.
+/// Eliminates one element's curvatures. Leaves what the element and everything downstream are to its left end, and what the
+/// second pass needs.
 #[inline(always)]
 fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
     right: &Downstream<T>,
@@ -310,7 +311,7 @@ fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
     let psi = columns(&segment::mean_frame(theta, z, &element.c), axes, length);
     let jacobian = columns(&segment::chord_gradient(theta, z, &element.c), axes, length * length);
 
-    // What is downstream, through δκ: Y = P (Ψ; J), and its couplings, column by column of the free curvatures.
+    // Everything downstream, through δκ: Y = P (Ψ; J), and its couplings, column by column of the free curvatures.
     let (whole_a, whole_c) = (full(&right.a), full(&right.c));
     let mut left = right.moved(end);
     let mut kk = [[T::zero(); D]; D];
@@ -365,7 +366,7 @@ fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
         own[3] += k_xx - kx.0[1] * x.0[1];
         own[4] -= kx.0[1] * x.0[2];
         own[5] += k_xx - kx.0[2] * x.0[2];
-        // What a rotation of the left end meets: the spring's pull, k x × J, and the tension's, f × J.
+        // What resists a rotation of the left end: the spring's pull, k x × J, and the tension's, f × J.
         let mut meets = kx;
         if system.exact {
             let f = element.frame_left.apply_transposed(system.tension(p));
@@ -397,7 +398,8 @@ fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
     }
     if LOADED && system.exact {
         for load in loads {
-            // As a point without stiffness; a lever is a rigid piece downstream of its place, whose force has a moment there.
+            // Like a point without stiffness. A lever is a rigid piece downstream of its material point; the force has a moment
+            // about that point.
             let (f, x) = (load.tension, load.local);
             let j = columns(&load.jacobian, axes, T::one());
             left.add_tension(f, x);

@@ -1,4 +1,4 @@
-//! A rigid pose: where a strand's root or one of its cross-sections sits and how it is turned.
+//! A rigid pose: the position and orientation of a strand's root or of one of its cross-sections.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
@@ -8,6 +8,19 @@ use crate::error::{Error, Result, check_finite};
 pub const UNIT_QUATERNION_TOLERANCE: f64 = 1e-5;
 
 /// A right-handed pose in the world. `rotation` takes the axes to (n0, n1, n2): n0 the tangent, n1 and n2 the section's axes.
+///
+/// ```
+/// use superhelix::Frame;
+/// use superhelix::nalgebra::{UnitQuaternion, Vector3};
+///
+/// let head = Frame {
+///     origin: Vector3::new(0.0, 0.0, 1.7),
+///     rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2),
+/// };
+/// // A root 9 cm in front of the head's centre.
+/// let root = head.compose(&Frame { origin: Vector3::new(0.09, 0.0, 0.0), ..Frame::default() });
+/// assert!((root.origin - Vector3::new(0.0, 0.09, 1.7)).norm() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// Position, m.
@@ -59,7 +72,7 @@ impl Frame {
         Frame { origin: -(rotation * self.origin), rotation }
     }
 
-    /// Where something that is here is when it goes along with a rigid body that goes from pose to pose.
+    /// The pose of something at this pose after the rigid body that carries it moves from `from` to `to`.
     pub fn carried(&self, from: &Frame, to: &Frame) -> Frame {
         let turn = to.rotation * from.rotation.inverse();
         Frame { origin: to.origin + turn * (self.origin - from.origin), rotation: turn * self.rotation }

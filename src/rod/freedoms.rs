@@ -1,8 +1,19 @@
-//! Which of a strand's curvatures may change: what a scene requires.
+//! Which of a strand's curvatures may change.
 
 use crate::error::{Error, Result};
 
-/// A set of freedoms. One that is left out is held at its natural value and costs nothing in the solve.
+/// A set of freedoms. A curvature left out keeps its natural value and costs nothing in the solve.
+///
+/// ```
+/// use superhelix::{Freedoms, StrandDef};
+///
+/// // Hair that bends and does not twist.
+/// let freedoms = Freedoms::BEND1.union(Freedoms::BEND2);
+/// assert_eq!(freedoms.count(), 2);
+/// let strand = StrandDef { freedoms, ..StrandDef::straight(0.2, 5) };
+/// strand.check("strand")?;
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Freedoms(u32);
 

@@ -1,4 +1,4 @@
-//! What a strand is made of: section, material, dissipation; and the stiffnesses and densities along it that follow.
+//! The material and section of a strand, and the stiffnesses and densities that follow.
 //!
 //! Symbols: a1, a2 semi-axes along n1, n2; S = π a1 a2; E Young's modulus; σ Poisson's ratio; G = E/(2(1+σ));
 //! EI0 = G π a1³a2³/(a1²+a2²) (twist), EI1 = E π/4 a1 a2³, EI2 = E π/4 a1³ a2 (bending about n1, n2); ρ density;
@@ -9,6 +9,16 @@ use std::f64::consts::PI;
 use crate::error::{Error, Result, check_not_negative, check_positive};
 
 /// Section and material of one strand. SI units.
+///
+/// ```
+/// use superhelix::Material;
+///
+/// let hair = Material { radius: [45e-6, 30e-6], youngs_modulus: 3e9, air_drag: 5e-6, ..Material::default() };
+/// hair.check("hair")?;
+/// let [twist, flat, edge] = hair.stiffness(); // N·m²
+/// assert!(twist < flat || flat < edge);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     /// Semi-axes of the elliptic cross-section along n1 and n2, m; above zero.
@@ -43,7 +53,7 @@ impl Default for Material {
 }
 
 impl Material {
-    /// Checks every value; `argument` is the name put before the field in the message.
+    /// Checks every value; messages put `argument` before the field's name.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] naming the first value out of range.
@@ -95,7 +105,7 @@ impl Material {
         self.density * PI * self.radius[0] * self.radius[1]
     }
 
-    /// What multiplies κ̇ᵢ in the dissipative moment: γ + μ EIᵢ, N·m²·s.
+    /// The factor of κ̇ᵢ in the dissipative moment: γ + μ EIᵢ, N·m²·s.
     pub fn dissipation(&self) -> [f64; 3] {
         self.stiffness().map(|stiffness| self.internal_friction + self.viscosity * stiffness)
     }

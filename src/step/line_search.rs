@@ -1,8 +1,7 @@
-//! The line search of Newton's iteration, for strands alone and for those that forces hold: how far along its direction an iteration goes,
-//! what that says of the damping, and how far the end may still be.
+//! The line search of Newton's iteration, for free and for constrained strands.
 //!
-//! The way is halved until the merit function falls enough (Armijo's condition): the potential of a strand alone, the Lagrangian of one that
-//! forces hold.
+//! The step is halved until the merit function falls enough (Armijo's condition): the potential of a free strand, the Lagrangian of a
+//! constrained one. The result also updates the damping and the estimate of the error left.
 
 use super::damping::Damping;
 use super::iterate::{Iterate, Problem, place_trial};
@@ -14,9 +13,9 @@ use crate::math::lane::{Lane, MAX_LANES, Precision};
 const QUADRATIC: f64 = 50.0;
 /// Where the iterations themselves show a larger constant, this times what they show is taken.
 const QUADRATIC_SAFETY: f64 = 3.0;
-/// Armijo's fraction of the promised descent.
+/// Armijo's fraction of the predicted descent.
 const ARMIJO: f64 = 1e-4;
-/// Halvings of the way before an iteration is given up.
+/// Largest number of halvings in an iteration.
 const MAX_HALVINGS: u32 = 40;
 
 /// A merit function's value and how far rounding may move it.
@@ -49,7 +48,7 @@ impl Iterator for Lanes {
     }
 }
 
-/// The fraction of a direction to go first: less than all where an element would turn by more than the limit.
+/// The fraction of a direction to try first: below one if an element would turn by more than the limit.
 #[inline(always)]
 pub(super) fn first_fraction(rotation: f64, limit: f64) -> f64 {
     if rotation > limit { limit / rotation } else { 1.0 }
@@ -58,18 +57,18 @@ pub(super) fn first_fraction(rotation: f64, limit: f64) -> f64 {
 /// A search along directions, a lane each; lanes are sets of bits.
 pub(super) struct LineSearch<'a, T> {
     pub problem: &'a Problem<'a, T>,
-    /// What the directions promise the merit functions to fall by, to first order.
+    /// The predicted descent of the merit functions, to first order.
     pub descent: T,
     /// The merit functions where the search begins.
     pub from: &'a [Merit; MAX_LANES],
-    /// Lanes that go the whole way unseen.
+    /// Lanes that take the full step unchecked.
     pub trusted: u32,
 }
 
 impl<T: Lane> LineSearch<'_, T> {
-    /// Goes along the directions of the `running` lanes, `part` of each at first, which it halves until the merit function falls enough; the trial
-    /// state is then there. `merit` makes a lane's merit of its potential at a trial. Gives the lanes that found no way down, which stay where they
-    /// are as those that do not run, and the merits of the others.
+    /// Starts at the fraction `part` of the directions of the `running` lanes and halves it until the merit function falls enough; the trial
+    /// state is then the result. `merit` turns a lane's potential at a trial into its merit. Returns the lanes that found no descent, which stay
+    /// where they are, as do lanes that do not run; and the merits of the others.
     #[inline(always)]
     pub fn run(
         &self,
@@ -81,8 +80,8 @@ impl<T: Lane> LineSearch<'_, T> {
         let mut next = [Merit::default(); MAX_LANES];
         let mut pending = running;
         for _ in 0..MAX_HALVINGS {
-            // (Where none runs too: the trial state is to be where all are.)
-            let (value, noise) = place_on_way(self.problem, it, part, running);
+            // (Also if none runs: the trial state then equals the accepted one.)
+            let (value, noise) = place_trial_at(self.problem, it, part, running);
             for lane in lanes(pending) {
                 let from = self.from[lane];
                 let trial = merit(it, lane, Merit { value: value.lane(lane), noise: noise.lane(lane) });
@@ -98,22 +97,22 @@ impl<T: Lane> LineSearch<'_, T> {
                 return (0, next);
             }
         }
-        place_on_way(self.problem, it, part, running & !pending);
+        place_trial_at(self.problem, it, part, running & !pending);
         (pending, next)
     }
 }
 
-/// The damping learns from an iteration that went from merit to merit.
+/// Updates the damping by what an iteration predicted and what the merit function did.
 #[inline(always)]
 pub(super) fn teach<T: Lane>(damping: &mut Damping, found: &Direction<T>, lane: usize, from: Merit, to: Merit) {
-    // The model promised f·d − ½ d·H d with H d = f − λ·(rotations).
+    // The model predicted f·d − ½ d·H d with H d = f − λ·(rotations).
     let promised = 0.5 * (found.descent.lane(lane) + damping.value * found.rotation_sum.lane(lane));
     let seen = promised >= 8.0 * from.noise;
     damping.learn(if seen { (from.value - to.value) / promised } else { 1.0 });
 }
 
-/// How far an element may still be from the end after it turned by `rotation`, rad; `quadratic`: in an undamped iteration that went its whole way by
-/// the exact Hessian, `before`: after one that turned by that.
+/// Estimate of the error left after an iteration that turned an element by `rotation`, rad. `quadratic`: the iteration was undamped, of full
+/// length and used the exact Hessian. `before`: the rotation of the iteration before, if that was undamped and of full length.
 #[inline(always)]
 pub(super) fn left(rotation: f64, quadratic: bool, before: Option<f64>) -> f64 {
     let left = constant(rotation, before) * rotation;
@@ -122,25 +121,25 @@ pub(super) fn left(rotation: f64, quadratic: bool, before: Option<f64>) -> f64 {
 
 /// Puts the trial state `part` of the direction on from the accepted one, in the lanes of `moving`.
 #[inline(always)]
-fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
-    let share = T::from_lanes(|lane| part[lane]);
+fn place_trial_at<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
+    let fraction = T::from_lanes(|lane| part[lane]);
     let moving = T::mask(moving);
     it.trial_curvatures.clone_from(&it.curvatures);
     if T::PRECISION == Precision::F32 {
-        it.trial_rests.clone_from(&it.rests);
+        it.trial_compensation.clone_from(&it.compensation);
         for (element, row) in it.trial_curvatures.iter_mut().enumerate() {
             for axis in problem.axes {
-                let way = share * it.change[element][*axis] + it.rests[element][*axis];
-                let (sum, rest) = row[*axis].sum_and_rest(way);
+                let change = fraction * it.change[element][*axis] + it.compensation[element][*axis];
+                let (sum, rest) = row[*axis].two_sum(change);
                 row[*axis] = T::select(moving, sum, row[*axis]);
-                it.trial_rests[element][*axis] = T::select(moving, rest, it.rests[element][*axis]);
+                it.trial_compensation[element][*axis] = T::select(moving, rest, it.compensation[element][*axis]);
             }
         }
         return place_trial(problem, it);
     }
     for (row, change) in it.trial_curvatures.iter_mut().zip(&it.change) {
         for axis in 0..3 {
-            row[axis] = T::select(moving, row[axis] + share * change[axis], row[axis]);
+            row[axis] = T::select(moving, row[axis] + fraction * change[axis], row[axis]);
         }
     }
     place_trial(problem, it)

@@ -1,19 +1,20 @@
-//! Newton's iteration on a strand's incremental potential: a spring at every quadrature point and at every curvature (see `energy`),
-//! nonlinear because the points are where the curvatures put them.
+//! Newton's iteration on a strand's incremental potential: springs at every quadrature point and every curvature (see `energy`),
+//! nonlinear because the curvatures determine the points.
 //!
-//! Each iteration solves with the exact Hessian, whose geometric terms are of the forces that the iteration before foresaw, not of those
-//! that it found: the springs of the points are far stiffer than the strand, so that a point that went by its tangent instead of
-//! its arc feels a force many times the true tension, and a Hessian that believes it is far too stiff. So Newton's method treats a
-//! constraint and its multiplier. The first iteration foresees nothing and has no geometric terms.
+//! Each iteration solves with the exact Hessian, whose geometric terms use lagged tension: the forces that the last iteration
+//! predicted, not the ones it found. The springs of the points are far stiffer than the strand. A point that went along its
+//! tangent instead of its arc feels a force many times the true tension, and a Hessian built from that force is far too stiff.
+//! Newton's method treats a constraint and its multiplier the same way. The first iteration predicts nothing and has no geometric
+//! terms.
 //!
-//! Where a pivot is not positive the rotations of all elements are damped (Levenberg and Marquardt's method, measured by rotation) and
-//! the system solved again: a mode of negative curvature is then held back where it is. A direction that turns an element by more than
-//! the limit is shortened, and one that turns it far beyond is damped too. The way is halved until the potential falls enough (Armijo's
-//! condition). The minimum is the step. What each of these brought is in `docs/theory/newton.md`.
+//! Where a pivot is not positive the iteration damps the rotations of all elements (the Levenberg–Marquardt method, measured by
+//! rotation) and solves the system again, which holds back a mode of negative curvature. It shortens a direction that turns an
+//! element by more than the limit, and damps one that turns it far beyond. It halves the step length until the potential falls
+//! enough (Armijo's condition). The minimum is the result of the time step. `docs/theory/newton.md` measures the effect of each.
 
 use super::StrandOutcome;
 use super::damping::Damping;
-use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_rests};
+use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_compensation};
 use super::line_search::{self, LineSearch, Merit, lanes};
 use super::options::{LinearSolver, StepOptions};
 use crate::chain::dense::{Dense, DenseMethod};
@@ -23,22 +24,23 @@ use crate::math::lane::{Lane, MAX_LANES, Precision};
 
 /// A direction that would turn an element by more than this many limits is damped, not only shortened.
 const SHORTENED_AT_MOST: f64 = 20.0;
-/// In f32 an iteration that goes its whole way undamped, turns by no more than this many [`ROUNDING`]s, and by no less than [`STALLED`] of
-/// what the last turned by, has come to where only rounding moves it.
+/// In f32 only rounding moves an iteration that is undamped and of full length, turns by no more than this many [`ROUNDING`]s,
+/// and turns by no less than [`STALLED`] of the last turn.
 const ROUNDING_AT_MOST: f64 = 16.0;
 /// See [`ROUNDING_AT_MOST`].
 const STALLED: f64 = 0.5;
-/// How far rounding alone may leave an element of a strand of N elements, rad: this times N + 8 distances from 1 to the next number.
+/// The error of an element that rounding alone may cause in a strand of N elements, rad: this times N + 8 distances from 1 to the
+/// next number.
 const ROUNDING: f64 = 2.0;
-/// Dampings tried in an iteration: 4⁴⁰ spans all of f64 that matters.
+/// Largest number of dampings in an iteration: 4⁴⁰ spans the relevant range of f64.
 pub(super) const MAX_DAMPINGS: u32 = 40;
-/// What the iteration knows of every lane; lanes are sets of bits.
+/// What the iteration tracks for every lane; lanes are sets of bits.
 struct Control {
     potential: [Merit; MAX_LANES],
     damping: [Damping; MAX_LANES],
-    /// The last iteration's rotation, if Newton went its whole way undamped.
+    /// The last iteration's rotation, if it was undamped and of full length.
     before: [Option<f64>; MAX_LANES],
-    /// The fraction of the direction that was gone.
+    /// The fraction of the direction that was taken.
     gone: [f64; MAX_LANES],
 }
 
@@ -55,7 +57,7 @@ pub fn minimise_one<T: Lane>(
     outcomes[0]
 }
 
-/// The dense solve of that name.
+/// The dense solve of this name.
 pub fn dense_solver(solver: LinearSolver) -> Option<Dense> {
     match solver {
         LinearSolver::LinearTime => None,
@@ -65,9 +67,9 @@ pub fn dense_solver(solver: LinearSolver) -> Option<Dense> {
     }
 }
 
-/// Minimises the potentials that `point_target`, `curvature_target` and the stiffnesses of the system describe, those of the lanes in
-/// `active`, from `curvatures` (placed, `start` the potentials and their rounding), which end at the minima; `kinematics` and the system's
-/// forces end there too. No lane's result depends on the others.
+/// Minimises the potentials given by `point_target`, `curvature_target` and the system's stiffnesses, for the lanes in `active`.
+/// Starts at `curvatures` (already evaluated; `start` is the potentials and their rounding errors) and ends with the minima
+/// there, and with `kinematics` and the system's forces at the minima. Lanes do not affect each other.
 #[inline(always)]
 pub fn minimise<T: Lane, S: LinearSolve<T>>(
     problem: &Problem<T>,
@@ -80,7 +82,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
 ) {
     it.system.exact = options.exact_hessian && problem.tension_at_start;
     it.system.point_tension.clear();
-    place_rests(it);
+    place_compensation(it);
     let (value, noise) = start;
     let usual = usual_damping(it);
     let mut control = Control {
@@ -120,12 +122,12 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             outcome.residual = rotation;
             rotations[lane] = rotation;
             part[lane] = line_search::first_fraction(rotation, S::ROTATION_LIMIT);
-            // So near the end an f32's potential says nothing but rounding, and the whole way is the right one.
+            // This near the minimum an f32 potential shows only rounding, and the full step is right.
             if T::PRECISION == Precision::F32 && rotation <= ROUNDING_AT_MOST * rounding && found.repaired.lane(lane) == 0.0 {
                 trusted |= 1 << lane;
             }
         }
-        // Lanes with no way down that rounding lets us see are as good as their potential can tell.
+        // Lanes without a descent that rounding lets us see are as good as their potential can show.
         let from = control.potential;
         let potential = |_: &Iterate<T>, _: usize, potential: Merit| potential;
         let search = LineSearch { problem, descent: found.descent, from: &from, trusted };
@@ -136,8 +138,8 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         }
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
-        std::mem::swap(&mut it.rests, &mut it.trial_rests);
-        place_rests(it);
+        std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
+        place_compensation(it);
         let mut to_check = 0;
         for lane in lanes(running) {
             let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
@@ -187,7 +189,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     forces(it);
 }
 
-/// Newton's direction; the linear-time solve damps it until every pivot is positive and no element turns far beyond the limit.
+/// Newton's direction. The linear-time solve damps it until every pivot is positive and no element turns far beyond the limit.
 #[inline(always)]
 fn damped_direction<T: Lane, S: LinearSolve<T>>(
     it: &mut Iterate<T>,
@@ -204,13 +206,13 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
     loop {
         it.system.rotation_stiffness = T::from_lanes(|lane| control.damping[lane].value);
         let found = solver.solve(&it.kinematics, &it.system, axes, &mut it.change);
-        // The dense solves repair by eigenvalues and know no damping. A lane that is good keeps its damping, and gets the same direction
+        // The dense solves repair by eigenvalues and know no damping. A good lane keeps its damping, and gets the same direction
         // again.
         let mut good = true;
         if S::DAMPED && tries < MAX_DAMPINGS {
             for lane in lanes(running) {
                 let squared = found.rotation_squared.lane(lane);
-                // Too large for a number is too large.
+                // An overflow counts as too large.
                 if found.repaired.lane(lane) != 0.0 || squared > largest || !squared.is_finite() {
                     control.damping[lane].grow();
                     good = false;

@@ -1,4 +1,4 @@
-//! The bulk fit and splines through the C ABI: the numbers of the Rust functions, whoever works.
+//! The bulk fit and splines through the C ABI: the numbers of the Rust functions, for any workers.
 #![allow(unsafe_code)] // calls of the C ABI
 
 use std::ffi::c_void;
@@ -7,19 +7,19 @@ use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::capi::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
-use superhelix::capi::fit_curves::{
+use superhelix::hair::{ElementLengths, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
+use superhelix::internals::capi::errors::{SHX_ERROR_INVALID_ARGUMENT, SHX_OK};
+use superhelix::internals::capi::fit_curves::{
     SHX_FIT_LENGTHS_EQUAL, shx_fit_input, shx_fit_input_init, shx_fit_options, shx_fit_options_init, shx_fit_strands,
     shx_fitted_strand, shx_strand_def_set_fit,
 };
-use superhelix::capi::parallel::shx_range_fn;
-use superhelix::capi::spline::{
+use superhelix::internals::capi::parallel::shx_range_fn;
+use superhelix::internals::capi::spline::{
     SHX_SPLINE_BSPLINE, SHX_SPLINE_CATMULL_ROM, SHX_SPLINE_ENDS_PINNED, shx_spline_def, shx_spline_def_init, shx_spline_points,
 };
-use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, shx_input, shx_output};
-use superhelix::groom::fit::{ElementLengths, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
-use superhelix::groom::spline::{Spline, SplineEnds, SplineKind};
+use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, SHX_FORMAT_F64X4, shx_input, shx_output};
+use superhelix::splines::{Spline, SplineEnds, SplineKind};
 
 const ELEMENTS: usize = 4;
 
@@ -157,7 +157,7 @@ fn strands_are_those_of_the_rust_functions_whoever_fits_them() {
 }
 
 #[test]
-fn what_curves_may_have_beside_their_points_arrives() {
+fn optional_data_of_curves_is_read() {
     let (points, counts) = groom();
     let (points, counts) = (&points[..7], &counts[..2]);
     let narrow: Vec<[f32; 3]> = points.iter().map(|point| point.map(|number| number as f32)).collect();
@@ -223,7 +223,7 @@ fn what_curves_may_have_beside_their_points_arrives() {
 }
 
 #[test]
-fn spline_points_are_asked_for_and_written() {
+fn spline_points_are_counted_and_written() {
     let controls = [[0.0, 0.0, 0.0], [0.1, 0.0, 0.0], [0.1, 0.1, 0.0], [0.0, 0.1, 0.1], [0.0, 0.0, 0.2]];
     let mut count = 0;
     let mut points = [[0.0; 3]; 17];

@@ -1,20 +1,18 @@
-//! Groom files, caches and kinds of hair through the C ABI: what comes out is what the library gives in Rust.
+//! Groom files, caches and hair types through the C ABI: the results equal those of the library in Rust.
 #![allow(unsafe_code)] // calls through the C ABI
 
 use std::ffi::CString;
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
-use superhelix::capi::curve_cache::*;
-use superhelix::capi::curve_data::*;
-use superhelix::capi::curves::*;
-use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::hair_type::*;
-use superhelix::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_input, shx_output};
-use superhelix::files::curves::{Curves, Extras, UpAxis};
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
-use superhelix::groom::hair_type::HairType;
-use superhelix::groom::variation::Variation;
+use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation};
+use superhelix::internals::capi::curve_cache::*;
+use superhelix::internals::capi::curve_data::*;
+use superhelix::internals::capi::curves::*;
+use superhelix::internals::capi::errors::SHX_OK;
+use superhelix::internals::capi::hair_type::*;
+use superhelix::internals::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_input, shx_output};
+use superhelix::io::{Curves, Extras, UpAxis};
 
 fn made<T>(fill: impl FnOnce(*mut T) -> i32) -> T {
     let mut made = MaybeUninit::uninit();
@@ -67,7 +65,7 @@ fn numbers(curves: *const shx_curves, what: u32) -> Vec<f32> {
 }
 
 #[test]
-fn what_is_saved_is_read_with_all_that_goes_along() {
+fn saved_curves_are_read_with_all_their_data() {
     let data = data();
     let (rust, text) = path("groom.usda");
     // SAFETY: all that is pointed to is there; handles are freed once.
@@ -149,7 +147,7 @@ fn a_cache_is_written_and_read_frame_by_frame() {
         let given_up = made(|writer| shx_curve_cache_writer_create(path("none.usda").1.as_ptr(), &raw const data, 24.0, writer));
         shx_curve_cache_writer_abandon(given_up);
     }
-    let cache = superhelix::files::curve_cache::CurveCache::read(&rust).unwrap();
+    let cache = superhelix::io::CurveCache::read(&rust).unwrap();
     assert_eq!(cache.frame(1).unwrap().points(), at(0.5));
     std::fs::remove_file(rust).unwrap();
     assert!(!path("none.usda").0.exists());
@@ -202,7 +200,7 @@ fn strands_of_a_kind_are_those_of_the_library() {
 
 /// A Bézier curve along the x axis from 0 to 3, its control points evenly spaced: four chords, arclengths 0 to 3.
 #[test]
-fn arclengths_of_splines_are_told() {
+fn arclengths_of_splines_are_read() {
     let (rust, text) = path("line.usda");
     let line = "#usda 1.0\ndef BasisCurves \"l\" {\nuniform token basis = \"bezier\"\nint[] curveVertexCounts = [4]\n\
         point3f[] points = [(0,0,0),(1,0,0),(2,0,0),(3,0,0)]\n}\n";

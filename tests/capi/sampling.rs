@@ -1,19 +1,19 @@
-//! Rule 9 of the C ABI: bulk calls into the caller's memory with strides and formats; and that what comes out agrees between formats,
+//! Rule 9 of the C ABI: bulk calls into the caller's memory with strides and formats; and agreement of the outputs between formats,
 //! between bulk and single calls, and between a snapshot and its restore.
 #![allow(unsafe_code)] // calls of the C ABI
 
 use std::ptr::{null, null_mut};
 
-use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::guard::shx_solver;
-use superhelix::capi::roots::*;
-use superhelix::capi::sampling::*;
-use superhelix::capi::solver::*;
-use superhelix::capi::state::*;
-use superhelix::capi::step::shx_solver_step;
-use superhelix::capi::strand_def::*;
-use superhelix::capi::strands::*;
-use superhelix::capi::types::*;
+use superhelix::internals::capi::errors::SHX_OK;
+use superhelix::internals::capi::guard::shx_solver;
+use superhelix::internals::capi::roots::*;
+use superhelix::internals::capi::sampling::*;
+use superhelix::internals::capi::solver::*;
+use superhelix::internals::capi::state::*;
+use superhelix::internals::capi::step::shx_solver_step;
+use superhelix::internals::capi::strand_def::*;
+use superhelix::internals::capi::strands::*;
+use superhelix::internals::capi::types::*;
 
 const STRANDS: usize = 3;
 const POINTS: usize = 5;

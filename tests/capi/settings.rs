@@ -4,17 +4,15 @@
 use std::mem::{MaybeUninit, size_of};
 use std::ptr::null_mut;
 
-use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::settings::*;
-use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::capi::solver_def::{shx_solver_def, shx_solver_def_init};
-use superhelix::capi::step::shx_solver_step;
-use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::capi::strands::shx_solver_add_strands;
-use superhelix::capi::types::shx_strand_id;
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::{HairShape, Settings};
-use superhelix::study::suggestion::{Scenes, suggest_settings};
+use superhelix::internals::capi::errors::SHX_OK;
+use superhelix::internals::capi::settings::*;
+use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::solver_def::{shx_solver_def, shx_solver_def_init};
+use superhelix::internals::capi::step::shx_solver_step;
+use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::strands::shx_solver_add_strands;
+use superhelix::internals::capi::types::shx_strand_id;
+use superhelix::settings::{HairShape, Preset, Scenes, Settings, suggest_settings};
 
 fn new_settings() -> shx_settings {
     let mut settings = MaybeUninit::uninit();
@@ -35,7 +33,7 @@ fn assert_same(c: &shx_settings, rust: &Settings) {
 }
 
 #[test]
-fn a_host_gets_what_the_library_says() {
+fn a_host_gets_the_librarys_results() {
     let presets = [SHX_PRESET_PREVIEW, SHX_PRESET_BALANCED, SHX_PRESET_ACCURATE];
     for (number, preset) in presets.into_iter().zip(Preset::ALL) {
         // The last curl is tighter than all that were measured.
@@ -60,7 +58,7 @@ fn a_solver_takes_them() {
     let mut settings = new_settings();
     let (mut solver_def, mut strand_def) = (MaybeUninit::<shx_solver_def>::uninit(), MaybeUninit::<shx_strand_def>::uninit());
     let (mut solver, mut id) = (null_mut(), shx_strand_id { bits: 0 });
-    // SAFETY: all pointers are to memory of the right size.
+    // SAFETY: all pointers refer to memory of the right size.
     unsafe {
         assert_eq!(shx_settings_from_preset(SHX_PRESET_PREVIEW, 0.0, 0.2, 1.0 / 30.0, &raw mut settings), SHX_OK);
         assert_eq!(shx_solver_def_init(solver_def.as_mut_ptr(), size_of::<shx_solver_def>()), SHX_OK);

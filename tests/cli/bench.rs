@@ -1,8 +1,8 @@
-//! `superhelix bench`: the shape of the card. What it measures is not looked at, but for what must hold on any machine.
+//! `superhelix bench`: the format of the card. Only values that hold on any machine are checked.
 
 use crate::support::{errors, superhelix};
 use serde_json::Value;
-use superhelix::math::lanes::InstructionSet;
+use superhelix::InstructionSet;
 
 #[test]
 fn the_card_has_a_row_for_every_kind() {

@@ -2,8 +2,7 @@
 
 use crate::support::{data, difference, directory, errors, numbers, superhelix};
 use serde_json::Value;
-use superhelix::files::curves::{Curves, Extras, UpAxis};
-use superhelix::files::obj;
+use superhelix::io::{Curves, Extras, UpAxis, obj};
 
 #[test]
 fn fit_says_how_close_strands_come() {
@@ -31,8 +30,7 @@ fn fit_says_how_close_strands_come() {
 
 #[test]
 fn fitted_strands_are_wisps_unless_they_are_to_be_bare() {
-    use superhelix::groom::wisp::Wisp;
-    use superhelix::rod::material::Material;
+    use superhelix::{Material, Wisp};
     let place = directory("fit_wisps");
     let scene = place.join("scene.json").display().to_string();
     let groom = data("sintel_hair_001.tfx");
@@ -221,7 +219,7 @@ fn a_groom_curls_by_the_sliders() {
 }
 
 #[test]
-fn fit_leaves_out_what_has_no_shape_and_refuses_what_it_cannot_do() {
+fn fit_skips_curves_without_shape_and_refuses_impossible_requests() {
     let place = directory("fit_refuses");
     let path = place.join("groom.obj");
     let good: Vec<[f32; 3]> = (0..6).map(|k| [0.01 * k as f32, 0.002 * (k * k) as f32, 0.0]).collect();

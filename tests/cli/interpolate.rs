@@ -2,8 +2,7 @@
 
 use crate::support::{data, directory, errors, superhelix};
 use serde_json::Value;
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::Curves;
+use superhelix::io::{CurveCache, Curves};
 
 fn answer(arguments: &[&str]) -> Value {
     let output = superhelix(arguments);
@@ -54,7 +53,7 @@ fn a_groom_is_filled_up_on_its_head() {
     assert_eq!(said["kept_out_of_body"].as_bool(), Some(true));
     let grids = std::fs::read_dir(&place).expect("a directory").map(|entry| entry.expect("an entry").path());
     let grid = grids.into_iter().find(|path| path.extension().is_some_and(|extension| extension == "shxgrid"));
-    let grid = superhelix::files::distance_grid::read(grid.expect("a grid")).expect("a grid");
+    let grid = superhelix::io::distance_grid::read(grid.expect("a grid")).expect("a grid");
     let inside = |curves: &Curves| {
         let depths = curves.strands().flat_map(|strand| &strand[1..]).map(|point| {
             grid.closest(nalgebra::Vector3::from(point.map(f64::from)) * 0.01).map_or(0.0, |surface| -surface.distance)
@@ -158,7 +157,7 @@ fn frames_come_with_velocities() {
     // Along x as t^2, ten frames a second: the parabola through three frames is the motion itself.
     write_guides(&cache, 4, &|frame, [x, y, z]| [x + 100.0 * (0.1 * f64::from(frame)).powi(2), y, z]);
     let cache = cache.display().to_string();
-    // Mixing alone: what puts points anew on their way rounds once more.
+    // Mixing alone: restoring the points' spacing would round once more.
     let plain = ["--curliness", "0", "--free-length", "--length-variation", "0", "--flyaways", "0"];
     let said = answer(
         &[&["interpolate", &cache, "--fps", "10", "--count", "40", "--points", "8", "--out", &out, "--json"][..], &plain]
@@ -450,7 +449,7 @@ fn texture_coordinates_place_follicles_and_pictures_say_how_densely() {
 }
 
 #[test]
-fn what_is_wrong_is_said() {
+fn errors_are_reported() {
     let place = directory("interpolate_errors");
     let out = place.join("out.hair").display().to_string();
     let (groom, bust) = (data("sintel_hair_001.tfx"), data("sintel_bust.obj"));

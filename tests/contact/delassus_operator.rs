@@ -1,15 +1,15 @@
-//! What a strand answers to forces at its stations, against dense matrices and differences of positions.
+//! A strand's response to forces at material points, against dense matrices and differences of positions.
 
 use nalgebra::{DMatrix, DVector};
-use superhelix::chain::delassus::Delassus;
-use superhelix::chain::dense;
-use superhelix::chain::elimination::Elimination;
-use superhelix::chain::load::{Load, Station};
-use superhelix::chain::response::ResponseScratch;
-use superhelix::chain::system::ChainSystem;
-use superhelix::math::quadrature::Rule;
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::Kinematics;
+use superhelix::internals::chain::delassus::Delassus;
+use superhelix::internals::chain::dense;
+use superhelix::internals::chain::elimination::Elimination;
+use superhelix::internals::chain::load::{Load, Station};
+use superhelix::internals::chain::response::ResponseScratch;
+use superhelix::internals::chain::system::ChainSystem;
+use superhelix::internals::math::quadrature::Rule;
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::Kinematics;
 
 /// Numbers in (−1, 1).
 struct Pseudo(u64);
@@ -116,7 +116,7 @@ fn the_operator_and_the_direction_are_those_of_the_dense_matrices() {
                 }
             }
         }
-        // Every second case has springs at some of its stations, JᵀKJ.
+        // Every second case has springs at some of its material points, JᵀKJ.
         let springs_at: Vec<Option<Mat3<f64>>> = (0..case.stations.len())
             .map(|k| {
                 let (a, b) = (pseudo.vector(), pseudo.vector().scale(0.5));

@@ -1,21 +1,17 @@
-//! Grooms as they are drawn are at rest with contact and constraints as well: rest shapes carry all weight, so that pins, rings and touches carry
+//! Drawn grooms are at rest with contact and constraints as well: rest shapes carry all weight, so that pins, rings and contacts carry
 //! none, and what was drawn into something is allowed to be there (`Solver::allow_overlaps`).
 
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::allowance::Allowance;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
-use superhelix::contact::shape::{DistanceGrid, Shape, Sides};
-use superhelix::error::Error;
-use superhelix::files::{curves::Curves, obj_mesh};
-use superhelix::groom::fit::{FitOptions, fit_polyline};
-use superhelix::math::frame::Frame;
-use superhelix::solver::constraints::{ConstraintDef, ConstraintStatus, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::{Sample, Solver, Stiffening};
+use superhelix::editing::{Allowance, Stiffening};
+use superhelix::hair::{FitOptions, fit_polyline};
+use superhelix::io::{Curves, obj_mesh};
+use superhelix::shapes::{DistanceGrid, Sides};
+use superhelix::{
+    BodyDef, ConstraintDef, ConstraintStatus, ContactModel, ContactOptions, Error, Frame, Friction, Hold, Sample, Shape, Solver,
+    SolverOptions, StrandContact, StrandDef, StrandId, Workers,
+};
 
 const MODELS: [ContactModel; 3] = [ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Coulomb];
 /// What issue and theory ask: rounding alone moves a groom at rest.
@@ -50,7 +46,7 @@ fn points(solver: &Solver, ids: &[StrandId]) -> Vec<Vector3<f64>> {
     out
 }
 
-/// The furthest that any point goes in so many seconds, over its strand's length; and the largest force of a touch against the lightest strand's weight.
+/// The largest displacement of any point in some seconds, relative to its strand's length; and the largest contact force relative to the lightest strand's weight.
 fn moves(solver: &mut Solver, ids: &[StrandId], seconds: f64) -> (f64, f64) {
     let before = points(solver, ids);
     let lengths: Vec<f64> = ids.iter().map(|id| solver.element_lengths(*id).unwrap().iter().sum()).collect();
@@ -205,7 +201,7 @@ fn strands_drawn_into_each_other_and_into_bodies_lie_still_where_it_is_allowed()
         assert_eq!(solver.state_hash(), hash);
         solver.step(1.0 / 60.0, 3).unwrap();
         assert_eq!(solver.state_hash(), after);
-        // What is allowed can be taken away, and is missed then.
+        // Permitted overlaps can be removed, and then contact acts.
         solver.set_allowances(&ids, &vec![None; ids.len()]).unwrap();
         assert!(moves(&mut solver, &ids, 0.5).0 > 1e-3, "{model:?}");
     }
@@ -309,7 +305,7 @@ fn a_real_groom_drawn_into_itself_and_into_a_head_lies_still() {
         // A quarter of the strands or more are in others, some in the bust.
         let (mut solver, ids) = sintel(model, &bust, every, 2e-3);
         let drawn = solver.allow_overlaps(&ids).unwrap();
-        let deep = |of: fn(&superhelix::solver::Overlap) -> f64| {
+        let deep = |of: fn(&superhelix::editing::Overlap) -> f64| {
             let all: Vec<f64> = drawn.iter().map(of).filter(|depth| *depth > 0.0).collect();
             (all.len(), all.into_iter().fold(0.0, f64::max))
         };

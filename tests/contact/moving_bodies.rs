@@ -1,11 +1,10 @@
-//! Bodies on their way.
+//! Bodies in motion.
 
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::{Body, BodyDef};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
+use superhelix::internals::contact::body::Body;
+use superhelix::{BodyDef, Frame, Shape};
 
 fn sphere() -> BodyDef {
     BodyDef::new(Arc::new(Shape::new_sphere(0.1).unwrap()))
@@ -22,7 +21,7 @@ fn a_body_arrives_where_it_was_sent_and_rests() {
         body.begin(0.01);
         let at = body.at(0, 0.01);
         assert_eq!(at.start, place);
-        // Its box holds the sphere wherever it is.
+        // Its box contains the sphere throughout the motion.
         for u in [0.0, 0.3, 0.7, 1.0] {
             let centre = at.start.origin.lerp(&at.end.origin, u);
             assert!(at.bounds.holds(&(centre + Vector3::x() * 0.1)) && at.bounds.holds(&(centre - Vector3::z() * 0.1)));
@@ -66,7 +65,7 @@ fn moves_follow_each_other_smoothly() {
 
 #[test]
 fn bad_bodies_are_refused_by_name() {
-    let says = |result: superhelix::error::Result<()>, text: &str| {
+    let says = |result: superhelix::Result<()>, text: &str| {
         let error = result.unwrap_err().to_string();
         assert!(error.starts_with(text), "{error}");
     };

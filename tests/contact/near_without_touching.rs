@@ -1,22 +1,16 @@
-//! Near something is not touching: a strand beside a body, or beside others, that nothing presses moves as it would alone.
+//! Nearness is not contact: a strand beside a body, or beside others, without pressure moves as it would alone.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::Integrator;
+use superhelix::{BodyDef, ContactModel, Frame, Integrator, Shape, Solver, SolverOptions, StrandContact, StrandDef};
 
 const LENGTH: f64 = 0.15;
 /// How far the swinging strands' centrelines are from a wall, and from each other, m: touches are looked for within a millimetre.
 const NEAR: f64 = 5e-4;
 
-/// What strands swing beside.
+/// The obstacle beside the swinging strands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Beside {
     Nothing,

@@ -1,18 +1,14 @@
-//! Snapshots of scenes in which strands touch and are held: a run goes on bit for bit from the middle of one, identifiers stay what they
+//! Snapshots of scenes with contacts and constraints: a run continues bit for bit from the middle of one, identifiers stay what they
 //! were, and damaged images are refused.
 
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, Friction, StrandContact};
-use superhelix::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
-use superhelix::error::Error;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::{BodyId, ConstraintId, StrandId};
+use superhelix::shapes::{DistanceGrid, Mesh, Sides};
+use superhelix::{
+    BodyDef, BodyId, ConstraintDef, ConstraintId, ContactModel, Error, Frame, Friction, Hold, Shape, Solver, SolverOptions,
+    StrandContact, StrandDef, StrandId, Workers,
+};
 
 const STEP: f64 = 1.0 / 60.0;
 
@@ -106,7 +102,7 @@ impl Scene {
         let sway = 0.005 * (9.0 * t).sin();
         let roots: Vec<Frame> = (0..8).map(|i| at(0.0, 0.01 * f64::from(i) + sway, 0.04)).collect();
         self.solver.set_root_frames(&self.strands, &roots, STEP).unwrap();
-        // Longer than a frame: an image is taken in the middle of the way.
+        // Longer than a frame: a snapshot is taken in the middle of the motion.
         if k.is_multiple_of(3) {
             let frame =
                 Frame { rotation: UnitQuaternion::from_scaled_axis(Vector3::new(0.0, 0.0, t)), ..at(0.04 + sway, 0.0, 0.02) };
@@ -155,11 +151,7 @@ fn a_run_goes_on_bit_for_bit_from_an_image() {
         let mut first = scene(Workers::Serial, model);
         first.hashes(0..10);
         let touching: usize = first.solver.contacts().len();
-        let partners = first
-            .solver
-            .contacts()
-            .iter()
-            .filter(|c| matches!(c.partner, superhelix::solver::bodies::ContactPartner::Strand { .. }));
+        let partners = first.solver.contacts().iter().filter(|c| matches!(c.partner, superhelix::ContactPartner::Strand { .. }));
         assert!(touching > 5 && partners.count() > 0, "{model:?}: {touching} contacts");
         let (image, hash, before) = (first.solver.snapshot(), first.solver.state_hash(), readings(&first));
         let expected = first.hashes(10..16);

@@ -1,10 +1,10 @@
-//! What came of all cases, an integrator a row; and where the papers' step fails.
+//! The results of all cases, one row per integrator; and where the linearly implicit step fails.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use superhelix::step::options::Integrator;
+use superhelix::Integrator;
 
 use crate::draw::{Case, Stratum};
 use crate::run::Outcome;

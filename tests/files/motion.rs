@@ -1,9 +1,8 @@
 //! Head motion from tables and from motion capture.
 
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::files::motion::{Motion, MotionOptions};
-use superhelix::math::frame::Frame;
+use superhelix::io::{Motion, MotionOptions};
+use superhelix::{Error, Frame};
 
 fn data(name: &str) -> String {
     format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"))
@@ -199,7 +198,7 @@ fn options_that_make_no_sense_are_refused() {
     let joint = MotionOptions { joint: Some("Head".to_owned()), metres_per_unit: None };
     assert_eq!(argument("walk_figure8_head.csv", joint), "joint");
     assert!(
-        matches!(Motion::read(data("README.md"), None), Err(Error::File { reason, .. }) if reason.contains("no known motion"))
+        matches!(Motion::read(data("README.md"), None), Err(Error::File { reason, .. }) if reason.contains("not a known motion"))
     );
     assert!(matches!(Motion::read(data("none.bvh"), None), Err(Error::File { reason, .. }) if reason.contains("cannot be read")));
 }

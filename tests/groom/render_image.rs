@@ -1,11 +1,10 @@
-//! A saved map is the map, damage is found, and a map lives on without some of its guides.
+//! A saved map is the map, damage is found, and a map works on without some of its guides.
 
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::groom::render_hair::{GuideSamples, RENDER_HAIR_VERSION, RenderHair, RenderPose, RenderSettings, Space};
-use superhelix::workers::Workers;
+use superhelix::render::{GuideSamples, RENDER_HAIR_VERSION, RenderHair, RenderPose, RenderSettings, Space};
+use superhelix::{Error, Workers};
 
 use crate::render_hair::{Taken, evaluate, roots_among, sintel, whole};
 

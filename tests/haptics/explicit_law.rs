@@ -1,11 +1,9 @@
 //! The explicit formula of Bonanni and Kmoch (2008) against itself, written out, and against the exact law.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::{ContactModel, ContactOptions};
-use superhelix::haptics::explicit_law::Resistance;
-use superhelix::haptics::{ForceLaw, HapticOptions, Mode, haptic};
-use superhelix::math::frame::Frame;
-use superhelix::solver::bodies::ContactPartner;
+use superhelix::haptic::{ForceLaw, HapticOptions, Mode, haptic};
+use superhelix::internals::haptics::explicit_law::Resistance;
+use superhelix::{ContactModel, ContactOptions, ContactPartner, Frame};
 
 use super::scene::{Numbers, Rate, Simulation, TICK, combed_hair, handed_over, motion, stroke};
 
@@ -69,7 +67,7 @@ fn what_the_hand_feels_is_the_formula_at_the_solvers_contacts() {
                 force -= (velocity - along) * beta + along * f;
                 pressing += 1;
             }
-            // (Half a step after a hand-over the force is still on its way from the one before.)
+            // (Half a step after a hand-over the force is still changing from the previous one.)
             let is_blended = mode == Mode::HandOver && state.model_age < 5.5e-3;
             if pressing > 3 && !is_blended && velocity.norm() > 0.05 {
                 let apart = (state.contact.force - force).norm() / force.norm();

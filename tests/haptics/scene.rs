@@ -1,19 +1,11 @@
-//! Hair that hangs from a row of follicles, a comb of seven teeth, and the ways to have a hand lead it.
+//! Hair that hangs from a row of follicles, a comb of seven teeth, and paths of the hand.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::haptics::{Device, HapticOptions, HapticState, Mode, Tool, haptic};
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::BodyId;
-use superhelix::solver::report::Wrench;
+use superhelix::haptic::{Device, HapticOptions, HapticState, Mode, Tool, haptic};
+use superhelix::{BodyDef, BodyId, Frame, Material, Shape, Solver, SolverOptions, StrandContact, StrandDef, Wrench};
 
 /// The device's rate, s.
 pub const TICK: f64 = 1e-3;
@@ -74,14 +66,14 @@ pub fn stroke(t: f64) -> Frame {
     Frame { origin, ..Frame::default() }
 }
 
-/// A way and its velocities, by differences.
+/// A path and its velocities, by differences.
 pub fn motion(way: impl Fn(f64) -> Frame, t: f64) -> (Frame, Vector3<f64>, Vector3<f64>) {
     let (now, before) = (way(t), way(t - TICK));
     let turn = (now.rotation * before.rotation.inverse()).scaled_axis();
     (now, (now.origin - before.origin) / TICK, turn / TICK)
 }
 
-/// What the hand felt, an update each.
+/// The forces on the hand, one per update.
 pub type Felt = Vec<(Wrench, HapticState)>;
 
 /// A hand leads the comb while the solver steps at the device's rate.

@@ -1,10 +1,8 @@
-//! The trajectories of the independent oracle (`tests/oracle/`), with the strands that they are of.
+//! The trajectories of the independent oracle (`tests/oracle/`), with their strands.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::math::frame::Frame;
-use superhelix::rod::definition::StrandDef;
-use superhelix::rod::material::Material;
+use superhelix::{Frame, Material, StrandDef};
 
 /// One trajectory.
 pub struct Case {

@@ -1,29 +1,24 @@
-//! The reference integrator meets the tolerance that it is given: against the independent oracle, in energy, at rest, with frozen freedoms.
+//! The reference integrator meets its tolerance: against the independent oracle, in energy, at rest, with frozen freedoms.
 
 use std::sync::Arc;
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactOptions, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::math::quadrature::Rules;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::rod::strand::StrandModel;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::members::One;
-use superhelix::step::options::{Integrator, StepOptions};
-use superhelix::step::scratch::Scratch;
-use superhelix::step::state::{StrandState, rotation_matrix};
-use superhelix::step::{self, Setting, Surroundings};
+use superhelix::internals::math::quadrature::Rules;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::internals::rod::strand::StrandModel;
+use superhelix::internals::step;
+use superhelix::internals::step::members::One;
+use superhelix::internals::step::scratch::Scratch;
+use superhelix::internals::step::state::{StrandState, rotation_matrix};
+use superhelix::internals::step::{Setting, Surroundings};
+use superhelix::{
+    BodyDef, ConstraintDef, ContactOptions, Frame, Freedoms, Hold, Integrator, Shape, Solver, SolverOptions, StepOptions,
+    StrandContact, StrandDef, StrandId,
+};
 
 fn options(reference_tolerance: f64) -> StepOptions {
-    // Its steps have fine rules of their own; energies are told with those of the options.
+    // Its steps have fine rules of their own; reported energies use those of the options.
     StepOptions { integrator: Integrator::Reference, reference_tolerance, quadrature_tolerance: 1e-12, ..StepOptions::default() }
 }
 
@@ -79,7 +74,7 @@ fn follow(case: &Case, tolerance: f64, h: f64) -> (Vec<Vector3<f64>>, u32) {
 #[test]
 fn it_meets_its_tolerance_on_every_reference_trajectory() {
     for case in oracle_cases::all() {
-        // What the oracle itself is good to.
+        // The accuracy of the oracle.
         let known = case.uncertainty / case.def.length();
         let mut last = f64::INFINITY;
         let tolerances: &[f64] =
@@ -252,7 +247,7 @@ fn steps_are_as_short_as_the_motion_asks() {
 
 #[test]
 fn a_root_that_starts_with_a_jerk_strikes_the_strand() {
-    // A root at rest that is told to be elsewhere leaves smoothly; one that is said to move at the start and does not is stopped at once.
+    // A resting root with a new target starts smoothly; one with an initial velocity that does not move stops at once.
     // The strand keeps its generalised momenta: the follicle alone can push.
     let mut solver =
         Solver::new(SolverOptions { step: options(1e-8), gravity: Vector3::zeros(), ..SolverOptions::default() }).unwrap();

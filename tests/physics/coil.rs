@@ -3,10 +3,9 @@
 
 use crate::rods::GRAVITY;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::{EquilibriumOptions, of_strand};
+use superhelix::editing::EquilibriumOptions;
+use superhelix::internals::step::equilibrium::of_strand;
+use superhelix::{Material, Solver, SolverOptions, StrandDef};
 
 /// A coil of radius 5 mm whose axis points down from the clamp: `coils` turns of pitch angle `alpha` from the horizontal.
 fn coil(coils: f64, alpha: f64, per_turn: usize) -> StrandDef {
@@ -93,7 +92,7 @@ fn twist_relaxes() {
         );
         assert!((1.8..2.3).contains(&order) && errors[2] < 1e-3, "{errors:?}");
     }
-    // Nothing resists: after any step, however short, it is gone.
+    // Nothing resists: it vanishes in any step, however short.
     for (h, twist) in [(1e-5, 15.0), (1e-3, 15.0), (1.0 / 60.0, 15.0), (1e-5, 60.0), (1e-3, 60.0), (1.0 / 60.0, 60.0)] {
         let mut def = StrandDef::straight(0.1, 4);
         def.root.rotation = crate::rods::down();

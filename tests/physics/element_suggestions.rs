@@ -3,13 +3,9 @@
 
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::rod::turning::LARGEST_TURN;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::equilibrium::EquilibriumOptions;
-use superhelix::study::elements::{Demand, RootMotion, Suggestion, suggest_elements};
+use superhelix::editing::{EquilibriumOptions, LARGEST_TURN};
+use superhelix::settings::{Demand, RootMotion, Suggestion, suggest_elements};
+use superhelix::{Frame, Solver, SolverOptions, StrandDef, StrandId};
 
 /// Asks for a tolerance in lengths of the strand.
 fn ask(def: &StrandDef, tolerance: f64) -> Suggestion {
@@ -136,7 +132,7 @@ fn a_motion_asks_for_its_own() {
     let found = suggest_elements(&def(1), &demand).unwrap();
     let resting = suggest_elements(&def(1), &Demand { motion: None, ..demand.clone() }).unwrap();
     assert!(found.met && found.elements > resting.elements, "{found:?} {resting:?}");
-    // Against forty elements, stepped the same way.
+    // Against forty elements with the same steps.
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let mut strands = [def(found.elements), def(40)];
     strands.iter_mut().for_each(|strand| strand.root = frames[0]);

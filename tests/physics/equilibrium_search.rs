@@ -1,9 +1,10 @@
-//! The search for equilibria over the whole space of strands: it converges, says so, and where it does the strand rests.
+//! The search for equilibria over the whole space of strands: it converges and reports so, and the strand then rests.
 
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::step::equilibrium::{EquilibriumOptions, of_strand, smallest_eigenvalue};
+use superhelix::Freedoms;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::internals::step::equilibrium::{of_strand, smallest_eigenvalue};
 
 /// A small generator of numbers in 0..1, the same on every machine.
 struct Draw(u64);

@@ -7,17 +7,14 @@ use crate::rods::modes::{matrices, modes};
 use crate::rods::*;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::chain::dense;
-use superhelix::chain::system::ChainSystem;
-use superhelix::math::quadrature::Rules;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::{Equilibrium, EquilibriumOptions, of_strand, smallest_eigenvalue};
-use superhelix::step::options::StepOptions;
-use superhelix::step::state::rotation_matrix;
+use superhelix::editing::{Equilibrium, EquilibriumOptions};
+use superhelix::internals::chain::dense;
+use superhelix::internals::chain::system::ChainSystem;
+use superhelix::internals::math::quadrature::Rules;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::internals::step::equilibrium::{of_strand, smallest_eigenvalue};
+use superhelix::internals::step::state::rotation_matrix;
+use superhelix::{Freedoms, Material, Solver, SolverOptions, StepOptions, StrandDef};
 
 /// The tip at rest, in L, and how it was found. Answers that are exact for N elements are met to 1e-9: integrals are better than that.
 fn settled(def: &StrandDef) -> (Vector3<f64>, Equilibrium) {
@@ -248,7 +245,7 @@ fn hair(row: &Value, count: usize) -> StrandDef {
     def
 }
 
-/// Paper 000, appendix B: measured hair, elliptic and naturally twisted, at rest; and the slowest vibrations about it.
+/// Bertails et al. 2006, appendix B: measured hair, elliptic and naturally twisted, at rest; and the slowest vibrations about it.
 #[test]
 fn hair_of_the_papers_appendix() {
     for row in rows(&reference()["hairs"]) {
@@ -274,7 +271,7 @@ fn hair_of_the_papers_appendix() {
     }
 }
 
-/// Where the tip goes at the first touch of gravity: d(tip)/dΓ at Γ = 0, in the tip's share of the reference's.
+/// The tip's initial response to gravity: d(tip)/dΓ at Γ = 0, relative to the reference's.
 #[test]
 fn linear_response() {
     let gamma = 1e-5;
@@ -414,7 +411,7 @@ fn natural_frequencies() {
 }
 
 #[test]
-fn settling_says_what_is_wrong_and_changes_nothing() {
+fn settling_names_errors_and_changes_nothing() {
     let mut solver = Solver::new(SolverOptions::default()).unwrap();
     let ids = solver.add_strands(&[upright(5, 20.0), upright(5, 5.0)]).unwrap();
     let before = solver.state_hash();

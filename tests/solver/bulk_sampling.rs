@@ -1,22 +1,17 @@
-//! Strands sampled in bulk, side by side and in f32, against the walk along each of them in f64; and the same bits whoever samples.
+//! Strands sampled in bulk, side by side and in f32, against a pass along each of them in f64; and the same bits for any number of threads.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::rod::material::Material;
-use superhelix::rod::uniform_points::Real;
-use superhelix::solver::definition::{ParallelFor, SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::{Sample, SampleSink, Solver, Tile, Wanted};
-use superhelix::step::equilibrium::EquilibriumOptions;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::reading::{Real, SampleSink, Tile, Wanted};
+use superhelix::{Frame, InstructionSet, Material, ParallelFor, Sample, Solver, SolverOptions, StrandDef, StrandId, Workers};
 
 /// Position, quaternion x, y, z, w, velocity.
 type Numbers = [f64; 10];
 
-/// What came for every point; a point that comes twice is an error.
+/// The samples of every point; a point that comes twice is an error.
 struct Collected {
     points: usize,
     numbers: Mutex<Vec<Option<Numbers>>>,
@@ -91,7 +86,7 @@ fn errors<T: Real>(points: usize, rounding: f64) -> [f64; 3] {
         let on_border = point > 0 && point < points - 1 && (point * lengths.len()).is_multiple_of(points - 1);
         let expected = sample.position - origin;
         for axis in 0..3 {
-            // What is given out is rounded to the number type: half a unit in the last place is not the sampling's.
+            // Output is rounded to the number type: half a unit in the last place is not the sampling's.
             let off = (here[axis] - expected[axis]).abs() - rounding * expected[axis].abs();
             worst[0] = worst[0].max(off / length);
             let off = (here[7 + axis] - sample.velocity[axis]).abs() / fastest;
@@ -184,7 +179,7 @@ fn a_hosts_tasks_sample_and_settle_to_the_same_bits() {
 }
 
 #[test]
-fn what_is_wrong_is_said_before_anything_is_sampled() {
+fn errors_are_reported_before_anything_is_sampled() {
     let (mut solver, ids) = head(Workers::Serial, None);
     solver.remove_strands(&ids[3..4]).unwrap();
     let wanted = Wanted { points_per_strand: 4, origin: Vector3::zeros(), positions: true, rotations: false, velocities: false };

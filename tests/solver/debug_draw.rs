@@ -4,15 +4,10 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::debug_draw::{DEBUG_BATCH, DebugCanvas, DebugDraw, DebugLayer, DebugVertex};
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
+use superhelix::reading::{DEBUG_BATCH, DebugCanvas, DebugDraw, DebugLayer, DebugVertex};
+use superhelix::{
+    BodyDef, ConstraintDef, Frame, Hold, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId, Workers,
+};
 
 #[derive(Default, PartialEq, Debug)]
 struct Drawn {

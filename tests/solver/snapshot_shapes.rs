@@ -1,16 +1,12 @@
-//! Snapshots that refer to shapes: they go on to the same bits, in the same solver and in another that was given the shapes; what is missing or
+//! Snapshots that refer to shapes: they continue with the same bits, in the same solver and in another that has the shapes; what is missing or
 //! damaged is named; sizes are known before anything is written.
 
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::{DistanceGrid, Shape, Sides};
-use superhelix::error::Error;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::BodyId;
-use superhelix::solver::{Restoring, SnapshotShapes, Solver};
+use superhelix::reading::{Restoring, SnapshotShapes};
+use superhelix::shapes::{DistanceGrid, Sides};
+use superhelix::{BodyDef, BodyId, Error, Shape, Solver, SolverOptions, StrandContact, StrandDef};
 
 const CORNERS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.05]];
 const TRIANGLES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
@@ -49,7 +45,7 @@ fn snapshots_that_refer_to_shapes_go_on_to_the_same_bits() {
     let (mut solver, _) = scene();
     let (whole, small) = (solver.snapshot(), solver.snapshot_with(SnapshotShapes::Referenced).unwrap());
     let shapes = solver.snapshot_shapes().unwrap();
-    // What was left out is in the shapes: a grid once, a mesh and a hull.
+    // The omitted parts are in the shapes: a grid once, a mesh and a hull.
     assert!(small.len() + shapes.len() < whole.len() + 200 && small.len() < whole.len() / 10, "{} {}", small.len(), whole.len());
     let hash = solver.state_hash();
     run(&mut solver, 5);

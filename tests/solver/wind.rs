@@ -5,16 +5,10 @@ use std::f64::consts::PI;
 use std::sync::{Arc, Mutex};
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::math::lane::Precision;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::report::StrandStatus;
-use superhelix::solver::{Solver, WIND_BATCH, WindField};
-use superhelix::step::options::Integrator;
+use superhelix::{
+    BodyDef, Frame, Integrator, Precision, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId, StrandStatus,
+    WIND_BATCH, WindField, Workers,
+};
 
 const WIND: Vector3<f64> = Vector3::new(1.5, -0.7, 0.2);
 

@@ -1,18 +1,15 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::math::rotation::from_rotation_vector;
-use superhelix::solver::Solver;
+use superhelix::internals::math::rotation::from_rotation_vector;
+use superhelix::{BodyDef, Frame, Shape, Solver};
 
 use crate::scene::{STEP, apart, points, row};
 
 const WAVY: [[f64; 3]; 10] = [[3.0, 25.0, 5.0]; 10];
 const LENGTH: f64 = 0.12;
 
-/// Dragged into a style and frozen, hair stays as it is while its roots stand, to the bit; and goes along with them, to rounding.
+/// Dragged into a style and frozen, hair stays the same to the bit while its roots rest; and moves with them, to rounding.
 #[test]
 fn a_frozen_groom_keeps_its_shape() {
     let (mut solver, ids) = row(6, LENGTH, &WAVY);
@@ -46,7 +43,7 @@ fn a_frozen_groom_keeps_its_shape() {
         let carried: Vec<Vector3<f64>> = before.iter().map(|point| now.origin + now.rotation * point).collect();
         assert!(apart(&points(&solver, *id, 30), &carried) < 1e-9 * LENGTH);
         let velocity = solver.status(*id).unwrap();
-        assert_eq!(velocity, superhelix::solver::report::StrandStatus::Ok);
+        assert_eq!(velocity, superhelix::StrandStatus::Ok);
     }
 }
 
@@ -80,7 +77,7 @@ fn finger(x: f64) -> BodyDef {
     BodyDef { pose, ..BodyDef::new(Arc::new(shape)) }
 }
 
-/// A finger wakes the strands that it comes to, one after the other, before it touches them, however far it goes in a step; the others sleep on.
+/// A finger wakes the strands that it approaches, one after the other, before contact, however far it moves in a step; the others stay asleep.
 #[test]
 fn touch_wakes() {
     for speed in [0.1, 0.5, 3.0] {
@@ -178,10 +175,10 @@ fn a_constraint_wakes() {
     let (mut solver, ids) = row(2, LENGTH, &WAVY);
     solver.freeze_strands(&ids).unwrap();
     let tip = points(&solver, ids[0], 2)[1];
-    let def = superhelix::solver::constraints::ConstraintDef {
+    let def = superhelix::ConstraintDef {
         strand: ids[0],
         arclength: LENGTH,
-        hold: superhelix::solver::constraints::Hold::Point,
+        hold: superhelix::Hold::Point,
         target: Frame { origin: tip, ..Frame::default() },
         compliance: 0.0,
     };

@@ -1,15 +1,11 @@
-//! Two freedoms an element (twist and the bending about the limp axis) beside three: how far tips are off. docs/theory/hair_types.md has the table:
+//! Two freedoms an element (twist and bending about the soft axis) beside three: the error of tips. docs/theory/hair_types.md has the table:
 //! `cargo test --test styling two_freedoms -- --nocapture`.
 
 use std::f64::consts::PI;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::hair_type::HairType;
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::hair::HairType;
+use superhelix::{Frame, Freedoms, Material, Solver, SolverOptions, StrandDef};
 
 use crate::scene::points;
 
@@ -88,7 +84,7 @@ fn tips_of_two_freedoms_and_of_three() {
     }
     let [straight, ..] = table;
     // In the plane of the limp axis straight hair moves alike; across it two freedoms cannot follow at once: a strand without curvature has no
-    // way to bend there but to twist first.
+    // way to bend there except to twist first.
     assert!(straight[1].0 < 0.01, "{straight:?}");
     assert!(straight[2].0 > 0.1, "{straight:?}");
 }

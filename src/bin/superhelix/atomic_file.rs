@@ -4,8 +4,8 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use superhelix::error::Error;
-use superhelix::files::part_file::PartFile;
+use superhelix::Error;
+use superhelix::internals::files::part_file::PartFile;
 
 use crate::failure::Failure;
 

@@ -1,4 +1,4 @@
-//! What acts on contact beside bodies: options, what strands are to it, and what the last substep left to begin the next with.
+//! Contact in a snapshot, beside bodies: options, contact parameters of strands, and the warm start of the next substep.
 
 use nalgebra::Matrix3;
 
@@ -14,7 +14,7 @@ use crate::solver::touching::{NearStrands, Remembered, TouchMemory, With};
 const STRAND: u32 = 1 << 31;
 
 impl Writer {
-    /// How contact is answered.
+    /// Contact options.
     pub fn contact_options(&mut self, options: &ContactOptions) {
         self.u32(options.model as u32);
         self.flag(options.hair);
@@ -32,7 +32,7 @@ impl Writer {
         self.u32(options.max_sweeps);
     }
 
-    /// What a strand is to contact.
+    /// Contact parameters of a strand.
     pub fn strand_contact(&mut self, contact: Option<&StrandContact>) {
         self.flag(contact.is_some());
         if let Some(contact) = contact {
@@ -47,7 +47,7 @@ impl Writer {
         }
     }
 
-    /// What a strand may overlap.
+    /// The permitted overlap of a strand.
     pub fn allowance(&mut self, allowance: Option<&Allowance>) {
         self.u64(allowance.map_or(0, |allowance| allowance.along.len() as u64));
         for list in allowance.iter().flat_map(|allowance| [&allowance.along, &allowance.wisp_shares, &allowance.sunk]) {
@@ -144,7 +144,7 @@ impl Writer {
 }
 
 impl Reader<'_> {
-    /// How contact is answered.
+    /// Contact options.
     pub fn contact_options(&mut self) -> Result<ContactOptions> {
         let model = self.u32()?;
         let options = ContactOptions {
@@ -163,7 +163,7 @@ impl Reader<'_> {
         Ok(options)
     }
 
-    /// What a strand is to contact.
+    /// Contact parameters of a strand.
     pub fn strand_contact(&mut self) -> Result<Option<Box<StrandContact>>> {
         if !self.flag()? {
             return Ok(None);
@@ -182,7 +182,7 @@ impl Reader<'_> {
         Ok(Some(Box::new(contact)))
     }
 
-    /// What a strand may overlap.
+    /// The permitted overlap of a strand.
     pub fn allowance(&mut self) -> Result<Option<Box<Allowance>>> {
         let count = self.count(3 * 8)?;
         if count == 0 {
@@ -199,7 +199,7 @@ impl Reader<'_> {
         Ok(Friction { along: self.f64()?, against: self.f64()? })
     }
 
-    /// What the last substep left; whether it fits the scene is looked at where it is taken up.
+    /// The warm start from the last substep; checked against the scene where it is used.
     pub fn touches(&mut self) -> Result<TouchMemory> {
         let mut memory = TouchMemory::default();
         let mut left = self.count(4 * 8)?;
@@ -236,10 +236,10 @@ impl Reader<'_> {
             });
         }
         for _ in 0..self.count(12 * 8)? {
-            let origin = self.finite_vector("where a root was")?;
+            let origin = self.finite_vector("a root's earlier position")?;
             let mut frame = Matrix3::zeros();
             for x in frame.iter_mut() {
-                *x = self.finite("how a root was turned")?;
+                *x = self.finite("a root's earlier rotation")?;
             }
             memory.roots.push((origin, frame));
         }
@@ -255,7 +255,7 @@ impl Reader<'_> {
             memory.sagittas.push(self.finite("a piece's sagitta")?);
         }
         for _ in 0..self.count(3 * 8)? {
-            memory.nodes.push(self.finite_vector("where a piece ended")?);
+            memory.nodes.push(self.finite_vector("the end of a piece")?);
         }
         for _ in 0..self.count(2 * 4)? {
             memory.candidates.push((self.u32()?, self.u32()?));

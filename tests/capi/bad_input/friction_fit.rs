@@ -1,4 +1,4 @@
-//! Bad input to the functions of friction_fit: function, argument, what is wrong with it, the code that it must give, the call.
+//! Bad input to the functions of friction_fit: function, argument, fault, expected result code, call.
 
 use super::*;
 
@@ -217,7 +217,7 @@ extern "C" fn never(
     _: *mut std::ffi::c_void,
     _: u32,
     _: u32,
-    _: superhelix::capi::parallel::shx_range_fn,
+    _: superhelix::internals::capi::parallel::shx_range_fn,
     _: *mut std::ffi::c_void,
 ) {
     unreachable!("a fit does not use it")

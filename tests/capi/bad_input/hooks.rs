@@ -3,9 +3,9 @@
 
 use std::ffi::c_void;
 
-use superhelix::capi::allocator::shx_set_allocator;
-use superhelix::capi::debug_draw::*;
-use superhelix::capi::wind::shx_solver_set_wind_field;
+use superhelix::internals::capi::allocator::shx_set_allocator;
+use superhelix::internals::capi::debug_draw::*;
+use superhelix::internals::capi::wind::shx_solver_set_wind_field;
 
 use super::*;
 

@@ -1,8 +1,8 @@
-//! Bad input to the functions of scalps: function, argument, what is wrong with it, the code that it must give, the call.
+//! Bad input to the functions of scalps: function, argument, fault, expected result code, call.
 
 use super::scene::{CORNERS, TRIANGLES, input};
 use super::*;
-use superhelix::capi::scalp::*;
+use superhelix::internals::capi::scalp::*;
 
 fn new_scalp_def() -> shx_scalp_def {
     let mut def = std::mem::MaybeUninit::uninit();

@@ -1,14 +1,8 @@
-//! A scene of everything that lanes have to cope with, and its course.
+//! A scene with everything that lanes must handle, and its course.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::math::rotation::from_rotation_vector;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::report::{Phases, StepReport};
+use superhelix::internals::math::rotation::from_rotation_vector;
+use superhelix::{Frame, Freedoms, Material, Phases, Solver, SolverOptions, StepReport, StrandDef, StrandId};
 
 /// Seconds of a step.
 pub const STEP: f64 = 1.0 / 60.0;
@@ -53,12 +47,12 @@ pub fn swayed(k: u64, step: u32) -> Frame {
     }
 }
 
-/// The frame of a root that is thrown so far that no number of its strand stays finite.
+/// The frame of a root thrown so far that its strand's numbers overflow.
 pub fn thrown() -> Frame {
     Frame { origin: Vector3::new(1e200, 0.0, 0.0), ..Frame::default() }
 }
 
-/// What a report says that does not depend on the clock.
+/// The parts of a report that do not depend on the clock.
 pub fn said(report: &StepReport) -> StepReport {
     StepReport { seconds: 0.0, phases: Phases::default(), ..*report }
 }
