@@ -36,6 +36,27 @@ pub enum DebugLayer {
 const ALL_LAYERS: u32 = 63;
 
 /// What is drawn, and how large.
+///
+/// ```
+/// use superhelix::reading::{DebugCanvas, DebugDraw, DebugLayer, DebugVertex};
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// struct Lines(usize);
+///
+/// impl DebugCanvas for Lines {
+///     fn lines(&mut self, vertices: &[DebugVertex]) {
+///         self.0 += vertices.len() / 2;
+///     }
+///     fn points(&mut self, _: &[DebugVertex]) {}
+/// }
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// solver.add_strands(&[StrandDef::straight(0.2, 5)])?;
+/// let mut lines = Lines(0);
+/// solver.debug_draw(&DebugDraw { layers: DebugLayer::Centrelines as u32, ..DebugDraw::default() }, &mut lines)?;
+/// assert_eq!(lines.0, 16);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DebugDraw {
     /// Sum of [`DebugLayer`]s; at least one.

@@ -12,7 +12,23 @@ use crate::step::state::rotation_matrix;
 /// Most points of one call of a field.
 pub const WIND_BATCH: usize = 1024;
 
-/// A field of wind. [`Solver::set_wind_field`] takes one.
+/// A field of wind. [`Solver::set_wind_field`] takes one. Functions of time and place are fields.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let mut strand = StrandDef::straight(0.2, 5);
+/// strand.material.air_drag = 2e-5;
+/// solver.add_strands(&[strand])?;
+/// let gusts = |seconds: f64, position: Vector3<f64>| Vector3::new(0.0, (8.0 * position.x + 20.0 * seconds).sin(), 0.0);
+/// solver.set_wind_field(Some(Arc::new(gusts)));
+/// solver.step(1.0 / 60.0, 2)?;
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 pub trait WindField: Send + Sync {
     /// The air's velocities (m/s, world) at positions (m, world), `seconds` after the call of [`Solver::step`] began. As many of one as of the
     /// other, at most [`WIND_BATCH`]; `velocities` come filled with zeros.
