@@ -38,7 +38,8 @@ case $profile in
     types=("cdylib,staticlib")
     ;;
 esac
-arguments=(-C "link-arg=-Wl,-soname,$soname" --print native-static-libs)
+# The C libraries alone have the allocator that a host may replace (src/capi/allocator.rs).
+arguments=(-C "link-arg=-Wl,-soname,$soname" --print native-static-libs --cfg superhelix_c_library)
 [ -z "${SHX_LINKER:-}" ] || arguments+=(-C "linker=$SHX_LINKER")
 
 mkdir -p "$build/lib" "$build/include"
@@ -67,7 +68,7 @@ for type in "${types[@]}"; do
     fi
   fi
 done
-install -m 644 include/superhelix.h "$build/include/superhelix.h"
+install -m 644 include/superhelix.h include/superhelix_inline.h "$build/include/"
 # The C++ headers, which need nothing built.
 rm -rf "$build/include/superhelix"
 (cd bindings/cpp/include && find superhelix -name '*.hpp') | while read -r header; do

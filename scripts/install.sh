@@ -36,6 +36,7 @@ real=libsuperhelix.so.$version
 # Every file that an installation may have.
 files=(
   "$includedir/superhelix.h"
+  "$includedir/superhelix_inline.h"
   "$libdir/$real" "$libdir/libsuperhelix.so.$major" "$libdir/libsuperhelix.so" "$libdir/libsuperhelix.a"
   "$libdir/superhelix/libsuperhelix.a"
   "$libdir/pkgconfig/superhelix.pc" "$libdir/pkgconfig/superhelix-library.pc"
@@ -78,6 +79,7 @@ put() { # put MODE SOURCE TARGET
   install -D -m "$1" "$2" "$destdir$3"
 }
 put 644 "$build/include/superhelix.h" "$includedir/superhelix.h"
+put 644 "$build/include/superhelix_inline.h" "$includedir/superhelix_inline.h"
 for header in "${headers[@]}"; do
   put 644 "$build/include/$header" "$includedir/$header"
 done

@@ -88,7 +88,12 @@ pub type Result<T> = std::result::Result<T, Error>;
 impl Error {
     /// An [`Error::InvalidArgument`] from anything that prints.
     pub fn invalid(argument: impl Into<String>, value: impl fmt::Display, expected: impl Into<String>) -> Self {
-        Error::InvalidArgument { argument: argument.into(), value: value.to_string(), expected: expected.into() }
+        let (value, expected) = (value.to_string(), expected.into());
+        let (short_value, short_expected) = (without_rounding(&value), without_rounding(&expected));
+        // Not where the two differ by rounding alone.
+        let hides = short_expected.contains(&short_value) && !expected.contains(&value);
+        let (value, expected) = if hides { (value, expected) } else { (short_value, short_expected) };
+        Error::InvalidArgument { argument: argument.into(), value, expected }
     }
 
     /// The same error for a field of an argument: puts `outer` before its name.
@@ -175,6 +180,31 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// A text whose decimal numbers of more than 15 digits, which are what rounding left of shorter ones, have 12.
+fn without_rounding(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(|letter: char| letter.is_ascii_digit()) {
+        let (before, number) = rest.split_at(start);
+        let end = number.find(|letter: char| !(letter.is_ascii_digit() || letter == '.')).unwrap_or(number.len());
+        let (number, after) = number.split_at(end);
+        let digits = number.trim_start_matches(['0', '.']).bytes().filter(u8::is_ascii_digit).count();
+        let is_part = before.ends_with(|letter: char| letter.is_alphanumeric() || letter == '_');
+        let short = (digits > 15 && number.contains('.') && !is_part && !after.starts_with(['e', 'E']))
+            .then(|| number.parse::<f64>().ok())
+            .flatten()
+            .and_then(|number| format!("{number:.11e}").parse::<f64>().ok());
+        out.push_str(before);
+        match short {
+            Some(short) => out.push_str(&short.to_string()),
+            None => out.push_str(number),
+        }
+        rest = after;
+    }
+    out.push_str(rest);
+    out
+}
+
 /// Checks that a number is finite; the error names the argument.
 pub(crate) fn check_finite(argument: impl FnOnce() -> String, value: f64) -> Result<()> {
     if value.is_finite() { Ok(()) } else { Err(Error::invalid(argument(), value, "a finite number")) }
@@ -191,5 +221,26 @@ pub(crate) fn check_not_negative(argument: impl FnOnce() -> String, value: f64) 
         Ok(())
     } else {
         Err(Error::invalid(argument(), value, "a finite number, zero or above"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_come_without_the_digits_of_rounding() {
+        let said = |value: f64, most: f64| Error::invalid("arclength", value, format!("0 to the length {most}")).to_string();
+        assert_eq!(said(0.30000000000000004, 0.19999999999999998), "arclength is 0.3; expected 0 to the length 0.2");
+        assert_eq!(said(-0.1, 0.25), "arclength is -0.1; expected 0 to the length 0.25");
+        // Not where that would hide what is wrong.
+        let close = said(0.20000000000000018, 0.19999999999999998);
+        assert_eq!(close, "arclength is 0.20000000000000018; expected 0 to the length 0.19999999999999998");
+        // Whole numbers and parts of names stay.
+        assert_eq!(
+            without_rounding("12345678901234567890 of v1.23456789012345678"),
+            "12345678901234567890 of v1.23456789012345678"
+        );
+        assert_eq!(without_rounding("[-99.99999999999999, 1e-7, NaN]"), "[-100, 1e-7, NaN]");
     }
 }

@@ -13,8 +13,8 @@ use superhelix::shapes::{DistanceGrid, Sides};
 use superhelix::{BodyDef, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef, UsualLimits};
 
 const FRAMES: usize = 100;
-/// The header's advice for such hair.
-const ELEMENTS: usize = 5;
+/// Three more than the header's advice for such hair.
+const ELEMENTS: usize = 8;
 /// Metres per unit of the groom and the bust.
 const SCALE: f64 = 0.01;
 

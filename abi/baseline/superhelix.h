@@ -302,6 +302,29 @@ typedef void (*shx_range_fn)(void *task, uint32_t begin, uint32_t end, uint32_t 
 typedef void (*shx_parallel_for_fn)(void *user, uint32_t count, uint32_t min_range, shx_range_fn function,
     void *task);
 
+// ---- Memory -----------------------------------------------------------------------------------------------
+
+// Your allocation: size bytes (above zero) at a multiple of alignment (a power of two), or null if there is
+// no memory. Any thread may call it at any time, threads of the library too, in any floating-point mode. It
+// must not call the library, and it must return normally: no exceptions, no longjmp.
+typedef void *(*shx_alloc_fn)(void *user, size_t size, size_t alignment);
+
+// Frees what shx_alloc_fn returned for this size and alignment. The same rules apply.
+typedef void (*shx_free_fn)(void *user, void *memory, size_t size, size_t alignment);
+
+// Makes the library take all of its memory from your functions, for the whole process and until it is
+// unloaded. Call it before every other function of the library: what was allocated before could not be freed.
+// The pointers must remain valid until the library is unloaded. Stacks of threads, and what the C library
+// allocates for itself (threads, open files), do not go through your functions.
+// If alloc returns null, a function fails with SHX_ERROR_OUT_OF_MEMORY where it lists that code, and the
+// process aborts elsewhere, as it does without your functions.
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ARGUMENT (alloc returns memory that is not aligned),
+// SHX_ERROR_OUT_OF_MEMORY (alloc returns null at once), SHX_ERROR_UNSUPPORTED (too late: the library has
+// allocated already, or it has functions by an earlier call; or it is linked into a program in Rust, which
+// has its own allocator). Nothing has changed then.
+// Threads: any, but no other call of the library may run meanwhile.
+SHX_API shx_result shx_set_allocator(shx_alloc_fn alloc, shx_free_fn free, void *user);
+
 // ---- Solver -----------------------------------------------------------------------------------------------
 
 // Linearly implicit step (Bertails et al. 2006): one linear solve per step; gravity, drag and velocity
@@ -650,8 +673,11 @@ typedef struct shx_step_report {
   double search_seconds;
   // Time spent on the equations of motion of strands, s.
   double strand_seconds;
-  // Time spent on the contact problems of islands, s. Sampling is not part of a step: time it yourself.
+  // Time spent on the contact problems of islands, s.
   double contact_seconds;
+  // Time that sampling this solver took since the step before, s; calls on several threads add up. Not part
+  // of seconds.
+  double sampling_seconds;
 } shx_step_report;
 
 // Fills *report with defaults. size is sizeof(shx_step_report).
@@ -659,9 +685,9 @@ typedef struct shx_step_report {
 // Threads: any.
 SHX_API shx_result shx_step_report_init(shx_step_report *report, size_t size);
 
-// Advances time by dt seconds (above zero) in the given number of equal substeps (at least 1); each is a full
-// solve. report may be null. A strand whose state becomes non-finite, or that contacts or constraints make
-// diverge, is rolled back and quarantined; the other strands go on, and the report and
+// Advances time by dt seconds in the given number of equal substeps (at least 1); each is a full solve and
+// lasts from 1e-9 to 3600 s. report may be null. A strand whose state becomes non-finite, or that contacts or
+// constraints make diverge, is rolled back and quarantined; the other strands go on, and the report and
 // shx_solver_strand_status say so. The same input gives the same bits for any number of threads. Limits of
 // the call are those of shx_solver_options.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps),
@@ -680,6 +706,33 @@ SHX_API shx_result shx_solver_step(shx_solver *solver, double dt, uint32_t subst
 // Threads: exclusive; any thread may write *cancel meanwhile.
 SHX_API shx_result shx_solver_step_with_limits(shx_solver *solver, double dt, uint32_t substeps,
     const shx_step_limits *limits, shx_step_report *report);
+
+// ---- Wind -------------------------------------------------------------------------------------------------
+
+// Your field of wind. positions has x, y, z of count points, at most 1024, in m, world. Write the air's
+// velocity at each of them (x, y, z in m/s, world) to velocities, which comes filled with zeros. seconds is
+// the time since the call of shx_solver_step began: add your own clock. It runs on the thread that called
+// shx_solver_step, in that thread's floating-point mode. It must not call the same solver (SHX_ERROR_BUSY),
+// and it must return normally: no exceptions, no longjmp.
+typedef void (*shx_wind_fn)(void *user, double seconds, const double *positions, double *velocities,
+    size_t count);
+
+// Adds a field of wind to the uniform wind, in place of the field that there was. Null removes it; without
+// one nothing is called and nothing is paid. Both pointers must remain valid until then, or until the solver
+// is destroyed.
+// Before each substep the field is called once for every batch of points of the strands that have air_drag
+// and are not frozen: strand by strand in the order in which they were added, from root to tip, on the
+// calling thread. So results are identical to the bit for any number of threads, and a constant field gives
+// the bits of the same uniform wind. Points are where they will be at the end of the substep if they keep
+// their velocities, and seconds is that end, so the order of the integrator remains. Pieces of a subdivided
+// substep share these velocities. A velocity that is not finite makes its strand non-finite, which is rolled
+// back and quarantined.
+// Snapshots do not contain the field: shx_solver_restore leaves it as it is, and the same steps follow only
+// if your field gives the same velocities. shx_solver_settle ignores it. SHX_INTEGRATOR_REFERENCE does not
+// support it: shx_solver_step then fails with SHX_ERROR_UNSUPPORTED.
+// Errors: SHX_ERROR_NULL_ARGUMENT.
+// Threads: exclusive.
+SHX_API shx_result shx_solver_set_wind_field(shx_solver *solver, shx_wind_fn function, void *user);
 
 // ---- Strands ----------------------------------------------------------------------------------------------
 
@@ -928,8 +981,9 @@ SHX_API shx_result shx_solver_set_curvatures(shx_solver *solver, shx_strand_id i
 // multiple of the current number splits every element and is exact; a divisor merges neighbours; any
 // other number keeps the grading of the lengths. The solver remembers the natural shape that you
 // defined or set last, so switching back and forth loses nothing of it. Ids remain valid and moving
-// roots continue. Writes the largest displacement of each strand's curve, m, to out_distances: count
-// numbers, or null. Costs as much as a few steps; no time passes.
+// roots continue. Writes how far each strand's curve moved, m, to out_distances: the largest
+// distance, not the mean, of points of equal arclength on the old and the new curve; count numbers, or null.
+// Costs as much as a few steps; no time passes.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 // Threads: exclusive.
 SHX_API shx_result shx_solver_set_element_count(shx_solver *solver, const shx_strand_id *ids, size_t count,
@@ -937,7 +991,7 @@ SHX_API shx_result shx_solver_set_element_count(shx_solver *solver, const shx_st
 
 // Does the same as shx_solver_set_element_count for one strand and elements of given
 // lengths: count numbers from root to tip, m, each above zero. Their sum is the length of
-// the strand, within 1e-9 of it. out_distance may be null.
+// the strand, within 1e-9 of it. out_distance, the largest as above, may be null.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 // Threads: exclusive.
 SHX_API shx_result shx_solver_set_element_lengths(shx_solver *solver, shx_strand_id id, const double *lengths,
@@ -1003,8 +1057,9 @@ SHX_API shx_result shx_settle_report_init(shx_settle_report *report, size_t size
 // gravity has no effect (slightly more if it stabilises the whole strand). 0: the limit of
 // stability. Negative: unstable. NaN without check_stability.
 // out_residuals: largest moment out of balance, relative as in shx_settle_def.tolerance.
-// If several stable states exist, the result need not be the lowest. The work runs
-// on the solver's own threads, not on parallel_for.
+// If several stable states exist, the result need not be the lowest. The work runs on the solver's threads or
+// on parallel_for, with identical bits. Each task of yours then waits for a short-lived thread of the
+// library, which keeps thread-local memory off your threads.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 // Threads: exclusive.
 SHX_API shx_result shx_solver_settle(shx_solver *solver, const shx_strand_id *ids, size_t count,
@@ -1347,9 +1402,9 @@ SHX_API shx_result shx_sample_def_init(shx_sample_def *def, size_t size);
 // frames: SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone.
 // velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3.
 // One or two of the three may be null. If no output holds doubles, the library computes in single precision
-// within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Large calls
-// run on the solver's own threads (shx_solver_def.worker_count), never on parallel_for: with a task system,
-// call it from your tasks, each for some of the strands.
+// within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Calls for more
+// than about 1000 points run on the solver's threads (shx_solver_def.worker_count) or on parallel_for, with
+// identical bits. Several threads may sample at once; parallel_for is then called on each of them.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
 // SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 // Threads: shared.
@@ -2584,6 +2639,10 @@ SHX_API shx_result shx_solver_snapshot_shapes(const shx_solver *solver, void *ou
 // The options of the solver (shx_solver_options, shx_contact_options) become those of the snapshot, but for
 // worker_count and instruction_set: further steps give the same bits as they did then.
 // shx_solver_restore_with can keep the solver's own options.
+// The solver may be another one than the snapshot is of, in another process or on another machine. It then
+// has the same ids as the first: keep beside an id which solver it belongs to. What the solver held before is
+// gone. Ids that it gave out since the snapshot are invalid and are not given out again. Workers, callbacks
+// (a field of wind too) and user data stay the solver's own.
 // Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_SNAPSHOT (not a snapshot, corrupt, of another version, or
 // referring to a shape that is not there).
 // Threads: exclusive.
@@ -2623,6 +2682,92 @@ SHX_API shx_result shx_solver_restore_with(shx_solver *solver, const void *image
 // Errors: SHX_ERROR_NULL_ARGUMENT.
 // Threads: shared.
 SHX_API shx_result shx_solver_state_hash(const shx_solver *solver, uint64_t *out_hash);
+
+// ---- Debug drawing ----------------------------------------------------------------------------------------
+
+// Centrelines of strands: beige if the last substep converged, orange if it did not, red if the strand is
+// quarantined, blue if it is frozen.
+#define SHX_DEBUG_CENTRELINES 1
+
+// Material frames at the root and at the end of every element: tangent red, first normal green, second
+// normal blue.
+#define SHX_DEBUG_FRAMES 2
+
+// Contacts of the last substep: a point and the normal (yellow), and the force on the strand (magenta).
+#define SHX_DEBUG_CONTACTS 4
+
+// Centrelines coloured by island, instead of SHX_DEBUG_CENTRELINES: strands that contacts or ties couple
+// share a colour; strands alone are grey.
+#define SHX_DEBUG_ISLANDS 8
+
+// Outlines of bodies, green: circles of round shapes, edges of boxes, hulls and meshes, a square of 1 m and
+// the normal of a half-space. Of a distance grid the box around its nodes.
+#define SHX_DEBUG_BODIES 16
+
+// Constraints: a point on the strand and a line to its target (cyan), and the force on the strand (magenta).
+#define SHX_DEBUG_CONSTRAINTS 32
+
+// A point, or an end of a line.
+typedef struct shx_debug_vertex {
+  // In the space of shx_debug_draw_def.
+  double position[3];
+  // 0xRRGGBB.
+  uint32_t color;
+  // The layer that it belongs to: SHX_DEBUG_.
+  uint32_t layer;
+} shx_debug_vertex;
+
+// Receives a batch of count vertices, at most 1024: for lines, pairs. They are valid during the call only. It
+// runs on the thread that called the library, in that thread's floating-point mode. It may read the same
+// solver but not change it (SHX_ERROR_BUSY), and it must return normally: no exceptions, no longjmp.
+typedef void (*shx_debug_vertices_fn)(void *user, const shx_debug_vertex *vertices, size_t count);
+
+// What shx_solver_debug_draw draws, and where it goes. Fill it with shx_debug_draw_def_init.
+typedef struct shx_debug_draw_def {
+  // Set by shx_debug_draw_def_init.
+  uint32_t struct_size;
+  // SHX_DEBUG_ bits. Default centrelines, contacts and bodies.
+  uint32_t layers;
+  // Points of a centreline, 2 to 4096. Default 17.
+  uint32_t points_per_strand;
+  // Must be 0.
+  uint32_t reserved;
+  // Length of the axes of a material frame, m; above zero. Default 0.005.
+  double frame_length;
+  // Length of the normal of a contact, m; above zero. Default 0.005.
+  double normal_length;
+  // Length of a force of 1 N, m/N; 0: forces are not drawn. Default 100.
+  double force_scale;
+  // Subtracted from positions, m. Default 0.
+  double origin[3];
+  // The space of the vertices, as in shx_sample_def. Default (1, 0, 0).
+  double x_axis[3];
+  // The same of the y axis. Default (0, 1, 0).
+  double y_axis[3];
+  // The same of the z axis. Default (0, 0, 1).
+  double z_axis[3];
+  // Added to positions at last, in your units. Default 0.
+  double translation[3];
+  // Receives lines, two vertices each. Null: lines are not drawn.
+  shx_debug_vertices_fn lines;
+  // Receives points. Null: points are not drawn.
+  shx_debug_vertices_fn points;
+  // User pointer of lines and points.
+  void *user;
+} shx_debug_draw_def;
+
+// Fills *def with defaults. size is sizeof(shx_debug_draw_def).
+// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE.
+// Threads: any.
+SHX_API shx_result shx_debug_draw_def_init(shx_debug_draw_def *def, size_t size);
+
+// Draws what the solver knows as of the last step through your callbacks: coloured lines and points, in
+// batches, not one by one. Changes nothing; needs memory for one batch, and with SHX_DEBUG_ISLANDS 5 bytes
+// a strand. The order of the vertices does not depend on the number of threads.
+// Errors: SHX_ERROR_NULL_ARGUMENT (also if lines and points are both null), SHX_ERROR_STRUCT_SIZE,
+// SHX_ERROR_INVALID_ARGUMENT. Nothing is drawn then.
+// Threads: shared.
+SHX_API shx_result shx_solver_debug_draw(const shx_solver *solver, const shx_debug_draw_def *def);
 
 // ---- Fitting strands to curves ----------------------------------------------------------------------------
 

@@ -159,7 +159,7 @@ fn shake(
             continue;
         }
         out.milliseconds.push(report.seconds * 1e3);
-        let Phases { search, strands, contact } = report.phases;
+        let Phases { search, strands, contact, .. } = report.phases;
         for (sum, seconds) in out.phases.iter_mut().zip([search, strands, contact]) {
             *sum += seconds / steps as f64;
         }

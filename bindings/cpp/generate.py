@@ -35,6 +35,7 @@ ENUMERATIONS = {
     "SHX_FRICTION_": "friction_coefficient",
     "SHX_COEFFICIENT_": "coefficient_status",
     "SHX_ERROR_": "error_code",
+    "SHX_DEBUG_": "debug_layers",
 }
 
 # C++ types of items of arrays.
@@ -91,6 +92,8 @@ EXTRA = {
         {"parallel_for", "parallel_for_user"},
         HOOK.format(name="render_settings") + "\n private:\n  std::shared_ptr<void> loop_;\n",
     ),
+    # What solver::debug_draw sets.
+    "shx_debug_draw_def": ({"lines", "points", "user"}, ""),
     "shx_step_limits": (
         {"cancel"},
         """

@@ -40,6 +40,7 @@ ENUMERATIONS = {
     "SHX_FRICTION_": "FrictionCoefficients",
     "SHX_COEFFICIENT_": "CoefficientStatus",
     "SHX_DOF_": "Dofs",
+    "SHX_DEBUG_": "DebugLayers",
     "SHX_ERROR_": "ErrorCode",
 }
 # In C a typedef of int32_t.
@@ -61,6 +62,7 @@ EXTRA = {
     "shx_fit_options": {"parallel_for", "parallel_for_user"},
     "shx_render_settings": {"parallel_for", "parallel_for_user"},
     "shx_step_limits": {"cancel"},
+    "shx_debug_draw_def": {"lines", "points", "user"},
     "shx_scatter_def": {"density", "density_width", "density_height"},
     "shx_hair_strands_def": {"strand_count", "element_counts", "element_lengths"},
 }
@@ -271,6 +273,8 @@ def parameter(function: Item, parameter: Item) -> str:
     """A parameter of a P/Invoke signature."""
     kind, name = parameter["type"], parameter["name"]
     stars = kind["pointer"] + (1 if parameter["array"] else 0)
+    if kind["name"] in CALLBACKS:
+        return f"IntPtr {name}"
     if kind["name"] in HANDLES:
         destroys = function["name"] in TAKING or function["name"] in DESTROY.values() or function["name"] == HANDLES[kind["name"]]["destroy"]
         text = "IntPtr*" if stars == 2 else "IntPtr" if destroys else pascal(kind["name"]) + "Handle"

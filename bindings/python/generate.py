@@ -54,11 +54,12 @@ ENUM_NAMES = {
     "SHX_COEFFICIENT_": "CoefficientStatus",
     "SHX_STRAND_": "StrandStatus",
     "SHX_DOF_": "Dofs",
+    "SHX_DEBUG_": "DebugLayers",
     "SHX_ERROR_": "ErrorCode",
 }
 
 # What functions write many of: a Table.
-TABLES = ("shx_contact", "shx_contact_event", "shx_constraint_state", "shx_fitted_strand", "shx_hair_strand", "shx_follicle")
+TABLES = ("shx_contact", "shx_contact_event", "shx_constraint_state", "shx_debug_vertex", "shx_fitted_strand", "shx_hair_strand", "shx_follicle")
 
 # Structures that the hand-written layer takes apart itself.
 NOT_RECORDS = (
@@ -82,6 +83,7 @@ NOT_RECORDS = (
     "shx_hair_strands_def",
     "shx_snapshot_def",
     "shx_restore_def",
+    "shx_debug_draw_def",
 )
 
 # Fields that say how long an array is that another field points to, by structure: set by the layer above together with the array.
@@ -242,7 +244,7 @@ class Generator:
                 lines.append(f'        ("{member.name}", {self.ctype(member.type, member.array)}),')
             lines.append("    ]")
         for callback in self.api.callbacks:
-            result = "None" if callback.returns.name == "void" else self.ctype(callback.returns)
+            result = "None" if callback.returns == Type("void") else self.ctype(callback.returns)
             text = Type("char", True, 1)
             arguments = ["ctypes.c_char_p" if parameter.type == text else self.ctype(parameter.type) for parameter in callback.parameters]
             lines += ["", f"{callback.name} = ctypes.CFUNCTYPE({', '.join([result, *arguments])})"]

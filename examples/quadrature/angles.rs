@@ -21,7 +21,7 @@ type Inertia = [[f64; 9]; 9];
 fn inertia(theta: Vec3<f64>, rule: &Rule) -> Inertia {
     let element = element_state(theta, 1.0, Mat3::identity(), Vec3::zero());
     let mut out = [[0.0; 9]; 9];
-    for (s, weight) in rule.nodes.iter().zip(&rule.weights) {
+    for (s, weight) in rule.nodes.iter().zip(rule.weights.iter()) {
         let point = element.point(*s);
         let gradient = segment::chord_gradient(theta.scale(*s), element.kappa_squared * s * s, &point.c);
         let [x, y, z] = point.local.0;

@@ -109,13 +109,18 @@ pub(crate) fn code(error: &Error) -> shx_result {
 
 /// Stores the error's text for this thread and returns its code.
 pub(crate) fn remember(function: &str, error: &Error) -> shx_result {
+    remember_text(function, code(error), format_args!("{error}"))
+}
+
+/// Keeps a text for this thread, without allocating, and gives the code.
+pub(crate) fn remember_text(function: &str, code: shx_result, text: impl fmt::Display) -> shx_result {
     LAST_ERROR.with(|last| {
         last.length.set(0);
-        // The appender never fails: it truncates.
-        let _ = write!(Appender(last), "{function}: {error}");
+        // The appender never fails: what does not fit is cut.
+        let _ = write!(Appender(last), "{function}: {text}");
         last.text[last.length.get()].set(0);
     });
-    code(error)
+    code
 }
 
 /// Returns the name of a result code, such as "SHX_ERROR_BUSY",

@@ -11,8 +11,9 @@ use crate::solver::id::StrandId;
 /// multiple of the current number splits every element and is exact; a divisor merges neighbours; any
 /// other number keeps the grading of the lengths. The solver remembers the natural shape that you
 /// defined or set last, so switching back and forth loses nothing of it. Ids remain valid and moving
-/// roots continue. Writes the largest displacement of each strand's curve, m, to out_distances: count
-/// numbers, or null. Costs as much as a few steps; no time passes.
+/// roots continue. Writes how far each strand's curve moved, m, to out_distances: the largest
+/// distance, not the mean, of points of equal arclength on the old and the new curve; count numbers, or null.
+/// Costs as much as a few steps; no time passes.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
@@ -38,7 +39,7 @@ pub unsafe extern "C" fn shx_solver_set_element_count(
 
 /// Does the same as shx_solver_set_element_count for one strand and elements of given
 /// lengths: count numbers from root to tip, m, each above zero. Their sum is the length of
-/// the strand, within 1e-9 of it. out_distance may be null.
+/// the strand, within 1e-9 of it. out_distance, the largest as above, may be null.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]

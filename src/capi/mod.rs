@@ -1,7 +1,7 @@
 //! The C ABI: opaque handles, definitions that can grow, result codes, and one guard on every entry point.
 //!
 //! `include/superhelix.h` is generated from this folder (`tests/capi/header.rs`), so the comments here address C programmers.
-//! Nothing here is process-wide: no table of solvers, no logger, no pool, no panic hook. The only thread-local variables (the
+//! Nothing here is process-wide but the host's allocator: no table of solvers, no logger, no pool, no panic hook. The only thread-local variables (the
 //! last error's text, the host's floating-point mode) have no destructor, which would keep the library mapped after `dlclose`.
 //!
 //! # Safety
@@ -11,6 +11,7 @@
 //!
 //! Files:
 //!
+//! - `allocator.rs`: The host's allocator, for the C libraries: a global allocator that goes to the system until the host gives its own.
 //! - `attachment.rs`: Strands, bodies and constraints that follow one pose.
 //! - `bodies.rs`: Bodies, which strands stay outside of.
 //! - `body_def.rs`: Definitions of bodies.
@@ -22,6 +23,7 @@
 //! - `curve_cache.rs`: Caches: curves over time with velocities, in one .usda file.
 //! - `curve_data.rs`: Optional data of groom files beside the points: read from curves, written to files.
 //! - `curves.rs`: Reads groom files, writes cache frames.
+//! - `debug_draw.rs`: Debug drawing by callback.
 //! - `distance_grid.rs`: Bakes meshes into signed distance grids.
 //! - `errors.rs`: Result codes, and the text of the last error of each thread.
 //! - `fit.rs`: Fits strands to polylines, and finds natural shapes that hold them up.
@@ -70,6 +72,7 @@
 //! - `types.rs`: Plain data that crosses the border.
 //! - `version.rs`: The library's version and build.
 //! - `versioned.rs`: Versioned structures, which may grow.
+//! - `wind.rs`: Wind as a field.
 //! - `wisp.rs`: Wisps: a guide of a groom represents the hairs around it.
 //! - `wrenches.rs`: Writes wrenches on follicles and bodies to the caller's memory.
 // Comments here are those of the C header too, plain text: ids[i] is not a link.
@@ -77,6 +80,7 @@
 #![allow(unsafe_code, non_camel_case_types)]
 #![allow(clippy::missing_safety_doc)] // said once, above
 
+pub mod allocator;
 pub mod attachment;
 pub mod bodies;
 pub mod body_def;
@@ -88,6 +92,7 @@ pub mod contacts;
 pub mod curve_cache;
 pub mod curve_data;
 pub mod curves;
+pub mod debug_draw;
 pub mod distance_grid;
 pub mod errors;
 pub mod fit;
@@ -136,5 +141,6 @@ mod thread;
 pub mod types;
 pub mod version;
 mod versioned;
+pub mod wind;
 pub mod wisp;
 mod wrenches;

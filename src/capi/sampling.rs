@@ -76,9 +76,9 @@ pub unsafe extern "C" fn shx_sample_def_init(def: *mut shx_sample_def, size: usi
 /// frames: SHX_FORMAT_FRAME, or _F32X4 and _F64X4 for the quaternions alone.
 /// velocities of the material points, m/s: SHX_FORMAT_F32X3, _F64X3.
 /// One or two of the three may be null. If no output holds doubles, the library computes in single precision
-/// within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Large calls
-/// run on the solver's own threads (shx_solver_def.worker_count), never on parallel_for: with a task system,
-/// call it from your tasks, each for some of the strands.
+/// within an element, accurate to 1e-6 of the strand's length before rounding (measured: 2e-7). Calls for more
+/// than about 1000 points run on the solver's threads (shx_solver_def.worker_count) or on parallel_for, with
+/// identical bits. Several threads may sample at once; parallel_for is then called on each of them.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID,
 /// SHX_ERROR_INVALID_ARGUMENT, SHX_ERROR_BUFFER_TOO_SMALL.
 /// Threads: shared.

@@ -13,6 +13,7 @@ use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
 use crate::error::{Error, Result};
 use crate::platform::Instant;
 use crate::solver::Solver;
+use crate::solver::definition::Workers;
 use crate::step::equilibrium::{Equilibrium, EquilibriumOptions};
 
 /// Options of shx_solver_settle. Fill it with shx_settle_def_init, then change what you need.
@@ -176,8 +177,9 @@ fn tell(log: &LogSink, report: &shx_settle_report, count: usize) {
 /// gravity has no effect (slightly more if it stabilises the whole strand). 0: the limit of
 /// stability. Negative: unstable. NaN without check_stability.
 /// out_residuals: largest moment out of balance, relative as in shx_settle_def.tolerance.
-/// If several stable states exist, the result need not be the lowest. The work runs
-/// on the solver's own threads, not on parallel_for.
+/// If several stable states exist, the result need not be the lowest. The work runs on the solver's threads or
+/// on parallel_for, with identical bits. Each task of yours then waits for a short-lived thread of the
+/// library, which keeps thread-local memory off your threads.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE, SHX_ERROR_INVALID_ID, SHX_ERROR_INVALID_ARGUMENT.
 /// Threads: exclusive.
 #[unsafe(no_mangle)]
@@ -214,7 +216,12 @@ pub unsafe extern "C" fn shx_solver_settle(
             )
         };
         let started = Instant::now();
-        let found = on_own_thread(|| core.settle(&ids, &options))?;
+        let found = if let Workers::Host(_) = core.options().workers {
+            // The host's loop is called on the host's thread, and its tasks hand each piece to a thread of its own.
+            core.settle_by(&ids, &options, &|piece| on_own_thread(piece))?
+        } else {
+            on_own_thread(|| core.settle(&ids, &options))?
+        };
         let told = shx_settle_report::of(&found, started.elapsed().as_secs_f64());
         tell(log, &told, count);
         if let Some(status) = status {

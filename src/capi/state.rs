@@ -143,6 +143,10 @@ pub unsafe extern "C" fn shx_solver_snapshot_shapes(
 /// The options of the solver (shx_solver_options, shx_contact_options) become those of the snapshot, but for
 /// worker_count and instruction_set: further steps give the same bits as they did then.
 /// shx_solver_restore_with can keep the solver's own options.
+/// The solver may be another one than the snapshot is of, in another process or on another machine. It then
+/// has the same ids as the first: keep beside an id which solver it belongs to. What the solver held before is
+/// gone. Ids that it gave out since the snapshot are invalid and are not given out again. Workers, callbacks
+/// (a field of wind too) and user data stay the solver's own.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_SNAPSHOT (not a snapshot, corrupt, of another version, or
 /// referring to a shape that is not there).
 /// Threads: exclusive.

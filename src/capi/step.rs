@@ -90,8 +90,11 @@ pub struct shx_step_report {
     pub search_seconds: f64,
     /// Time spent on the equations of motion of strands, s.
     pub strand_seconds: f64,
-    /// Time spent on the contact problems of islands, s. Sampling is not part of a step: time it yourself.
+    /// Time spent on the contact problems of islands, s.
     pub contact_seconds: f64,
+    /// Time that sampling this solver took since the step before, s; calls on several threads add up. Not part
+    /// of seconds.
+    pub sampling_seconds: f64,
 }
 
 // SAFETY: repr(C), a u32 first, no padding (asserted below), integers and doubles only.
@@ -104,7 +107,7 @@ unsafe impl Versioned for shx_step_report {
 }
 
 const _: () = {
-    assert!(size_of::<shx_step_report>() == 200 && offset_of!(shx_step_report, max_residual) == 16);
+    assert!(size_of::<shx_step_report>() == 208 && offset_of!(shx_step_report, max_residual) == 16);
     assert!(offset_of!(shx_step_report, substeps) == 56 && offset_of!(shx_step_report, contacts) == 88);
 };
 
@@ -143,6 +146,7 @@ impl shx_step_report {
             search_seconds: report.phases.search,
             strand_seconds: report.phases.strands,
             contact_seconds: report.phases.contact,
+            sampling_seconds: report.phases.sampling,
         }
     }
 }
@@ -216,9 +220,9 @@ fn tell(log: &LogSink, report: &StepReport) {
     );
 }
 
-/// Advances time by dt seconds (above zero) in the given number of equal substeps (at least 1); each is a full
-/// solve. report may be null. A strand whose state becomes non-finite, or that contacts or constraints make
-/// diverge, is rolled back and quarantined; the other strands go on, and the report and
+/// Advances time by dt seconds in the given number of equal substeps (at least 1); each is a full solve and
+/// lasts from 1e-9 to 3600 s. report may be null. A strand whose state becomes non-finite, or that contacts or
+/// constraints make diverge, is rolled back and quarantined; the other strands go on, and the report and
 /// shx_solver_strand_status say so. The same input gives the same bits for any number of threads. Limits of
 /// the call are those of shx_solver_options.
 /// Errors: SHX_ERROR_NULL_ARGUMENT, SHX_ERROR_STRUCT_SIZE (report), SHX_ERROR_INVALID_ARGUMENT (dt, substeps),

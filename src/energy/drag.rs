@@ -1,5 +1,5 @@
-//! Viscous drag of the air (Bertails et al. 2006, eq. 5a) against a uniform wind: the force −ν (v − wind) per unit length, as the
-//! potential ν/(2h) |r − r_t − h·wind|².
+//! Viscous drag of the air (Bertails et al. 2006, eq. 5a) against wind: the force −ν (v − wind) per unit length, as the potential
+//! ν/(2h) |r − r_t − h·wind|². Where a field gives each point a wind of its own, the points' pulls get ν·wind one by one.
 
 use super::PointQuadratic;
 use crate::math::lane::Lane;

@@ -7,7 +7,7 @@
 //! - `hair.rs`: From measured and drawn hair to strands: kinds of hair, wisps, fits, scalps.
 //! - `haptic.rs`: Force feedback: a tool in a hand, through a haptic device, in simulated hair.
 //! - `io.rs`: Files: grooms, meshes, motions and distance grids in; caches of frames in and out.
-//! - `reading.rs`: What a host reads back: points of strands in bulk, contact events, snapshots, compliance of strands at bodies.
+//! - `reading.rs`: What a host reads back: points of strands in bulk, contact events, debug drawing, snapshots, compliance of strands at bodies.
 //! - `render.rs`: Render hair: a hundred thousand strands that follow the simulated ones.
 //! - `settings.rs`: Settings by the error that may be made: time steps, elements, tolerances that were measured to be good enough.
 //! - `shapes.rs`: Shapes of bodies: primitives, hulls, triangle meshes, signed distance grids.
@@ -45,6 +45,6 @@ pub use crate::solver::constraints::{ConstraintDef, ConstraintState, ConstraintS
 pub use crate::solver::definition::{SolverOptions, UsualLimits};
 pub use crate::solver::id::{BodyId, ConstraintId, StrandId};
 pub use crate::solver::report::{ContactTally, Phases, Quadrature, StepReport, StrandStatus, Wrench};
-pub use crate::solver::{Sample, Solver};
+pub use crate::solver::{Sample, Solver, WIND_BATCH, WindField};
 pub use crate::step::options::{Integrator, LinearSolver, StepOptions};
 pub use crate::workers::{ParallelFor, Workers};

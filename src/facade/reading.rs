@@ -1,11 +1,13 @@
-//! What a host reads back: points of strands in bulk, contact events, snapshots, compliance of strands at bodies.
+//! What a host reads back: points of strands in bulk, contact events, debug drawing, snapshots, compliance of strands at bodies.
 //!
 //! [`Solver::sample_at`](crate::Solver::sample_at) is the simple way to points of one strand.
 
 pub use crate::contact::law::coefficient::Coefficient as FrictionCoefficient;
 pub use crate::rod::uniform_points::{Lanes, Real, WIDTH};
 pub use crate::solver::contact_events::{Change, ContactEvent, MOST_EVENTS};
+pub use crate::solver::debug_draw::{DEBUG_BATCH, DebugCanvas, DebugDraw, DebugLayer, DebugVertex};
 pub use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
 pub use crate::solver::{
-    RestoredOptions, Restoring, SHORTEST_STEP, SNAPSHOT_VERSION, SampleSink, SnapshotShapes, SolverGuides, Tile, Wanted,
+    LONGEST_STEP, RestoredOptions, Restoring, SHORTEST_STEP, SNAPSHOT_VERSION, SampleSink, SnapshotShapes, SolverGuides, Tile,
+    Wanted,
 };

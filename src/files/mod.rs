@@ -51,7 +51,7 @@ mod motion_csv;
 pub mod obj;
 mod obj_lines;
 pub mod obj_mesh;
-mod part_file;
+pub mod part_file;
 mod polygon;
 pub mod recorded_curve;
 pub mod sequence;

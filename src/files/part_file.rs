@@ -15,13 +15,17 @@ const PARTS: u32 = 16;
 /// A hidden file beside the target. A lock shows that its writer lives: the system releases it when the process ends, however it
 /// ends. Dropping it removes the file.
 #[derive(Debug)]
-pub(super) struct PartFile {
+pub struct PartFile {
     path: PathBuf,
+    /// The file itself.
     pub file: File,
 }
 
 impl PartFile {
     /// A part of `target`, open for reading and writing. Removes parts of the same target whose writers have died.
+    ///
+    /// # Errors
+    /// [`Error::File`] if it cannot be created, or 16 others are writing the same target.
     pub fn create(target: &Path) -> Result<Self> {
         if target.file_name().is_none() {
             return Err(Error::file(target, "cannot be written: it has no file name"));
@@ -63,6 +67,9 @@ impl PartFile {
     }
 
     /// Moves the file to the target's name.
+    ///
+    /// # Errors
+    /// Those of the system.
     pub fn take_name(self, target: &Path) -> io::Result<()> {
         fs::rename(&self.path, target)
     }

@@ -1,5 +1,8 @@
 //! Gauss–Legendre rules on [0, 1], and the choice of a rule for an element.
 
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
 use super::quadrature_limits::{self, RULES};
 pub use super::quadrature_limits::{LOOSEST, TIGHTEST};
 use crate::error::{Error, Result};
@@ -22,11 +25,52 @@ pub fn check_tolerance(argument: &str, tolerance: f64) -> Result<()> {
 #[derive(Debug, Clone)]
 pub struct Rule {
     /// Nodes in (0, 1), ascending.
-    pub nodes: Vec<f64>,
+    pub nodes: Cow<'static, [f64]>,
     /// Weights; their sum is 1.
-    pub weights: Vec<f64>,
+    pub weights: Cow<'static, [f64]>,
     /// Barycentric weights of Lagrange's interpolation through the nodes.
-    barycentric: Vec<f64>,
+    barycentric: Cow<'static, [f64]>,
+}
+
+/// Points of all rules of [`RULES`] together.
+const POINTS: usize = {
+    let (mut sum, mut index) = (0, 0);
+    while index < RULES.len() {
+        sum += RULES[index].0;
+        index += 1;
+    }
+    sum
+};
+
+/// The rules of [`RULES`]: computed once in a process, half a millisecond that not every solver need take. In memory of the library's own and not on
+/// the heap, where they would stay behind each time that a host unloads the library.
+fn all_rules() -> &'static [Rule] {
+    static NUMBERS: OnceLock<[[f64; POINTS]; 3]> = OnceLock::new();
+    static ALL: OnceLock<[Rule; RULES.len()]> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let [nodes, weights, barycentric] = NUMBERS.get_or_init(|| {
+            let mut numbers = [[0.0; POINTS]; 3];
+            let mut first = 0;
+            for (count, _) in RULES {
+                let rule = Rule::gauss_legendre(count);
+                for (to, from) in numbers.iter_mut().zip([&rule.nodes, &rule.weights, &rule.barycentric]) {
+                    to[first..first + count].copy_from_slice(from);
+                }
+                first += count;
+            }
+            numbers
+        });
+        let mut first = 0;
+        RULES.map(|(count, _)| {
+            let here = first..first + count;
+            first += count;
+            Rule {
+                nodes: Cow::Borrowed(&nodes[here.clone()]),
+                weights: Cow::Borrowed(&weights[here.clone()]),
+                barycentric: Cow::Borrowed(&barycentric[here]),
+            }
+        })
+    })
 }
 
 impl Rule {
@@ -60,8 +104,8 @@ impl Rule {
                 let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
                 sign * (nodes[i] * (1.0 - nodes[i]) * weights[i]).sqrt()
             })
-            .collect();
-        Self { nodes, weights, barycentric }
+            .collect::<Vec<f64>>();
+        Self { nodes: nodes.into(), weights: weights.into(), barycentric: barycentric.into() }
     }
 
     /// Number of points.
@@ -84,7 +128,7 @@ impl Rule {
         // Lagrange's polynomials of Gauss' nodes are orthogonal, and the integrals of their squares are the weights. This rule
         // integrates their products with its own polynomials exactly.
         coefficients.clear();
-        for (x, weight) in self.nodes.iter().zip(&self.weights) {
+        for (x, weight) in self.nodes.iter().zip(self.weights.iter()) {
             coefficients.push(weight * to.basis(node, *x) / to.weights[node]);
         }
     }
@@ -107,7 +151,7 @@ impl Rule {
             (0..self.len()).for_each(|i| take(i, if i == hit { 1.0 } else { 0.0 }));
             return;
         }
-        let fractions = || self.barycentric.iter().zip(&self.nodes).map(|(weight, node)| weight / (x - node));
+        let fractions = || self.barycentric.iter().zip(self.nodes.iter()).map(|(weight, node)| weight / (x - node));
         let sum: f64 = fractions().sum();
         fractions().enumerate().for_each(|(i, fraction)| take(i, fraction / sum));
     }
@@ -116,7 +160,6 @@ impl Rule {
 /// The rules of one solver and their tolerance. A strand uses one rule for all its elements.
 #[derive(Debug, Clone)]
 pub struct Rules {
-    /// Computed once per process: it takes half a millisecond.
     rules: &'static [Rule],
     tolerance: f64,
     /// The largest turn, rad, that each rule covers.
@@ -135,9 +178,7 @@ impl Rules {
     /// # Panics
     /// For a tolerance outside [[`TIGHTEST`], [`LOOSEST`]].
     pub fn new(tolerance: f64) -> Self {
-        static ALL: std::sync::OnceLock<Vec<Rule>> = std::sync::OnceLock::new();
-        let rules = ALL.get_or_init(|| RULES.iter().map(|(count, _)| Rule::gauss_legendre(*count)).collect());
-        let mut out = Self { rules, tolerance, limits: Vec::new() };
+        let mut out = Self { rules: all_rules(), tolerance, limits: Vec::new() };
         out.set_tolerance(tolerance);
         out
     }
@@ -208,7 +249,7 @@ mod tests {
             let rule = Rule::gauss_legendre(count);
             assert_eq!(rule.len(), count);
             for degree in 0..2 * count {
-                let sum: f64 = rule.nodes.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(degree as i32)).sum();
+                let sum: f64 = rule.nodes.iter().zip(rule.weights.iter()).map(|(x, w)| w * x.powi(degree as i32)).sum();
                 let exact = 1.0 / (degree as f64 + 1.0);
                 assert!((sum - exact).abs() < 4e-15, "{count} points, degree {degree}: {sum} against {exact}");
             }
@@ -219,9 +260,9 @@ mod tests {
     fn interpolates_smooth_functions() {
         let (from, to) = (Rule::gauss_legendre(20), Rule::gauss_legendre(32));
         let mut coefficients = Vec::new();
-        for x in to.nodes.iter().chain(&[0.0, 1.0]).chain(&from.nodes) {
+        for x in to.nodes.iter().chain(&[0.0, 1.0]).chain(from.nodes.iter()) {
             from.interpolation(*x, &mut coefficients);
-            let value: f64 = coefficients.iter().zip(&from.nodes).map(|(c, node)| c * (9.0 * node).cos()).sum();
+            let value: f64 = coefficients.iter().zip(from.nodes.iter()).map(|(c, node)| c * (9.0 * node).cos()).sum();
             assert!((value - (9.0 * x).cos()).abs() < 1e-10);
         }
     }

@@ -191,7 +191,7 @@ impl<T: Lane> Kinematics<T> {
         let (mut frame, mut origin) = (*root, Vec3::zero());
         for (length, row) in lengths.iter().zip(curvatures) {
             let element = element_state(Vec3(*row), *length, frame, origin);
-            for node in &rule.nodes {
+            for node in rule.nodes.iter() {
                 self.points.push(element.point(*length * T::splat(*node)));
             }
             (frame, origin) = (element.frame_right(), element.origin_right());

@@ -1,4 +1,4 @@
-//! Samples many strands at uniform arclengths: in packs side by side, on all of the solver's threads.
+//! Samples many strands at uniform arclengths: in packs side by side, on all of the solver's workers.
 
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -32,6 +32,9 @@ const AHEAD: usize = 16;
 
 /// Approximate number of points per task: enough to be worth handing out.
 const POINTS_PER_TASK: usize = 1024;
+
+/// Most of them at a time.
+const PARTS_A_TASK: usize = 8;
 
 /// What to sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,13 +114,17 @@ impl Solver {
     /// from that in f64 by at most 10⁻⁶ of the strand's length, plus the rounding of the output; frames and velocities by 10⁻⁶ of
     /// one and of the largest velocity. A strand's samples do not depend on the other strands or on threads.
     ///
-    /// Runs on the solver's own threads if it has any and there is enough to do. Never uses a host's task system: a host that has
-    /// one calls this from its own tasks, for some of the strands each.
+    /// Runs on the solver's workers, a host's task system too, if there is enough to do for more than one. Several threads may sample at once:
+    /// a host's task system is then called from each.
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for fewer than two points; [`Error::InvalidId`] naming `ids[i]`. The sink has then received
     /// nothing.
     pub fn sample_tiles<T: Real>(&self, ids: &[StrandId], wanted: &Wanted, sink: &impl SampleSink<T>) -> Result<()> {
+        self.timed_sampling(|| self.sample_tiles_now(ids, wanted, sink))
+    }
+
+    fn sample_tiles_now<T: Real>(&self, ids: &[StrandId], wanted: &Wanted, sink: &impl SampleSink<T>) -> Result<()> {
         if wanted.points_per_strand < 2 {
             return Err(Error::invalid("points_per_strand", wanted.points_per_strand, "2 or more: root and tip"));
         }
@@ -137,7 +144,7 @@ impl Solver {
         let each = (POINTS_PER_TASK / wanted.points_per_strand / WIDTH).max(1) * WIDTH;
         let mut parts: Vec<&[Asked]> = strands.chunks(each).collect();
         let set = self.instruction_set();
-        self.crew.for_each_on_own(&mut parts, |part, _| {
+        let sample = |part: &[Asked]| {
             let part = SampleTask { strands: part, wanted, rules: &self.rules, sink, number: PhantomData::<T> };
             match set {
                 #[cfg(target_arch = "x86_64")]
@@ -146,7 +153,12 @@ impl Solver {
                 InstructionSet::Avx2 => F64x4::call(part),
                 _ => part.run(),
             }
-        });
+        };
+        match &mut parts[..] {
+            // Handing out one would cost a host more than doing it.
+            [part] => sample(part),
+            parts => self.crew.for_each_task(parts, 1, PARTS_A_TASK, |parts, _| parts.iter().for_each(|part| sample(part))),
+        }
         Ok(())
     }
 }

@@ -11,6 +11,12 @@ use crate::rod::definition::{check_frozen, check_rows};
 use crate::rod::kinematics::Kinematics;
 use crate::step::equilibrium::{self, Equilibrium, EquilibriumOptions};
 
+/// Most strands that a task settles at a time.
+const SETTLED_AT_A_TIME: usize = 8;
+
+/// Runs a piece of work, on whatever thread.
+pub(crate) type RunPiece<'a> = &'a (dyn Fn(&mut (dyn FnMut() + Send)) + Sync);
+
 impl Solver {
     /// Sends roots to `frames` over the next `over_seconds` of simulated time; 0: within the next substep. The motion is smooth:
     /// it starts with the root's current velocity and passes exactly through the frame.
@@ -89,27 +95,35 @@ impl Solver {
 
     /// Puts strands at rest in their static equilibrium under the solver's gravity, each searched from its current shape with its
     /// root fixed, without wind. Clears a quarantine. Each strand's report comes in the order of `ids`: one that did not converge
-    /// stays at rest in the best shape found. Never uses a host's task system: the dense eigenvalue kernels leave memory behind
-    /// on the threads that run them.
+    /// stays at rest in the best shape found.
     ///
     /// # Errors
     /// [`Error::InvalidId`] naming `ids[i]`; [`Error::InvalidArgument`] for options out of range.
     pub fn settle(&mut self, ids: &[StrandId], options: &EquilibriumOptions) -> Result<Vec<Equilibrium>> {
+        self.settle_by(ids, options, &|piece| piece())
+    }
+
+    /// The same; `run` runs pieces of the work. The dense eigenvalue kernels leave memory behind on the threads that run them, which not every host
+    /// can have on its own.
+    pub(crate) fn settle_by(
+        &mut self,
+        ids: &[StrandId],
+        options: &EquilibriumOptions,
+        run: RunPiece,
+    ) -> Result<Vec<Equilibrium>> {
         options.check("options")?;
         let indices = self.indices(ids)?;
         let mut settled: Vec<_> = indices.iter().map(|index| (*index, Vec::new(), Equilibrium::default())).collect();
         let (strands, rules, gravity) = (&self.strands, &*self.rules, self.options.gravity);
-        self.crew.for_each_on_own(&mut settled, |(index, curvatures, found), workspace| {
-            let Strand { model, state, .. } = &strands[*index];
-            (*curvatures, *found) = equilibrium::search(
-                model,
-                state.curvatures.clone(),
-                &state.root,
-                gravity,
-                options,
-                rules,
-                &mut workspace.step.one,
-            );
+        self.crew.for_each_task(&mut settled, 1, SETTLED_AT_A_TIME, |piece, workspace| {
+            let scratch = &mut workspace.step.one;
+            run(&mut || {
+                for (index, curvatures, found) in piece.iter_mut() {
+                    let Strand { model, state, .. } = &strands[*index];
+                    let start = state.curvatures.clone();
+                    (*curvatures, *found) = equilibrium::search(model, start, &state.root, gravity, options, rules, scratch);
+                }
+            });
         });
         let mut found = Vec::with_capacity(settled.len());
         for (index, curvatures, equilibrium) in settled {

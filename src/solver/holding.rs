@@ -152,7 +152,7 @@ impl Holding {
     /// The seconds that searches and contact problems took since this was asked last.
     pub fn take_phases(&mut self) -> Phases {
         let (search, contact) = (self.touching.take_seconds(), std::mem::take(&mut self.contact_seconds));
-        let mut phases = Phases { search, contact, strands: 0.0 };
+        let mut phases = Phases { search, contact, ..Phases::default() };
         if let Some(shorter) = &mut self.shorter {
             phases.add(&shorter.take_phases());
         }

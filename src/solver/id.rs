@@ -77,7 +77,7 @@ pub(super) struct SlotMap<I = StrandId> {
 }
 
 /// One slot.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(super) struct Slot {
     /// Generation of the current strand, or of the last one.
     pub generation: u32,
@@ -85,6 +85,13 @@ pub(super) struct Slot {
     pub highest: u32,
     /// The index of its strand.
     pub index: Option<u32>,
+}
+
+impl Slot {
+    /// What the slot `k` later is where one strand comes after another, or all are empty.
+    pub fn after(&self, k: u32) -> Self {
+        Self { index: self.index.map(|index| index.wrapping_add(k)), ..*self }
+    }
 }
 
 impl<I: Identifier> SlotMap<I> {
@@ -129,6 +136,17 @@ impl<I: Identifier> SlotMap<I> {
     /// The index of the strand that an identifier names.
     pub fn index(&self, id: I) -> Option<usize> {
         self.slot(id).and_then(|slot| self.slots[slot].index).map(|index| index as usize)
+    }
+
+    /// The identifiers of `count` strands by their index; none where slots do not name each of them once and nothing else.
+    pub fn by_index(&self, count: usize) -> Option<Vec<I>> {
+        let mut ids = vec![None; count];
+        for (slot, here) in self.slots.iter().enumerate() {
+            let Some(index) = here.index else { continue };
+            let place = ids.get_mut(index as usize).filter(|place| place.is_none())?;
+            *place = Some(self.id_of(slot));
+        }
+        ids.into_iter().collect()
     }
 
     /// Invalidates an identifier.

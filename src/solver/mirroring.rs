@@ -71,6 +71,7 @@ fn image(strand: &Strand, id: StrandId, plane: &Plane) -> Strand {
         wrench_torque: plane.spin(state.wrench_torque.into()).into(),
         past,
         subdivision: state.subdivision,
+        air: None,
     };
     let authored = authored.as_deref().map(|authored| {
         Box::new(Authored { lengths: authored.lengths.clone(), natural: rows(&authored.natural).into_boxed_slice() })

@@ -6,11 +6,12 @@
 //! - `attachment.rs`: Strands, bodies and targets of constraints attached to one pose: a head with everything on it.
 //! - `bodies.rs`: Bodies, which strands stay outside of.
 //! - `bringing_out.rs`: Brings curves out of a body of the scene before they become strands.
-//! - `bulk_sampling.rs`: Samples many strands at uniform arclengths: in packs side by side, on all of the solver's threads.
+//! - `bulk_sampling.rs`: Samples many strands at uniform arclengths: in packs side by side, on all of the solver's workers.
 //! - `clips.rs`: Clips: hold strands where they are in a box, and move with the box.
 //! - `constraints.rs`: Bilateral constraints: pin, clamp, tie and ring strands, and report the forces.
 //! - `contact_events.rs`: Contact begin and end events, queued until the host drains them.
 //! - `crossing.rs`: Where strands cross a blade or the surface swept by a tooth, and which parts of them are in a box.
+//! - `debug_draw.rs`: Debug drawing: what a solver knows, as coloured lines and points in batches.
 //! - `deep_places.rs`: Overlaps of strands with bodies and with each other in the current scene, independent of any step.
 //! - `definition.rs`: The options of a solver; strands: `StrandDef`.
 //! - `editing.rs`: Edits strands: motions of roots, natural and current shapes, rest.
@@ -42,6 +43,7 @@
 //! - `touching.rs`: Who touches whom in a substep: bodies and strands found near held strands, as joints.
 //! - `trial_steps.rs`: Trial steps: a strand near a body first steps as a free strand, side by side with others.
 //! - `trimming.rs`: Cuts simulated strands and lets them grow.
+//! - `wind.rs`: Wind as a field: a host's function of place and time, looked up once before every substep.
 //! - `workers.rs`: The workers of a step and their scratch memory.
 
 mod astray;
@@ -53,9 +55,10 @@ pub mod clips;
 pub mod constraints;
 pub mod contact_events;
 mod crossing;
+pub mod debug_draw;
 mod deep_places;
 pub mod definition;
-mod editing;
+pub(crate) mod editing;
 mod fast_bodies;
 mod freezing;
 pub mod heating;
@@ -84,7 +87,10 @@ pub mod touch_compliance;
 mod touching;
 mod trial_steps;
 mod trimming;
+mod wind;
 mod workers;
+
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::Vector3;
 
@@ -95,11 +101,13 @@ pub use overlaps::Overlap;
 pub use render_guides::SolverGuides;
 pub use sampling::Sample;
 pub use snapshot::{Restoring, SNAPSHOT_VERSION, SnapshotShapes};
-pub use stepping::SHORTEST_STEP;
+pub use stepping::{LONGEST_STEP, SHORTEST_STEP};
+pub use wind::{WIND_BATCH, WindField};
 
 use crate::error::{Error, Result, check_finite};
 use crate::math::lanes::InstructionSet;
 use crate::math::quadrature::Rules;
+use crate::platform::Instant;
 use bodies::SceneBody;
 use constraints::Constraint;
 use contact_events::ContactEvents;
@@ -142,6 +150,9 @@ pub struct Solver {
     bodies: Vec<SceneBody>,
     bodies_at_work: BodiesAtWork,
     events: Option<Box<ContactEvents>>,
+    wind_field: Option<std::sync::Arc<dyn WindField>>,
+    /// Nanoseconds that sampling took since the last step.
+    sampling: AtomicU64,
 }
 
 impl std::fmt::Debug for Solver {
@@ -176,6 +187,8 @@ impl Solver {
             bodies: Vec::new(),
             bodies_at_work: BodiesAtWork::default(),
             events: None,
+            wind_field: None,
+            sampling: AtomicU64::new(0),
         })
     }
 
@@ -201,6 +214,14 @@ impl Solver {
             + self.constraints.capacity() * size_of::<Constraint>()
             + self.events.as_deref().map_or(0, |events| size_of::<ContactEvents>() + events.heap_bytes());
         (lists as f64 + strands + self.sections.heap_bytes()).round() as u64
+    }
+
+    /// Does something that counts as sampling.
+    fn timed_sampling<R>(&self, sample: impl FnOnce() -> R) -> R {
+        let started = Instant::now();
+        let result = sample();
+        self.sampling.fetch_add(started.elapsed().as_nanos() as u64, Ordering::Relaxed);
+        result
     }
 
     fn index(&self, argument: &str, id: StrandId) -> Result<usize> {

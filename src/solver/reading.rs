@@ -175,10 +175,12 @@ impl Solver {
                 return Err(Error::invalid(format!("arclengths[{k}]"), arclength, format!("0 to the strand's length {length}")));
             }
         }
-        let mut sampler = Sampler::new(strand, &self.rules);
-        for (k, arclength) in arclengths.iter().enumerate() {
-            emit(k, &sampler.at(*arclength));
-        }
+        self.timed_sampling(|| {
+            let mut sampler = Sampler::new(strand, &self.rules);
+            for (k, arclength) in arclengths.iter().enumerate() {
+                emit(k, &sampler.at(*arclength));
+            }
+        });
         Ok(())
     }
 }

@@ -51,7 +51,7 @@ pub struct StepReport {
     pub phases: Phases,
 }
 
-/// The time of a step's phases, s. Their sum is at most [`StepReport::seconds`]; the rest is overhead.
+/// The time of a step's phases, s. The sum of the first three is at most [`StepReport::seconds`]; the rest is overhead.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Phases {
     /// The search for contacts between strands and with bodies.
@@ -60,6 +60,8 @@ pub struct Phases {
     pub strands: f64,
     /// The contact problems of islands.
     pub contact: f64,
+    /// Sampling since the step before, of all threads together: no part of the step itself.
+    pub sampling: f64,
 }
 
 impl Phases {

@@ -12,13 +12,15 @@
 //! - `bytes.rs`: Numbers to bytes and back: little-endian, every length checked against the remaining bytes before allocation.
 //! - `constraints.rs`: Constraints in a snapshot: definitions, motions of their targets, last results.
 //! - `contact.rs`: Contact in a snapshot, beside bodies: options, contact parameters of strands, and the warm start of the next substep.
+//! - `packed_strands.rs`: Strands as images hold them: what a strand shares with the one before it, or says twice itself, is written once.
 //! - `shapes.rs`: Static shapes, stored once beside any number of snapshots, each under its content's hash.
-//! - `strands.rs`: Strands in a snapshot: constants and states.
+//! - `strands.rs`: Parts of strands, and whole ones for hashes.
 
 mod bodies;
 mod bytes;
 mod constraints;
 mod contact;
+mod packed_strands;
 mod shapes;
 mod strands;
 
@@ -47,7 +49,7 @@ use crate::step::options::{Integrator, LinearSolver, StepOptions};
 use bytes::{FNV_START, Reader, Writer, bad, fnv1a, of_part};
 
 /// Changes whenever an image of an older version can no longer be read.
-pub const SNAPSHOT_VERSION: u32 = 7;
+pub const SNAPSHOT_VERSION: u32 = 8;
 const MAGIC: &[u8; 8] = b"SHXSNAP\0";
 const HEAD: usize = 8 + 4 + 8;
 
@@ -202,12 +204,10 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let strand_count = reader.count(8)?;
     let mut strands = Vec::with_capacity(strand_count);
     let mut sections = Sections::default();
-    for index in 0..strand_count {
-        let id = reader.id("strand", &slots, index)?;
-        let mut strand = reader.strand(id, rules, &mut sections)?;
-        strand.authored = reader.authored(strand.model.length())?;
-        (strand.contact, strand.touched) = (reader.strand_contact()?, reader.flag()?);
-        strand.allowance = reader.allowance()?;
+    let ids =
+        slots.by_index(strand_count).ok_or_else(|| bad(format!("it holds {strand_count} strands and identifiers of others")))?;
+    for id in ids {
+        let strand = reader.packed_strand(id, strands.last(), rules, &mut sections)?;
         strands.push(strand);
     }
     let bodies = reader.bodies(&body_slots, find)?;
@@ -215,7 +215,6 @@ fn read(image: &[u8], rules: &Rules, find: &dyn Fn(u128) -> Result<Arc<Shape>>) 
     let elements = |index: u32| strands.get(index as usize).map(|strand: &Strand| &*strand.model.lengths);
     let holding = Holding::taken_up(reader.touches()?, elements, bodies.len())
         .ok_or_else(|| bad("its warm start does not match its scene"))?;
-    check_taken("strands", &slots, strands.len())?;
     check_taken("bodies", &body_slots, bodies.len())?;
     check_taken("constraints", &constraint_slots, constraints.len())?;
     if !reader.left.is_empty() {
@@ -296,13 +295,8 @@ impl Solver {
         writer.slots(&self.body_slots);
         writer.slots(&self.constraint_slots);
         writer.u64(self.strands.len() as u64);
-        for strand in &self.strands {
-            writer.u64(strand.id.bits());
-            writer.strand(strand);
-            writer.authored(strand.authored.as_deref());
-            writer.strand_contact(strand.contact.as_deref());
-            writer.flag(strand.touched);
-            writer.allowance(strand.allowance.as_deref());
+        for (index, strand) in self.strands.iter().enumerate() {
+            writer.packed_strand(strand, index.checked_sub(1).map(|before| &self.strands[before]));
         }
         writer.bodies(&self.bodies, shapes, |writer, body| {
             writer.u64(body.id.bits());
@@ -313,7 +307,7 @@ impl Solver {
             writer.u64(constraint.id.bits());
             writer.u64(constraint.user_data);
         });
-        writer.touches(&self.holding.memory());
+        writer.packed_touches(&self.holding.memory());
     }
 
     /// Restores a snapshot of this solver or another: strands, bodies, constraints, identifiers and options become those of the

@@ -23,6 +23,9 @@ use crate::step::{Setting, Surroundings, packs, subdivision};
 /// The shortest substep, s: below it the rounding of positions, divided by the square of the step, swamps every acceleration.
 pub const SHORTEST_STEP: f64 = 1e-9;
 
+/// The longest substep, s: a longer one is taken for another unit. [`Solver::settle`] finds static equilibria.
+pub const LONGEST_STEP: f64 = 3600.0;
+
 /// A part of a substep takes at least this many times the time of its overhead, and this much work per element of all strands.
 const SHARE_OF_BESIDE: f64 = 3.0;
 const WORK_OF_A_PART: f64 = 8.0;
@@ -98,6 +101,8 @@ struct SubstepPosition {
     is_last: bool,
     /// Whether it is part of a substep in which a body moves far.
     is_fast: bool,
+    /// Seconds from the call's start to its own.
+    from: f64,
 }
 
 /// The cost of substeps, and why they ended before all strands converged.
@@ -127,7 +132,8 @@ impl Solver {
     /// in contacts or constraints, is rolled back to the start of the substep and counted; the others continue.
     ///
     /// # Errors
-    /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`];
+    /// [`Error::InvalidArgument`] for a time that is not finite and above zero, no substeps, or substeps below [`SHORTEST_STEP`] or
+    /// above [`LONGEST_STEP`];
     /// [`Error::Unsupported`] if strands may be in contact or have constraints and the integrator is [`Integrator::Reference`],
     /// which steps free strands only.
     pub fn step(&mut self, dt: f64, substeps: u32) -> Result<StepReport> {
@@ -158,8 +164,8 @@ impl Solver {
             return Err(Error::invalid("substeps", substeps, "1 or more"));
         }
         let h = dt / f64::from(substeps);
-        if h < SHORTEST_STEP {
-            return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP} s or more")));
+        if !(SHORTEST_STEP..=LONGEST_STEP).contains(&h) {
+            return Err(Error::invalid("dt / substeps", h, format!("{SHORTEST_STEP:e} to {LONGEST_STEP} s")));
         }
         self.check_integrator()?;
         let elements = self.strands.iter().map(|strand| strand.model.element_count()).sum();
@@ -173,7 +179,9 @@ impl Solver {
             (ContactTally::default(), self.step_free(h, &clock, &total))
         };
         let total = total.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let Spent { work, stopped, parts, phases } = spent;
+        let Spent { work, stopped, parts, mut phases } = spent;
+        phases.sampling = *self.sampling.get_mut() as f64 * 1e-9;
+        *self.sampling.get_mut() = 0;
         self.note_contacts();
         let report = self.report(&total, substeps, started);
         Ok(StepReport { contact, work, stopped, carried: jumped, parts: parts.max(1), phases, ..report })
@@ -181,29 +189,47 @@ impl Solver {
 
     /// The substeps of a scene without contacts or constraints: each task takes its own strands through all of them.
     fn step_free(&mut self, h: f64, clock: &Clock, total: &Mutex<Tally>) -> Spent {
+        let meter = clock.meter(&Left { work: clock.work(), parts: 1.0, all_parts: 1.0, substeps: 0.0 }, 0.0);
+        let begins = Instant::now();
+        if self.wind_field.is_none() {
+            self.take_free(h, clock.substeps, &meter, total);
+        } else {
+            // The field is looked up for all strands before any begins the next substep.
+            for substep in 0..clock.substeps {
+                let halted = meter.is_halted();
+                let length = if halted { h * f64::from(clock.substeps - substep) } else { h };
+                self.look_up_wind(h * f64::from(substep), length);
+                self.take_free(length, 1, &meter, total);
+                if halted {
+                    break;
+                }
+            }
+        }
+        // Work that was done in time does not show that time ran out afterwards.
+        let late = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
+        let phases = Phases { strands: begins.elapsed().as_secs_f64(), ..Phases::default() };
+        Spent { stopped: if late { meter.stopped() } else { Stopped::No }, phases, ..Spent::default() }
+    }
+
+    /// Takes all strands through so many substeps of `h` seconds, each task its own.
+    fn take_free(&mut self, h: f64, substeps: u32, meter: &Meter, total: &Mutex<Tally>) {
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
         let set = self.instruction_set();
         let width = packs::width(self.options.step.precision, set);
-        let meter = clock.meter(&Left { work: clock.work(), parts: 1.0, all_parts: 1.0, substeps: 0.0 }, 0.0);
-        let begins = Instant::now();
         self.crew.for_each_task(&mut self.strands, width, side_by_side::MAX_TASK, |strands, scratch| {
             let mut tally = Tally::default();
-            for substep in 0..clock.substeps {
+            for substep in 0..substeps {
                 let halted = meter.is_halted();
-                let h = if halted { h * f64::from(clock.substeps - substep) } else { h };
+                let h = if halted { h * f64::from(substeps - substep) } else { h };
                 let mut counts = TrialTally { all: &mut tally, on_trial: &mut [] };
-                side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, &meter);
+                side_by_side::take(strands, &setting, h, set, &mut counts, &mut scratch.step, meter);
                 if halted {
                     break;
                 }
             }
             total.lock().unwrap_or_else(PoisonError::into_inner).merge(&tally);
         });
-        // Work that was done in time does not show that time ran out afterwards.
-        let late = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
-        let phases = Phases { strands: begins.elapsed().as_secs_f64(), ..Phases::default() };
-        Spent { stopped: if late { meter.stopped() } else { Stopped::No }, phases, ..Spent::default() }
     }
 
     /// Whether contacts or constraints may act on strands. Bodies and constraints move in either case.
@@ -217,6 +243,13 @@ impl Solver {
     fn check_integrator(&self) -> Result<()> {
         if self.options.step.integrator != Integrator::Reference {
             return Ok(());
+        }
+        if self.wind_field.is_some() && self.strands.iter().any(|strand| strand.model.material.air_drag > 0.0) {
+            return Err(Error::Unsupported {
+                argument: "the solver's integrator".into(),
+                value: "reference".into(),
+                hint: "its error control cannot see a field of wind; take second order or implicit Euler".into(),
+            });
         }
         let hair = self.options.contact.hair;
         let touches = |contact: &StrandContact| {
@@ -254,18 +287,24 @@ impl Solver {
                 let (to_do, all_parts) = (f64::from(parts - part), f64::from(parts));
                 let left = Left { work, parts: to_do, all_parts, substeps: substeps - 1.0 };
                 let meter = clock.meter(&left, self.holding.beside().end);
+                let from = h * (f64::from(substep) + f64::from(part) / all_parts);
                 if clock.is_over() {
                     // Nothing more can be done in any of them: all strands move with their roots, at once.
                     let rest = h * (substeps - 1.0 + to_do / all_parts);
                     self.prepare_motions(rest);
-                    let phases =
-                        self.take_substep(rest, &meter, &mut contact, total, SubstepPosition { is_last: true, is_fast: false });
+                    let phases = self.take_substep(
+                        rest,
+                        &meter,
+                        &mut contact,
+                        total,
+                        SubstepPosition { is_last: true, is_fast: false, from },
+                    );
                     spent.phases.add(&phases);
                     spent.add(&meter, true);
                     break 'substeps;
                 }
                 let is_last = substep + 1 == clock.substeps && part + 1 == parts;
-                let place = SubstepPosition { is_last, is_fast: parts > 1 };
+                let place = SubstepPosition { is_last, is_fast: parts > 1, from };
                 let phases = self.take_substep(h / all_parts, &meter, &mut contact, total, place);
                 spent.phases.add(&phases);
                 let left = total.lock().unwrap_or_else(PoisonError::into_inner).left > 0;
@@ -289,11 +328,14 @@ impl Solver {
         total: &Mutex<Tally>,
         place: SubstepPosition,
     ) -> Phases {
-        let SubstepPosition { is_last, is_fast } = place;
+        let SubstepPosition { is_last, is_fast, from } = place;
         for scene_body in &mut self.bodies {
             scene_body.body.begin(h);
         }
         self.wake_near_bodies(h);
+        let looks_up = Instant::now();
+        self.look_up_wind(from, h);
+        let looked_up = looks_up.elapsed().as_secs_f64();
         let set = self.instruction_set();
         let surroundings = Surroundings { gravity: self.options.gravity.into(), wind: self.options.wind.into() };
         let setting = Setting { surroundings: &surroundings, options: &self.options.step, rules: &self.rules };
@@ -349,7 +391,7 @@ impl Solver {
         self.bodies_at_work = BodiesAtWork { at, ids, wrenches };
         // Strands are whatever is neither search nor contact: they step between the two.
         let Phases { search, contact, .. } = self.holding.take_phases();
-        Phases { search, contact, strands: (taken - search - contact).max(0.0) }
+        Phases { search, contact, sampling: 0.0, strands: (taken - search - contact).max(0.0) + looked_up }
     }
 
     fn report(&self, tally: &Tally, substeps: u32, started: Instant) -> StepReport {

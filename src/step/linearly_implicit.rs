@@ -48,7 +48,8 @@ pub fn take<T: Lane, S: LinearSolve<T>>(
             let weight = T::splat(rule.weights[p % per_element]) * loaded.lengths[p / per_element];
             let mut force = (loaded.gravity - a).scale(density);
             if loaded.has_drag {
-                force -= (v - loaded.wind).scale(drag);
+                let wind = if loaded.has_air { loaded.air[p] } else { loaded.wind };
+                force -= (v - wind).scale(drag);
             }
             system.point_stiffness[p] = density * weight;
             system.point_force[p] = force.scale(step * weight);

@@ -153,6 +153,10 @@ pub struct Loaded<T> {
     pub gravity: Vec3<T>,
     /// Wind.
     pub wind: Vec3<T>,
+    /// Whether the air's velocity is another at every point: then it is that of `air`.
+    pub has_air: bool,
+    /// Velocities of the air at the points.
+    pub air: Vec<Vec3<T>>,
     /// κ.
     pub curvatures: Vec<[T; 3]>,
     /// κ̇.
@@ -195,6 +199,8 @@ impl<T: Lane> Default for Loaded<T> {
             has_dissipation: [false; 3],
             gravity: Vec3::zero(),
             wind: Vec3::zero(),
+            has_air: false,
+            air: Vec::new(),
             curvatures: Vec::new(),
             rates: Vec::new(),
             velocities: Vec::new(),
@@ -305,6 +311,10 @@ impl<T: Lane> Loaded<T> {
             }
         }
         (self.has_drag, self.has_dissipation) = (false, [false; 3]);
+        self.has_air = (0..self.count).any(|lane| members.state(lane).air.is_some());
+        if self.has_air {
+            self.air.resize(points, Vec3::zero());
+        }
         for lane in 0..T::LANES {
             let member = self.member(lane);
             self.load_lane(lane, members.model(member), members.state(member), surroundings, h, reads);
@@ -341,6 +351,12 @@ impl<T: Lane> Loaded<T> {
         self.has_drag |= model.material.air_drag > 0.0;
         put(&mut self.gravity.0, lane, &surroundings.gravity.0, time / units.speed());
         put(&mut self.wind.0, lane, &surroundings.wind.0, 1.0 / units.speed());
+        if self.has_air {
+            match state.air() {
+                Some(air) => put_vectors(&mut self.air, lane, air, 1.0 / units.speed()),
+                None => self.air.iter_mut().for_each(|to| put(&mut to.0, lane, &surroundings.wind.0, 1.0 / units.speed())),
+            }
+        }
         self.step.set_lane(lane, h / time);
 
         put_rows(&mut self.natural, lane, &model.natural, length);

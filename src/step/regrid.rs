@@ -225,7 +225,7 @@ fn resampled(old: &mut Old, borders: &[f64], rules: &Rules, rule: usize, velocit
             // The last piece extends to the end, which rounding may have put a little beyond.
             let is_last = index + 2 >= old.borders.len() || old.borders[index + 1] >= right - 1e-9 * (right - left);
             let to = if is_last { right } else { to };
-            for (node, weight) in pieces.nodes.iter().zip(&pieces.weights) {
+            for (node, weight) in pieces.nodes.iter().zip(pieces.weights.iter()) {
                 let arclength = from + node * (to - from);
                 let fraction = weight * (to - from) / (right - left);
                 let velocity = old.velocity_on(index, arclength, velocities);

@@ -459,7 +459,9 @@ pub(super) fn assemble_terms<T: Lane>(
     inertia::add(&mut shared, loaded.linear_density, k, Vec3::zero());
     gravity::add(&mut shared, loaded.linear_density, loaded.gravity);
     if loaded.has_drag {
-        drag::add(&mut shared, loaded.air_drag, k, loaded.wind);
+        // A field's pull comes to each point's own.
+        let wind = if loaded.has_air { Vec3::zero() } else { loaded.wind };
+        drag::add(&mut shared, loaded.air_drag, k, wind);
     }
     let inverse = T::one() / shared.stiffness;
     for (element, length) in loaded.lengths.iter().enumerate() {
@@ -467,7 +469,13 @@ pub(super) fn assemble_terms<T: Lane>(
             let p = element * per_element + node;
             system.point_stiffness[p] = shared.stiffness * (T::splat(*weight) * *length);
             let start = stage.start_velocities[p];
-            let pull = if loaded.has_drag { shared.pull - start.scale(loaded.air_drag) } else { shared.pull };
+            let mut pull = shared.pull;
+            if loaded.has_drag {
+                if loaded.has_air {
+                    pull += loaded.air[p].scale(loaded.air_drag);
+                }
+                pull -= start.scale(loaded.air_drag);
+            }
             point_target[p] = stage.start_displacements[p] + (start.scale(k) + (pull.scale(inverse) - offset));
         }
         for axis in 0..3 {

@@ -39,6 +39,15 @@ pub struct StrandState {
     pub past: Past,
     /// How often to halve the next step from its start: the halvings that the last one needed.
     pub subdivision: u32,
+    /// Velocities of the air at the quadrature nodes in the coming step, where there is a field of wind.
+    pub air: Option<Box<Air>>,
+}
+
+/// Velocities of the air along a strand.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Air {
+    /// At the quadrature nodes, world axes, m/s.
+    pub velocities: Vec<Vec3<f64>>,
 }
 
 /// The history of the two-step method: the strand at the start of the last step. A strand that never had one uses no memory for
@@ -146,11 +155,16 @@ impl Clone for StrandState {
             wrench_force,
             wrench_torque,
             subdivision,
+            air,
         } = source;
         self.curvatures.clone_from(curvatures);
         self.rates.clone_from(rates);
         self.velocities.clone_from(velocities);
         self.past.clone_from(past);
+        match (&mut self.air, air) {
+            (Some(to), Some(from)) => to.velocities.clone_from(&from.velocities),
+            (to, from) => to.clone_from(from),
+        }
         (self.rule, self.root, self.subdivision) = (*rule, *root, *subdivision);
         (self.root_velocity, self.root_angular_velocity) = (*root_velocity, *root_angular_velocity);
         (self.wrench_force, self.wrench_torque) = (*wrench_force, *wrench_torque);
@@ -171,6 +185,7 @@ impl Default for StrandState {
             wrench_torque: Vec3::zero(),
             past: Past::default(),
             subdivision: 0,
+            air: None,
         }
     }
 }
@@ -227,7 +242,8 @@ impl StrandState {
         }
         let (from, to) = (rules.rule(self.rule), rules.rule(wanted));
         let past = if self.past.step > 0.0 { Some(&mut self.past.velocities) } else { None };
-        for velocities in [Some(&mut self.velocities), past].into_iter().flatten() {
+        let air = self.air.as_deref_mut().map(|air| &mut air.velocities).filter(|air| air.len() == self.velocities.len());
+        for velocities in [Some(&mut self.velocities), past, air].into_iter().flatten() {
             scratch.velocities.clear();
             scratch.velocities.resize(model.element_count() * to.len(), Vec3::zero());
             for node in 0..to.len() {
@@ -245,6 +261,12 @@ impl StrandState {
             velocities.clone_from(&scratch.velocities);
         }
         self.rule = wanted;
+    }
+
+    /// Velocities of the air at the nodes, if a field of wind gave them for the present rule.
+    #[inline(always)]
+    pub fn air(&self) -> Option<&[Vec3<f64>]> {
+        self.air.as_deref().map(|air| &*air.velocities).filter(|air| air.len() == self.velocities.len())
     }
 
     /// Moves the root at once: the shape, and the velocities in the root's axes, stay as they are.
@@ -279,7 +301,8 @@ impl StrandState {
     /// Bytes on the heap.
     pub fn heap_bytes(&self) -> usize {
         let rows = self.curvatures.capacity() + self.rates.capacity() + self.velocities.capacity();
-        rows * size_of::<[f64; 3]>() + self.past.heap_bytes()
+        let air = self.air.as_ref().map_or(0, |air| size_of::<Air>() + size_of::<[f64; 3]>() * air.velocities.capacity());
+        rows * size_of::<[f64; 3]>() + self.past.heap_bytes() + air
     }
 
     /// Whether every number is finite.

@@ -54,6 +54,28 @@ AT(shx_solver_options, max_seconds, 128);
 AT(shx_solver_options, worker_count, 136);
 AT(shx_solver_options, reserved0, 140);
 
+SIZE(shx_debug_vertex, 32);
+AT(shx_debug_vertex, position, 0);
+AT(shx_debug_vertex, color, 24);
+AT(shx_debug_vertex, layer, 28);
+
+SIZE(shx_debug_draw_def, 184);
+AT(shx_debug_draw_def, struct_size, 0);
+AT(shx_debug_draw_def, layers, 4);
+AT(shx_debug_draw_def, points_per_strand, 8);
+AT(shx_debug_draw_def, reserved, 12);
+AT(shx_debug_draw_def, frame_length, 16);
+AT(shx_debug_draw_def, normal_length, 24);
+AT(shx_debug_draw_def, force_scale, 32);
+AT(shx_debug_draw_def, origin, 40);
+AT(shx_debug_draw_def, x_axis, 64);
+AT(shx_debug_draw_def, y_axis, 88);
+AT(shx_debug_draw_def, z_axis, 112);
+AT(shx_debug_draw_def, translation, 136);
+AT(shx_debug_draw_def, lines, 160);
+AT(shx_debug_draw_def, points, 168);
+AT(shx_debug_draw_def, user, 176);
+
 SIZE(shx_restore_def, 24);
 AT(shx_restore_def, struct_size, 0);
 AT(shx_restore_def, options, 4);
@@ -91,7 +113,7 @@ AT(shx_strand_def, root_velocity, 184);
 AT(shx_strand_def, root_angular_velocity, 208);
 AT(shx_strand_def, reserved, 232);
 
-SIZE(shx_step_report, 200);
+SIZE(shx_step_report, 208);
 AT(shx_step_report, struct_size, 0);
 AT(shx_step_report, quarantined, 4);
 AT(shx_step_report, unconverged, 8);
@@ -124,6 +146,7 @@ AT(shx_step_report, capped_contact_forces, 168);
 AT(shx_step_report, search_seconds, 176);
 AT(shx_step_report, strand_seconds, 184);
 AT(shx_step_report, contact_seconds, 192);
+AT(shx_step_report, sampling_seconds, 200);
 
 SIZE(shx_step_limits, 32);
 AT(shx_step_limits, struct_size, 0);

@@ -106,8 +106,8 @@ fn valgrind(program: &Path) -> Command {
 fn program(name: &str) -> PathBuf {
     let path = build().join(name);
     let library = build().join("lib");
-    // These two load the library themselves.
-    let loads = name == "unload" || name == "two_copies";
+    // These load the library themselves.
+    let loads = ["unload", "two_copies", "load_memory"].contains(&name);
     let standard = if loads { "-std=gnu99" } else { "-std=c99" };
     let mut command = Command::new("cc");
     command.args([standard, "-O1", "-g"]).args(WARNINGS.iter().filter(|flag| !loads || **flag != "-Wpedantic"));
@@ -179,6 +179,40 @@ fn rule_11_layout_as_c_sees_it() {
 #[test]
 fn rule_8_dlclose_unloads_100_times() {
     run(Command::new(program("unload")).arg(build().join("lib/libsuperhelix.so")));
+}
+
+#[test]
+fn rule_8_loading_200_times_leaves_nothing_on_the_heap() {
+    print!("{}", text(Command::new(program("load_memory")).arg(build().join("lib/libsuperhelix.so"))));
+}
+
+/// In programs of their own: once something was allocated it is too late.
+#[test]
+fn the_host_may_give_its_allocator_before_anything_is_allocated() {
+    let path = program("allocator");
+    let hash = text(&mut Command::new(&path));
+    assert_eq!(text(Command::new(&path).arg("late")), hash);
+    run(&mut valgrind(&path));
+}
+
+/// As C99 and as C++17, without warnings.
+#[test]
+fn inline_helpers_agree_with_the_library() {
+    run(&mut Command::new(program("inline")));
+    let path = build().join("inline_cpp");
+    let library = build().join("lib");
+    let mut command = Command::new("c++");
+    command.args(["-x", "c++", "-std=c++17"]).args(WARNINGS).arg("-I").arg(build().join("include"));
+    command.arg(root().join("tests/c/inline.c")).arg("-o").arg(&path).arg("-L").arg(&library).args(["-lsuperhelix", "-lm"]);
+    run(command.arg(format!("-Wl,-rpath,{}", library.display())));
+    run(&mut Command::new(path));
+}
+
+#[test]
+fn debug_drawing_and_wind_from_c() {
+    let path = program("debug_draw");
+    run(&mut Command::new(&path));
+    run(&mut valgrind(&path));
 }
 
 #[test]

@@ -4,14 +4,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The subjects of the header in its order: a title, and the sources whose items stand under it, each in the order of its source.
-const SUBJECTS: [(&str, &[&str]); 33] = [
+const SUBJECTS: [(&str, &[&str]); 36] = [
     ("Version", &["version"]),
     ("Results and errors", &["errors"]),
     (HANDLES, &["guard"]),
     ("Ids, frames, inputs and outputs", &["types"]),
     ("Messages and threads", &["log", "parallel"]),
+    ("Memory", &["allocator"]),
     ("Solver", &["solver_def", "solver", "solver_options"]),
     ("Stepping", &["step_limits", "step"]),
+    ("Wind", &["wind"]),
     ("Strands", &["strand_def", "strands"]),
     ("Roots", &["roots"]),
     ("Curvatures", &["shape"]),
@@ -29,6 +31,7 @@ const SUBJECTS: [(&str, &[&str]); 33] = [
     ("Haptics", &["haptic_def", "haptic"]),
     ("Styling tools", &["styling_tool", "styling", "ring_comb"]),
     ("Snapshots", &["state"]),
+    ("Debug drawing", &["debug_draw"]),
     ("Fitting strands to curves", &["fit", "fit_curves", "spline"]),
     ("Choosing settings", &["settings"]),
     ("Choosing the number of elements", &["suggest"]),

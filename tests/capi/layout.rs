@@ -10,6 +10,7 @@ use superhelix::internals::capi::contact::{shx_contact_options, shx_strand_conta
 use superhelix::internals::capi::contact_events::shx_contact_event;
 use superhelix::internals::capi::contacts::shx_contact;
 use superhelix::internals::capi::curve_data::shx_curve_data;
+use superhelix::internals::capi::debug_draw::{shx_debug_draw_def, shx_debug_vertex};
 use superhelix::internals::capi::distance_grid::shx_distance_grid_def;
 use superhelix::internals::capi::fit::shx_polyline_fit;
 use superhelix::internals::capi::fit_curves::{shx_fit_input, shx_fit_options, shx_fitted_strand};
@@ -60,11 +61,13 @@ fn every_size_and_offset_is_as_published() {
     let expected = layouts! {
         shx_solver_def: 184 { struct_size: 0, worker_count: 4, gravity: 8, wind: 32, parallel_for: 56, parallel_for_user: 64, log: 72, log_user: 80, log_level: 88, integrator: 92, linear_solver: 96, precision: 100, max_iterations: 104, exact_hessian: 108, tolerance: 112, max_subdivisions: 120, instruction_set: 124, error_tolerance: 128, reference_tolerance: 136, quadrature_tolerance: 144, jump_acceleration: 152, reserved: 160, user_data: 176 }
         shx_solver_options: 144 { struct_size: 0, integrator: 4, linear_solver: 8, precision: 12, max_iterations: 16, exact_hessian: 20, max_subdivisions: 24, instruction_set: 28, gravity: 32, wind: 56, tolerance: 80, error_tolerance: 88, reference_tolerance: 96, quadrature_tolerance: 104, jump_acceleration: 112, max_work: 120, max_seconds: 128, worker_count: 136, reserved0: 140 }
+        shx_debug_vertex: 32 { position: 0, color: 24, layer: 28 }
+        shx_debug_draw_def: 184 { struct_size: 0, layers: 4, points_per_strand: 8, reserved: 12, frame_length: 16, normal_length: 24, force_scale: 32, origin: 40, x_axis: 64, y_axis: 88, z_axis: 112, translation: 136, lines: 160, points: 168, user: 176 }
         shx_restore_def: 24 { struct_size: 0, options: 4, shapes: 8, shapes_size: 16 }
         shx_snapshot_def: 8 { struct_size: 0, shapes: 4 }
         shx_frame: 56 { origin: 0, rotation: 24 }
         shx_strand_def: 264 { struct_size: 0, element_count: 4, length: 8, element_lengths: 16, radius: 24, density: 40, youngs_modulus: 48, poisson_ratio: 56, internal_friction: 64, viscosity: 72, air_drag: 80, dofs: 88, reserved0: 92, root: 96, natural_curvatures: 152, user_data: 160, initial_curvatures: 168, initial_rates: 176, root_velocity: 184, root_angular_velocity: 208, reserved: 232 }
-        shx_step_report: 200 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_local_error: 80, contacts: 88, contact_searches: 92, max_contact_iterations: 96, unconverged_islands: 100, contact_sweeps: 104, max_contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside_bodies: 136, stop_reason: 144, unfinished: 148, work: 152, jumped_roots: 160, fast_body_pieces: 164, capped_contact_forces: 168, search_seconds: 176, strand_seconds: 184, contact_seconds: 192 }
+        shx_step_report: 208 { struct_size: 0, quarantined: 4, unconverged: 8, max_iterations: 12, max_residual: 16, kinetic_energy: 24, elastic_energy: 32, gravity_energy: 40, seconds: 48, substeps: 56, subdivided: 60, mean_iterations: 64, max_condition: 72, max_local_error: 80, contacts: 88, contact_searches: 92, max_contact_iterations: 96, unconverged_islands: 100, contact_sweeps: 104, max_contact_residual: 112, max_penetration: 120, max_constraint_error: 128, roots_inside_bodies: 136, stop_reason: 144, unfinished: 148, work: 152, jumped_roots: 160, fast_body_pieces: 164, capped_contact_forces: 168, search_seconds: 176, strand_seconds: 184, contact_seconds: 192, sampling_seconds: 200 }
         shx_step_limits: 32 { struct_size: 0, reserved0: 4, max_work: 8, max_seconds: 16, cancel: 24 }
         shx_strand_id: 8 { bits: 0 }
         shx_input: 32 { data: 0, stride: 8, count: 16, format: 24, reserved: 28 }

@@ -385,3 +385,18 @@ fn a_settled_scene_stays_where_it_is() {
     assert!(difference(&tips[0].0, &tips[1].0) > 1e-3, "{tips:?}");
     assert!(difference(&tips[1].0, &tips[1].1) < 1e-8, "{tips:?}");
 }
+
+#[test]
+fn what_a_killed_run_left_half_written_goes_with_the_next() {
+    let directory = directory("killed");
+    let first = run(&directory, &small_scene());
+    // Without a lock: its writer is dead.
+    let part = directory.join(".result.json.3.part");
+    std::fs::write(&part, "{\"version\": 1, \"ti").unwrap();
+    let second = run(&directory, &small_scene());
+    assert!(!part.exists());
+    assert_eq!(first["state_hash"], second["state_hash"]);
+    let hidden =
+        std::fs::read_dir(&directory).unwrap().flatten().filter(|entry| entry.file_name().to_str().unwrap().starts_with('.'));
+    assert_eq!(hidden.count(), 0);
+}

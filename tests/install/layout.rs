@@ -30,6 +30,7 @@ fn major() -> &'static str {
 fn an_installation_has_these_files() {
     let mut expected = vec![
         "include/superhelix.h".to_string(),
+        "include/superhelix_inline.h".to_string(),
         format!("{LIBRARIES}/libsuperhelix.a"),
         format!("{LIBRARIES}/libsuperhelix.so"),
         format!("{LIBRARIES}/libsuperhelix.so.{}", major()),

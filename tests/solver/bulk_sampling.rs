@@ -1,10 +1,12 @@
 //! Strands sampled in bulk, side by side and in f32, against a pass along each of them in f64; and the same bits for any number of threads.
 
-use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
 use nalgebra::{UnitQuaternion, Vector3};
+use superhelix::editing::EquilibriumOptions;
 use superhelix::reading::{Real, SampleSink, Tile, Wanted};
-use superhelix::{Frame, InstructionSet, Material, Sample, Solver, SolverOptions, StrandDef, StrandId, Workers};
+use superhelix::{Frame, InstructionSet, Material, ParallelFor, Sample, Solver, SolverOptions, StrandDef, StrandId, Workers};
 
 /// Position, quaternion x, y, z, w, velocity.
 type Numbers = [f64; 10];
@@ -135,6 +137,45 @@ fn samples_do_not_depend_on_threads_instructions_or_neighbours() {
             }
         }
     }
+}
+
+/// A task system that counts its loops and does them from behind, on two threads.
+#[derive(Default)]
+struct Host(AtomicUsize);
+
+impl ParallelFor for Host {
+    fn run(&self, count: u32, _: u32, task: &(dyn Fn(u32, u32, u32) + Sync)) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+        std::thread::scope(|scope| {
+            scope.spawn(|| (count / 2..count).rev().for_each(|k| task(k, k + 1, 0)));
+            task(0, count / 2, 1);
+        });
+    }
+}
+
+#[test]
+fn a_hosts_tasks_sample_and_settle_to_the_same_bits() {
+    let (mut serial, ids) = head(Workers::Serial, None);
+    let host = Arc::new(Host::default());
+    let (mut hosted, hosted_ids) = head(Workers::Host(host.clone()), None);
+    let loops = || host.0.swap(0, Ordering::Relaxed);
+    loops();
+    let expected = bulk::<f64>(&serial, &ids, 33, Vector3::zeros());
+    assert_eq!(bulk::<f64>(&hosted, &hosted_ids, 33, Vector3::zeros()), expected);
+    assert_eq!(loops(), 1);
+    // So few that handing them out would cost more.
+    assert_eq!(bulk::<f64>(&hosted, &hosted_ids[..3], 33, Vector3::zeros()), expected[..3 * 33]);
+    assert_eq!(loops(), 0);
+    let options = EquilibriumOptions::default();
+    let found = serial.settle(&ids[..40], &options).unwrap();
+    assert_eq!(hosted.settle(&hosted_ids[..40], &options).unwrap(), found);
+    assert!(loops() == 1 && found.iter().filter(|strand| strand.converged).count() > 20);
+    assert_eq!(hosted.state_hash(), serial.state_hash());
+    // What sampling took is in the report of the next step, once.
+    bulk::<f64>(&serial, &ids, 33, Vector3::zeros());
+    let sampled = serial.step(0.01, 1).unwrap().phases.sampling;
+    assert!(sampled > 0.0 && sampled < 1.0, "{sampled}");
+    assert_eq!(serial.step(0.01, 1).unwrap().phases.sampling, 0.0);
 }
 
 #[test]

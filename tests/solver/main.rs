@@ -3,8 +3,10 @@
 mod attachments;
 mod bulk_sampling;
 mod contact_events;
+mod debug_draw;
 mod identifiers_snapshots_workers;
 mod lanes;
 mod level_of_detail;
 mod live_options;
 mod snapshot_shapes;
+mod wind;

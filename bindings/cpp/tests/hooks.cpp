@@ -72,3 +72,50 @@ TEST(fits_and_render_hair_take_the_loop_too) {
   GET(pose.evaluate(drawn));
   EXPECT(calls > 0);
 }
+
+TEST(a_callable_is_the_wind) {
+  // The same wind everywhere, as a field and as one velocity.
+  solver uniform = GET(solver::create()), field = GET(solver::create());
+  hanging(uniform, 3);
+  hanging(field, 3);
+  const vec3 velocity = {1.0, -0.5, 0.25};
+  GET(uniform.set_wind(velocity));
+  const auto points = std::make_shared<std::size_t>(0);
+  double latest = 0.0;
+  GET(field.set_wind_field([=, &latest](double seconds, span<const vec3> positions, span<vec3> velocities) {
+    latest = seconds;
+    for (std::size_t i = 0; i < positions.size(); i++, ++*points)
+      velocities[i] = velocity;
+  }));
+  EXPECT(points.use_count() == 2);
+  GET(uniform.step(0.05, 3));
+  GET(field.step(0.05, 3));
+  EXPECT(*points >= 3 * 3 * 8 * 3);
+  NEAR(latest, 0.05, 1e-12);
+  GET(uniform.set_wind({0.0, 0.0, 0.0}));
+  GET(field.clear_wind_field());
+  EXPECT(points.use_count() == 1 && GET(uniform.state_hash()) == GET(field.state_hash()));
+}
+
+TEST(callables_draw) {
+  solver hair = GET(solver::create());
+  hanging(hair, 4);
+  std::size_t lines = 0, points = 0, batches = 0;
+  const auto count_lines = [&](span<const debug_vertex> vertices) {
+    lines += vertices.size() / 2;
+    batches++;
+    EXPECT(vertices[0].layer == debug_layers::centrelines && vertices[0].color != 0);
+  };
+  GET(hair.debug_draw(debug_draw_def().with_layers(debug_layers::centrelines).with_points_per_strand(300), count_lines,
+                      [&](span<const debug_vertex> vertices) { points += vertices.size(); }));
+  EXPECT(lines == 4 * 299 && points == 0 && batches == 3);
+  const auto none = [](span<const debug_vertex>) {};
+  EXPECT(WHY(hair.debug_draw(debug_draw_def().with_layers(64), none, none)).code() == SHX_ERROR_INVALID_ARGUMENT);
+}
+
+TEST(an_allocator_comes_before_everything_else) {
+  GET(solver::create());
+  const auto why = WHY(set_allocator([](void *, std::size_t size, std::size_t) { return std::malloc(size); },
+                                     [](void *, void *memory, std::size_t, std::size_t) { std::free(memory); }));
+  EXPECT(why.code() == SHX_ERROR_UNSUPPORTED);
+}

@@ -120,6 +120,18 @@ namespace Superhelix.Tests
         hair.KeepContactEvents(4);
         long lost;
         Check.That(hair.DrainContactEvents(new ContactEvent[4], out lost) == 0 && lost == 0, "no events");
+        int lines = 0, points = 0;
+        DebugDrawDef def = new DebugDrawDef { Layers = DebugLayers.Centrelines | DebugLayers.Frames, PointsPerStrand = 300 };
+        hair.DebugDraw(def, (vertices, count) =>
+        {
+          lines += count / 2;
+          Check.That(vertices[0].Layer == DebugLayers.Centrelines || vertices[0].Layer == DebugLayers.Frames, "a layer");
+        }, (vertices, count) => points += count);
+        Check.That(lines == hair.StrandCount() * (299 + 9 * 3) && points == 0, "lines: " + lines);
+        Check.Throws<InvalidOperationException>(() => hair.DebugDraw(def, (vertices, count) => { throw new FormatException("drawn"); }, null));
+        def.Layers = 0;
+        Check.Fails(ErrorCode.InvalidArgument, () => hair.DebugDraw(def, null, null), "def.layers");
+        Check.Fails(ErrorCode.NullArgument, () => Library.SetAllocator(IntPtr.Zero, IntPtr.Zero, IntPtr.Zero), "alloc");
       }
     }
 
@@ -324,6 +336,29 @@ namespace Superhelix.Tests
     internal static void Callbacks()
     {
       int calls = 0;
+      using (Solver uniform = new Solver())
+      using (Solver field = new Solver())
+      {
+        Check.Hanging(uniform, 3);
+        Check.Hanging(field, 3);
+        uniform.SetWind(new Vec3(1, -0.5, 0.25));
+        int batches = 0;
+        field.SetWindField((seconds, positions, velocities, points) =>
+        {
+          batches++;
+          for (int i = 0; i < points; i++)
+            velocities[i] = new Vec3(1, -0.5, 0.25);
+        });
+        uniform.Step(0.05, 3);
+        GC.Collect();
+        field.Step(0.05, 3);
+        uniform.SetWind(new Vec3(0, 0, 0));
+        Check.That(batches == 3 && field.StateHash() == uniform.StateHash(), "a field of wind");
+        field.SetWindField((seconds, positions, velocities, points) => { throw new FormatException("gust"); });
+        Check.Throws<InvalidOperationException>(() => field.Step(0.01));
+        field.SetWindField(null);
+        field.Step(0.01);
+      }
       ParallelFor loop = (count, minRange, task) =>
       {
         Interlocked.Increment(ref calls);

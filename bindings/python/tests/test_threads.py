@@ -221,3 +221,47 @@ def test_callbacks_live_as_long_as_the_solver() -> None:
     solver.close()
     gc.collect()
     assert gone() is None
+
+
+def test_a_field_of_wind_is_called_and_a_constant_one_is_the_uniform_wind() -> None:
+    with shx.Solver() as uniform, shx.Solver() as field:
+        for solver in (uniform, field):
+            solver.add_strands(shx.StrandDefs(5, element_count=6, length=0.1, air_drag=1e-5))
+        uniform.set_wind((1.0, -0.5, 0.25))
+        calls: list[tuple[float, tuple[int, ...]]] = []
+
+        def wind(seconds: float, positions: np.ndarray) -> tuple[float, float, float]:
+            calls.append((seconds, positions.shape))
+            return (1.0, -0.5, 0.25)
+
+        field.set_wind_field(wind)
+        del wind
+        gc.collect()
+        uniform.step(0.05, 2)
+        field.step(0.05, 2)
+        assert [seconds for seconds, _ in calls] == pytest.approx([0.025, 0.05])
+        assert all(shape[0] >= 5 * 6 * 3 and shape[1] == 3 for _, shape in calls)
+        uniform.set_wind((0, 0, 0))
+        assert field.state_hash() == uniform.state_hash()
+        field.set_wind_field(lambda seconds, positions: positions[:, :2])
+        with pytest.raises(ValueError, match="broadcast"):
+            field.step(0.01)
+        field.set_wind_field(None)
+        field.step(0.01)
+
+
+def test_debug_drawing_gives_tables() -> None:
+    with moving(20) as solver:
+        drawn = solver.debug_draw(shx.DebugLayers.CENTRELINES, points_per_strand=33, transform=np.diag([100.0, 100.0, 100.0]))
+        assert len(drawn.lines) == 20 * 32 * 2
+        assert len(drawn.points) == 0
+        points = solver.sample_strands(33, dtype=np.float64)
+        np.testing.assert_allclose(drawn.lines.position[1::2].reshape(20, 32, 3), 100 * points[:, 1:], atol=1e-9)
+        assert set(drawn.lines.layer) == {shx.DebugLayers.CENTRELINES}
+        with pytest.raises(shx.InvalidArgumentError, match="frame_length"):
+            solver.debug_draw(frame_length=-1.0)
+
+
+def test_an_allocator_comes_too_late_once_there_was_a_solver() -> None:
+    with shx.Solver(), pytest.raises(shx.UnsupportedError, match="too late"):
+        shx.set_allocator(1, 1)

@@ -4,15 +4,42 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use superhelix::Error;
+use superhelix::internals::files::part_file::PartFile;
+
 use crate::failure::Failure;
 
-/// A file being written under another name beside its target. Dropped before [`AtomicFile::commit`], it leaves nothing.
+/// A file being written under another name beside its target. Dropped before [`AtomicFile::commit`], it leaves nothing; what a killed run left, the
+/// next one that writes the same target removes.
 #[derive(Debug)]
 pub struct AtomicFile {
     target: PathBuf,
-    /// The name in use until the end; none when the target is a pipe or a device, which cannot be replaced.
-    temporary: Option<PathBuf>,
-    writer: BufWriter<File>,
+    writer: BufWriter<Place>,
+}
+
+/// Where bytes go until the end.
+#[derive(Debug)]
+enum Place {
+    /// Beside the target.
+    Part(PartFile),
+    /// A pipe or a device, which cannot be replaced.
+    Stream(File),
+}
+
+impl Write for Place {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Part(part) => part.write(bytes),
+            Self::Stream(file) => file.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Part(part) => part.flush(),
+            Self::Stream(file) => file.flush(),
+        }
+    }
 }
 
 impl AtomicFile {
@@ -25,37 +52,32 @@ impl AtomicFile {
             Ok(metadata) if metadata.is_dir() => return Err(Failure::file(path, "cannot be written: it is a directory")),
             Ok(metadata) if !metadata.is_file() => {
                 let file = OpenOptions::new().write(true).open(&target).map_err(fail)?;
-                return Ok(Self { target, temporary: None, writer: BufWriter::new(file) });
+                return Ok(Self { target, writer: BufWriter::new(Place::Stream(file)) });
             }
             // Replacing needs no right to write to the old file: ask for it, so that read-only files stay as they are.
             Ok(_) => drop(OpenOptions::new().write(true).open(&target).map_err(fail)?),
             Err(_) => {}
         }
-        let name = target.file_name().ok_or_else(|| Failure::file(path, "cannot be written: it names no file"))?;
-        let mut temporary_name = std::ffi::OsString::from(".");
-        temporary_name.push(name);
-        temporary_name.push(format!(".{}.part", std::process::id()));
-        let temporary = target.with_file_name(temporary_name);
-        let file = OpenOptions::new().write(true).create_new(true).open(&temporary).map_err(fail)?;
-        Ok(Self { target, temporary: Some(temporary), writer: BufWriter::new(file) })
+        let part = PartFile::create(&target).map_err(|error| match error {
+            Error::File { reason, .. } => Failure::file(path, reason),
+            other => Failure::file(path, other.to_string()),
+        })?;
+        Ok(Self { target, writer: BufWriter::new(Place::Part(part)) })
     }
 
     /// Ends the file and puts it in its place.
-    pub fn commit(mut self) -> Result<(), Failure> {
-        let finished = self.finish();
-        if finished.is_ok() {
-            self.temporary = None;
-        }
-        finished.map_err(|error| Failure::file(&self.target, format!("cannot be written: {error}")))
-    }
-
-    fn finish(&mut self) -> io::Result<()> {
-        self.writer.flush()?;
-        if let Some(temporary) = &self.temporary {
-            self.writer.get_ref().sync_all()?;
-            fs::rename(temporary, &self.target)?;
-        }
-        Ok(())
+    pub fn commit(self) -> Result<(), Failure> {
+        let Self { target, writer } = self;
+        let finish = || -> io::Result<()> {
+            match writer.into_inner().map_err(io::IntoInnerError::into_error)? {
+                Place::Part(part) => {
+                    part.file.sync_all()?;
+                    part.take_name(&target)
+                }
+                Place::Stream(mut file) => file.flush(),
+            }
+        };
+        finish().map_err(|error| Failure::file(&target, format!("cannot be written: {error}")))
     }
 }
 
@@ -66,14 +88,5 @@ impl Write for AtomicFile {
 
     fn flush(&mut self) -> io::Result<()> {
         self.writer.flush()
-    }
-}
-
-impl Drop for AtomicFile {
-    fn drop(&mut self) {
-        if let Some(temporary) = &self.temporary {
-            // Nothing can be done about a failure here, and nothing depends on it.
-            let _ = fs::remove_file(temporary);
-        }
     }
 }

@@ -16,6 +16,6 @@ pub(super) fn closest(a: Vector3<f64>, b: Vector3<f64>, radius: f64, point: Vect
 }
 
 /// A unit vector across another.
-fn across(axis: &Vector3<f64>) -> Vector3<f64> {
+pub(super) fn across(axis: &Vector3<f64>) -> Vector3<f64> {
     axis.cross(&Vector3::ith(axis.iamin(), 1.0)).normalize()
 }

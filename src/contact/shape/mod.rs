@@ -16,6 +16,7 @@
 //! - `mesh_normals.rs`: Normals that tell a mesh's sides: of faces, edges and vertices.
 //! - `mesh_patch.rs`: The triangles of a mesh that are near a piece of strand.
 //! - `mesh_query.rs`: Nearest points of a mesh, over all of it or over a few triangles picked beforehand (`mesh_patch.rs`).
+//! - `outline.rs`: Outlines: a shape as a few segments, for debug drawing.
 //! - `parts.rs`: A shape taken apart, for images of a scene, and put together again to the bit.
 //! - `planes.rs`: The tangent plane at every node of a distance grid, for look-ups by the hundred thousand.
 //! - `sphere.rs`: Sphere about the origin.
@@ -37,6 +38,7 @@ mod mesh;
 mod mesh_normals;
 mod mesh_patch;
 mod mesh_query;
+mod outline;
 mod parts;
 mod planes;
 mod sphere;

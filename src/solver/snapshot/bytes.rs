@@ -173,10 +173,16 @@ impl Writer {
     pub fn slots<I>(&mut self, slots: &SlotMap<I>) {
         self.u32(u32::from(slots.mark));
         self.u64(slots.slots.len() as u64);
-        for slot in &slots.slots {
-            self.u32(slot.generation);
-            self.u32(slot.highest);
-            self.u32(slot.index.unwrap_or(u32::MAX));
+        // In runs: as a rule all are of one generation, one after another.
+        let mut left = &slots.slots[..];
+        while let Some(first) = left.first() {
+            let follows = |(k, slot): (usize, &Slot)| *slot == first.after(k as u32);
+            let length = left.iter().enumerate().take_while(|item| follows(*item)).count();
+            self.u32(length as u32);
+            self.u32(first.generation);
+            self.u32(first.highest);
+            self.u32(first.index.unwrap_or(u32::MAX));
+            left = &left[length..];
         }
         self.u64(slots.free.len() as u64);
         slots.free.iter().for_each(|slot| self.u32(*slot));
@@ -253,22 +259,7 @@ impl<'a> Reader<'a> {
         if unit && frame.origin.iter().all(|x| x.is_finite()) { Ok(frame) } else { Err(bad(format!("{what} is not a pose"))) }
     }
 
-    /// A motion from pose to pose, and its elapsed seconds.
-    pub fn pose_move(&mut self) -> Result<Option<(PoseMove, f64)>> {
-        if !self.flag()? {
-            return Ok(None);
-        }
-        let pose_move = PoseMove {
-            from: self.frame()?,
-            to: self.frame()?,
-            velocity: self.vector()?,
-            angular_velocity: self.vector()?,
-            duration: self.f64()?,
-        };
-        Ok(Some((pose_move, self.f64()?)))
-    }
-
-    /// [`Reader::pose_move`] with finite numbers only.
+    /// A motion from pose to pose with finite numbers, and its elapsed seconds.
     pub fn finite_pose_move(&mut self, what: &str) -> Result<Option<(PoseMove, f64)>> {
         if !self.flag()? {
             return Ok(None);
@@ -290,11 +281,19 @@ impl<'a> Reader<'a> {
     /// The identifiers of a type.
     pub fn slots<I: Identifier>(&mut self) -> Result<SlotMap<I>> {
         let mark = self.u32()? as u16;
-        let slot_count = self.count(12)?;
+        // What lives in a slot takes more bytes than four, and one that is free is listed.
+        let slot_count = self.count(4)?;
         let mut slots = SlotMap::new(mark);
-        for _ in 0..slot_count {
-            let (generation, highest, index) = (self.u32()?, self.u32()?, self.u32()?);
-            slots.slots.push(Slot { generation, highest, index: (index != u32::MAX).then_some(index) });
+        while slots.slots.len() < slot_count {
+            let (length, generation, highest, index) = (self.u32()?, self.u32()?, self.u32()?, self.u32()?);
+            let first = Slot { generation, highest, index: (index != u32::MAX).then_some(index) };
+            if length == 0
+                || length as usize > slot_count - slots.slots.len()
+                || index.checked_add(length - 1).is_none() && index != u32::MAX
+            {
+                return Err(bad(format!("{length} slots follow one another where {} are left", slot_count - slots.slots.len())));
+            }
+            slots.slots.extend((0..length).map(|k| first.after(k)));
         }
         let free_count = self.count(4)?;
         for _ in 0..free_count {

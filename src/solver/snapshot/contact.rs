@@ -10,6 +10,9 @@ use crate::contact::pieces::{Piece, Wisp};
 use crate::error::Result;
 use crate::solver::touching::{NearStrands, Remembered, TouchMemory, With};
 
+/// Says that touches are with a strand, beside their number.
+const STRAND: u32 = 1 << 31;
+
 impl Writer {
     /// Contact options.
     pub fn contact_options(&mut self, options: &ContactOptions) {
@@ -58,7 +61,26 @@ impl Writer {
         self.f64(friction.against);
     }
 
-    /// The warm start from the last substep.
+    /// What the last substep left, for images: touches by what they are with.
+    pub fn packed_touches(&mut self, memory: &TouchMemory) {
+        self.u64(memory.remembered.len() as u64);
+        for group in memory.remembered.chunk_by(|a, b| (a.strand, a.with) == (b.strand, b.with)) {
+            let (sort, index) = match group[0].with {
+                With::Body(body) => (0, body),
+                With::Strand(strand) => (STRAND, strand),
+            };
+            self.u32(group[0].strand);
+            self.u32(index);
+            self.u32(sort | group.len() as u32);
+            for seen in group {
+                self.f64(seen.along);
+                self.vector(seen.force);
+            }
+        }
+        self.near_strands(memory);
+    }
+
+    /// What the last substep left, for hashes.
     pub fn touches(&mut self, memory: &TouchMemory) {
         self.u64(memory.remembered.len() as u64);
         for seen in &memory.remembered {
@@ -72,6 +94,10 @@ impl Writer {
             self.f64(seen.along);
             self.vector(seen.force);
         }
+        self.near_strands(memory);
+    }
+
+    fn near_strands(&mut self, memory: &TouchMemory) {
         self.flag(memory.pairs.is_some());
         if let Some(NearStrands { of, memory }) = &memory.pairs {
             self.pairs(of, memory);
@@ -176,14 +202,18 @@ impl Reader<'_> {
     /// The warm start from the last substep; checked against the scene where it is used.
     pub fn touches(&mut self) -> Result<TouchMemory> {
         let mut memory = TouchMemory::default();
-        for _ in 0..self.count(3 * 4 + 4 * 8)? {
-            let (strand, sort, index) = (self.u32()?, self.u32()?, self.u32()?);
-            let with = match sort {
-                0 => With::Body(index),
-                1 => With::Strand(index),
-                other => return Err(bad(format!("a contact has partner type {other}"))),
-            };
-            memory.remembered.push(Remembered { strand, with, along: self.f64()?, force: self.vector()? });
+        let mut left = self.count(4 * 8)?;
+        while left > 0 {
+            let (strand, index, word) = (self.u32()?, self.u32()?, self.u32()?);
+            let with = if word & STRAND != 0 { With::Strand(index) } else { With::Body(index) };
+            let count = (word & !STRAND) as usize;
+            if count == 0 || count > left {
+                return Err(bad(format!("a strand has {count} touches with the same thing where {left} are left")));
+            }
+            for _ in 0..count {
+                memory.remembered.push(Remembered { strand, with, along: self.f64()?, force: self.vector()? });
+            }
+            left -= count;
         }
         if self.flag()? {
             memory.pairs = Some(self.pairs()?);

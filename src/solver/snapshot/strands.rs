@@ -1,22 +1,16 @@
-//! Strands in a snapshot: constants and states.
+//! Parts of strands, and whole ones for hashes.
 
-use super::bytes::{Reader, Writer, bad, of_part};
+use super::bytes::{Reader, Writer, bad};
 use crate::error::Result;
-use crate::math::quadrature::Rules;
 use crate::math::vector::Vec3;
-use crate::rod::freedoms::Freedoms;
-use crate::rod::material::Material;
-use crate::rod::strand::StrandModel;
 use crate::solver::astray::{Astray, Whereabouts};
-use crate::solver::freezing::{Frozen, Known};
-use crate::solver::id::{BodyId, StrandId};
-use crate::solver::report::Energies;
-use crate::solver::sections::Sections;
-use crate::solver::strand::{Authored, Fared, Holds, Strand};
-use crate::step::state::{Earlier, Past, StrandState};
+use crate::solver::freezing::Known;
+use crate::solver::id::BodyId;
+use crate::solver::strand::{Authored, Strand};
+use crate::step::state::{Earlier, Past};
 
 /// Marks a frozen strand.
-const FROZEN: u32 = 5;
+pub const FROZEN: u32 = 5;
 
 impl Writer {
     /// The original natural shape, if it has other elements. Separate from the strand: no step depends on it.
@@ -29,7 +23,7 @@ impl Writer {
     }
 
     /// The record of a diverged strand.
-    fn astray(&mut self, astray: Option<&Astray>) {
+    pub fn astray(&mut self, astray: Option<&Astray>) {
         let Some(Astray { bodies, state }) = astray else { return self.u32(0) };
         match state {
             Whereabouts::Carried { seconds } => {
@@ -55,7 +49,7 @@ impl Writer {
     }
 
     /// A frozen strand, in place of the record of a diverged one.
-    fn frozen(&mut self, bodies: &[Known]) {
+    pub fn frozen(&mut self, bodies: &[Known]) {
         self.u32(FROZEN);
         self.u64(bodies.len() as u64);
         for Known { body, place, gap } in bodies {
@@ -65,13 +59,13 @@ impl Writer {
         }
     }
 
-    fn velocities(&mut self, velocities: &[Vec3<f64>]) {
+    pub fn velocities(&mut self, velocities: &[Vec3<f64>]) {
         if !self.only_counts(size_of_val(velocities)) {
             velocities.iter().for_each(|v| v.0.iter().for_each(|x| self.f64(*x)));
         }
     }
 
-    /// A strand's constants and state, without the identifier.
+    /// A strand's constants and state, for hashes; without the identifier.
     pub fn strand(&mut self, strand: &Strand) {
         let (model, state, material) = (&strand.model, &strand.state, &strand.model.material);
         self.u64(strand.user_data);
@@ -123,7 +117,7 @@ impl Writer {
 
 impl Reader<'_> {
     /// The bodies near a frozen strand.
-    fn frozen(&mut self) -> Result<Vec<Known>> {
+    pub fn frozen(&mut self) -> Result<Vec<Known>> {
         let count = self.count(8 * 9)?;
         let known = |reader: &mut Self| {
             let (body, place) = (BodyId::from_bits(reader.u64()?), reader.finite_frame("a body's pose for a frozen strand")?);
@@ -137,7 +131,7 @@ impl Reader<'_> {
         (0..count).map(|_| known(self)).collect()
     }
 
-    fn astray(&mut self, tag: u32, elements: usize) -> Result<Option<Box<Astray>>> {
+    pub fn astray(&mut self, tag: u32, elements: usize) -> Result<Option<Box<Astray>>> {
         let state = match tag {
             0 => return Ok(None),
             1 => Whereabouts::Carried { seconds: self.finite("a strand's time carried along")? },
@@ -158,11 +152,8 @@ impl Reader<'_> {
         Ok(Some(Box::new(Astray { bodies, state })))
     }
 
-    fn past(&mut self, elements: usize, points: usize) -> Result<Past> {
-        let step = self.f64()?;
-        if step == 0.0 {
-            return Ok(Past::default());
-        }
+    /// The strand `step` seconds ago.
+    pub fn past(&mut self, step: f64, elements: usize, points: usize) -> Result<Past> {
         if !(step.is_finite() && step > 0.0) {
             return Err(bad(format!("a strand's last step took {step} s")));
         }
@@ -190,76 +181,5 @@ impl Reader<'_> {
             return Err(bad("a strand's original natural shape does not have its length"));
         }
         Ok(Some(Box::new(Authored { lengths: lengths.into(), natural: natural.into() })))
-    }
-
-    /// A strand without its contact parameters and its original natural shape.
-    pub fn strand(&mut self, id: StrandId, rules: &Rules, sections: &mut Sections) -> Result<Strand> {
-        let user_data = self.u64()?;
-        let count = self.count(8 * 10)?;
-        if count == 0 {
-            return Err(bad("a strand has no elements"));
-        }
-        let lengths = (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>()?;
-        let natural = self.rows(count)?;
-        let material = Material {
-            radius: [self.f64()?, self.f64()?],
-            density: self.f64()?,
-            youngs_modulus: self.f64()?,
-            poisson_ratio: self.f64()?,
-            internal_friction: self.f64()?,
-            viscosity: self.f64()?,
-            air_drag: self.f64()?,
-        };
-        material.check("material").map_err(|error| of_part("a strand", &error))?;
-        let freedoms = Freedoms::from_bits("freedoms", self.u32()?).map_err(|error| of_part("a strand", &error))?;
-        let curvatures = self.rows(count)?;
-        let rates = self.rows(count)?;
-        let rule = self.u32()? as usize;
-        if rule >= rules.count() {
-            return Err(bad(format!("a strand's quadrature rule is {rule}")));
-        }
-        let velocities = self.rows(count * rules.rule(rule).len())?.into_iter().map(Vec3).collect();
-        let state = StrandState {
-            curvatures,
-            rates,
-            velocities,
-            rule,
-            root: self.frame()?,
-            root_velocity: self.vector()?,
-            root_angular_velocity: self.vector()?,
-            wrench_force: self.vector()?.into(),
-            wrench_torque: self.vector()?.into(),
-            subdivision: self.u32()?,
-            past: self.past(count, count * rules.rule(rule).len())?,
-        };
-        let lengths_are_right = lengths.iter().all(|length| length.is_finite() && *length > 0.0);
-        if !(state.is_finite() && lengths_are_right && natural.iter().flatten().all(|x| x.is_finite())) {
-            return Err(bad("a strand has a number that is not finite, or a length not above zero"));
-        }
-        let root_move = self.pose_move()?.map(Box::new);
-        let fared = Fared { iterations: self.u32()?, converged: self.flag()?, quarantined: self.flag()? };
-        let tag = self.u32()?;
-        let (astray, known) = if tag == FROZEN { (None, Some(self.frozen()?)) } else { (self.astray(tag, count)?, None) };
-        let energies = Energies { kinetic: self.f64()?, elastic: self.f64()?, gravity: self.f64()? };
-        let model = StrandModel::of_section(lengths, natural, sections.of(&material, freedoms));
-        let mut strand = Strand {
-            model,
-            state,
-            id,
-            user_data,
-            authored: None,
-            root_move,
-            energies,
-            fared,
-            holds: Holds::No,
-            touched: false,
-            contact: None,
-            allowance: None,
-            astray,
-            frozen: None,
-        };
-        strand.shrink();
-        strand.frozen = known.map(|known| Box::new(Frozen::new(&strand, known)));
-        Ok(strand)
     }
 }

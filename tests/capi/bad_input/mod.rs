@@ -15,6 +15,7 @@ mod fit_curves;
 mod friction_fit;
 mod hair;
 mod haptic;
+mod hooks;
 mod level_of_detail;
 mod overlaps;
 mod posing;
@@ -212,6 +213,7 @@ fn table() -> Vec<Case> {
         curve_cache::cases,
         hair::cases,
         haptic::cases,
+        hooks::cases,
         styling::cases,
         render_hair::cases,
         scalp::cases,

@@ -105,6 +105,7 @@ pub fn cases(cases: &mut Vec<Case>) {
     case!(cases, "shx_solver_step", "solver", "null", SHX_ERROR_NULL_ARGUMENT, |s| shx_solver_step(null_mut(), 0.1, 1, null_mut()));
     case!(cases, "shx_solver_step", "dt", "f64::NAN", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step(s.solver, f64::NAN, 1, null_mut()));
     case!(cases, "shx_solver_step", "dt", "f64::INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step(s.solver, f64::INFINITY, 1, null_mut()));
+    case!(cases, "shx_solver_step", "dt", "1e9", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step(s.solver, 1e9, 1, null_mut()));
     case!(cases, "shx_solver_step", "dt", "f64::NEG_INFINITY", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step(s.solver, f64::NEG_INFINITY, 1, null_mut()));
     case!(cases, "shx_solver_step", "dt", "0.0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step(s.solver, 0.0, 1, null_mut()));
     case!(cases, "shx_solver_step", "dt", "-0.0", SHX_ERROR_INVALID_ARGUMENT, |s| shx_solver_step(s.solver, -0.0, 1, null_mut()));

@@ -1528,6 +1528,74 @@ struct restore_def : shx_restore_def {
   }
 };
 
+// A point, or an end of a line.
+using debug_vertex = shx_debug_vertex;
+
+// What shx_solver_debug_draw draws, and where it goes. Fill it with shx_debug_draw_def_init.
+struct debug_draw_def : shx_debug_draw_def {
+  debug_draw_def() : shx_debug_draw_def{} { detail::prepared(shx_debug_draw_def_init(this, sizeof(shx_debug_draw_def))); }
+
+  // SHX_DEBUG_ bits. Default centrelines, contacts and bodies.
+  debug_draw_def &with_layers(std::uint32_t value) {
+    layers = value;
+    return *this;
+  }
+
+  // Points of a centreline, 2 to 4096. Default 17.
+  debug_draw_def &with_points_per_strand(std::uint32_t value) {
+    points_per_strand = value;
+    return *this;
+  }
+
+  // Length of the axes of a material frame, m; above zero. Default 0.005.
+  debug_draw_def &with_frame_length(double value) {
+    frame_length = value;
+    return *this;
+  }
+
+  // Length of the normal of a contact, m; above zero. Default 0.005.
+  debug_draw_def &with_normal_length(double value) {
+    normal_length = value;
+    return *this;
+  }
+
+  // Length of a force of 1 N, m/N; 0: forces are not drawn. Default 100.
+  debug_draw_def &with_force_scale(double value) {
+    force_scale = value;
+    return *this;
+  }
+
+  // Subtracted from positions, m. Default 0.
+  debug_draw_def &with_origin(const vec3 &value) {
+    detail::copy(value, origin);
+    return *this;
+  }
+
+  // The space of the vertices, as in shx_sample_def. Default (1, 0, 0).
+  debug_draw_def &with_x_axis(const vec3 &value) {
+    detail::copy(value, x_axis);
+    return *this;
+  }
+
+  // The same of the y axis. Default (0, 1, 0).
+  debug_draw_def &with_y_axis(const vec3 &value) {
+    detail::copy(value, y_axis);
+    return *this;
+  }
+
+  // The same of the z axis. Default (0, 0, 1).
+  debug_draw_def &with_z_axis(const vec3 &value) {
+    detail::copy(value, z_axis);
+    return *this;
+  }
+
+  // Added to positions at last, in your units. Default 0.
+  debug_draw_def &with_translation(const vec3 &value) {
+    detail::copy(value, translation);
+    return *this;
+  }
+};
+
 // A strand fitted to a polyline, apart from its element lengths and curvatures. Fill it with shx_polyline_fit_init.
 struct polyline_fit : shx_polyline_fit {
   polyline_fit() : shx_polyline_fit{} { detail::prepared(shx_polyline_fit_init(this, sizeof(shx_polyline_fit))); }

@@ -372,6 +372,27 @@ struct restore_options {
   };
 };
 
+// SHX_DEBUG_
+struct debug_layers {
+  enum type : std::uint32_t {
+    // Centrelines of strands: beige if the last substep converged, orange if it did not, red if the strand is quarantined, blue if it is
+    // frozen.
+    centrelines = SHX_DEBUG_CENTRELINES,
+    // Material frames at the root and at the end of every element: tangent red, first normal green, second normal blue.
+    frames = SHX_DEBUG_FRAMES,
+    // Contacts of the last substep: a point and the normal (yellow), and the force on the strand (magenta).
+    contacts = SHX_DEBUG_CONTACTS,
+    // Centrelines coloured by island, instead of SHX_DEBUG_CENTRELINES: strands that contacts or ties couple share a colour; strands alone
+    // are grey.
+    islands = SHX_DEBUG_ISLANDS,
+    // Outlines of bodies, green: circles of round shapes, edges of boxes, hulls and meshes, a square of 1 m and the normal of a half-space.
+    // Of a distance grid the box around its nodes.
+    bodies = SHX_DEBUG_BODIES,
+    // Constraints: a point on the strand and a line to its target (cyan), and the force on the strand (magenta).
+    constraints = SHX_DEBUG_CONSTRAINTS,
+  };
+};
+
 // SHX_FIT_LENGTHS_
 struct fit_lengths {
   enum type : std::uint32_t {

@@ -3,7 +3,10 @@
 #define SUPERHELIX_HOOKS_HPP
 
 #include "result.hpp"
+#include "span.hpp"
+#include "types.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -48,7 +51,26 @@ struct log_hook {
   std::function<void(std::uint32_t level, const char *message)> receiver;
 };
 
+struct wind_hook {
+  template <class F>
+  explicit wind_hook(F &&callable) : field(std::forward<F>(callable)) {}
+
+  static void call(void *user, double seconds, const double *positions, double *velocities, std::size_t count) noexcept {
+    static_assert(sizeof(vec3) == 3 * sizeof(double), "points follow one another");
+    static_cast<wind_hook *>(user)->field(seconds, span<const vec3>(reinterpret_cast<const vec3 *>(positions), count),
+                                          span<vec3>(reinterpret_cast<vec3 *>(velocities), count));
+  }
+
+  std::function<void(double seconds, span<const vec3> positions, span<vec3> velocities)> field;
+};
+
 }  // namespace detail
+
+// Makes the library take all of its memory from the host's functions, for the whole process. Before every other call: see shx_set_allocator.
+inline returns<void> set_allocator(shx_alloc_fn alloc, shx_free_fn free, void *user = nullptr) {
+  return detail::finish(shx_set_allocator(alloc, free, user));
+}
+
 }  // namespace SUPERHELIX_WAY
 }  // namespace superhelix
 

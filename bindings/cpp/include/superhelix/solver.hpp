@@ -64,6 +64,45 @@ class solver : public solver_strands<solver>,
   // Uniform wind, m/s, from the next step on. Only strands with an air_drag feel it.
   returns<void> set_wind(const vec3 &wind) { return detail::finish(shx_solver_set_wind(get(), wind.data())); }
 
+  // Adds a field to the uniform wind: field(seconds, positions, velocities) writes the air's velocities (m/s) at the positions (m), seconds after the
+  // call of step began. It is called by the thread that steps, before each substep, and must not throw: the program would end. It is kept as long as the
+  // solver has it. It is in no snapshot.
+  template <class F>
+  returns<void> set_wind_field(F &&field) {
+    auto hook = std::make_shared<detail::wind_hook>(std::forward<F>(field));
+    const shx_result code = shx_solver_set_wind_field(get(), &detail::wind_hook::call, hook.get());
+    if (code == SHX_OK)
+      wind_ = std::move(hook);
+    return detail::finish(code);
+  }
+  // The uniform wind alone from now on.
+  returns<void> clear_wind_field() {
+    const shx_result code = shx_solver_set_wind_field(get(), nullptr, nullptr);
+    if (code == SHX_OK)
+      wind_.reset();
+    return detail::finish(code);
+  }
+
+  // Draws what the solver knows as of the last step: lines(vertices) and points(vertices) get batches of at most 1024 debug_vertex, of lines in pairs.
+  // They must not throw: the program would end.
+  template <class Lines, class Points>
+  returns<void> debug_draw(debug_draw_def def, Lines &&lines, Points &&points) const {
+    struct canvas {
+      std::remove_reference_t<Lines> &lines;
+      std::remove_reference_t<Points> &points;
+      static void draw_lines(void *user, const shx_debug_vertex *vertices, std::size_t count) noexcept {
+        static_cast<canvas *>(user)->lines(span<const debug_vertex>(vertices, count));
+      }
+      static void draw_points(void *user, const shx_debug_vertex *vertices, std::size_t count) noexcept {
+        static_cast<canvas *>(user)->points(span<const debug_vertex>(vertices, count));
+      }
+    } host{lines, points};
+    def.lines = &canvas::draw_lines;
+    def.points = &canvas::draw_points;
+    def.user = &host;
+    return detail::finish(shx_solver_debug_draw(get(), &def));
+  }
+
   // The options of the solver, to be changed and set again. The number of threads is fixed.
   returns<solver_options> get_options() const {
     solver_options options;
@@ -139,7 +178,7 @@ class solver : public solver_strands<solver>,
   solver(shx_solver *raw, const solver_def &def) : loop_(def.loop()), receiver_(def.receiver()), handle_(raw) {}
 
   // Declared before the handle, so that the callbacks outlive it.
-  std::shared_ptr<void> loop_, receiver_;
+  std::shared_ptr<void> loop_, receiver_, wind_;
   handle_detail::handle<shx_solver, shx_solver_destroy> handle_;
 };
 

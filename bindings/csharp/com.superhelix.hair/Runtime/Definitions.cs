@@ -52,6 +52,19 @@ namespace Superhelix
     }
   }
 
+  public sealed unsafe partial class DebugDrawDef
+  {
+    // Solver.DebugDraw puts the callbacks in place.
+    internal IntPtr Canvas;
+
+    partial void PinByHand(Pins pins, ref DebugDrawDefRaw raw)
+    {
+      raw.Lines = Superhelix.Canvas.LinesAddress;
+      raw.Points = Superhelix.Canvas.PointsAddress;
+      raw.User = Canvas;
+    }
+  }
+
   public sealed unsafe partial class StepLimits
   {
     /// <summary>Null (default), or a flag by which another thread cancels the step.</summary>

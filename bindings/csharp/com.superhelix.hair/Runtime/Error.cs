@@ -45,6 +45,15 @@ namespace Superhelix
     /// <summary>The binary interface that it has. Solvers are only made where it is the expected one.</summary>
     public static uint AbiVersion { get { return Native.shx_abi_version(); } }
 
+    /// <summary>
+    /// Makes the library take all of its memory from functions of native code, for the whole process: addresses of a shx_alloc_fn and a shx_free_fn.
+    /// Before every other call.
+    /// </summary>
+    public static void SetAllocator(IntPtr alloc, IntPtr free, IntPtr user)
+    {
+      Error.Check(Native.shx_set_allocator(alloc, free, (void*)user));
+    }
+
     /// <summary>One line for bug reports.</summary>
     public static string BuildInfo { get { return Marshal.PtrToStringAnsi(Native.shx_build_info()); } }
 

@@ -25,6 +25,19 @@ namespace Superhelix
   /// <summary>Receives a message of a solver.</summary>
   public delegate void LogReceiver(LogLevel level, string message);
 
+  /// <summary>
+  /// A field of wind: writes the air's velocities (m/s) at the first count positions (m) to velocities, which come as zeros; seconds after the call of
+  /// Step began.
+  /// </summary>
+  public delegate void WindField(double seconds, Vec3[] positions, Vec3[] velocities, int count);
+
+  /// <summary>Receives a batch of what Solver.DebugDraw draws: the first count vertices; of lines pairs. The array is used again afterwards.</summary>
+  public delegate void DebugVertices(DebugVertex[] vertices, int count);
+
+  [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+  internal unsafe delegate void WindFunction(IntPtr user, double seconds, double* positions, double* velocities, UIntPtr count);
+  [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+  internal unsafe delegate void VerticesFunction(IntPtr user, DebugVertex* vertices, UIntPtr count);
   [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
   internal delegate void RangeFunction(IntPtr task, uint begin, uint end, uint worker);
   [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -131,6 +144,128 @@ namespace Superhelix
       {
         hooks.thrown = hooks.thrown ?? thrown;
       }
+    }
+  }
+
+  // A solver's field of wind, alive as long as the solver has it.
+  internal sealed class Wind : IDisposable
+  {
+    private const int Most = 1024;
+    private static readonly unsafe WindFunction function = OnWind;
+    internal static readonly IntPtr Address = Marshal.GetFunctionPointerForDelegate(function);
+
+    private readonly WindField field;
+    private readonly Vec3[] positions = new Vec3[Most];
+    private readonly Vec3[] velocities = new Vec3[Most];
+    private GCHandle self;
+    private Exception thrown;
+
+    internal Wind(WindField field)
+    {
+      this.field = field;
+      self = GCHandle.Alloc(this);
+    }
+
+    internal IntPtr User { get { return GCHandle.ToIntPtr(self); } }
+
+    public void Dispose() { self.Free(); }
+
+    internal static void Rethrow(Wind wind)
+    {
+      if (wind == null || wind.thrown == null)
+        return;
+      Exception thrown = wind.thrown;
+      wind.thrown = null;
+      throw new InvalidOperationException("a callback of the host threw: " + thrown.Message, thrown);
+    }
+
+    [MonoPInvokeCallback(typeof(WindFunction))]
+    private static unsafe void OnWind(IntPtr user, double seconds, double* from, double* to, UIntPtr count)
+    {
+      Wind wind = (Wind)GCHandle.FromIntPtr(user).Target;
+      try
+      {
+        int points = (int)count.ToUInt32();
+        for (int i = 0; i < points; i++)
+        {
+          wind.positions[i] = new Vec3(from[3 * i], from[3 * i + 1], from[3 * i + 2]);
+          wind.velocities[i] = new Vec3(0, 0, 0);
+        }
+        wind.field(seconds, wind.positions, wind.velocities, points);
+        for (int i = 0; i < points; i++)
+        {
+          to[3 * i] = wind.velocities[i].X;
+          to[3 * i + 1] = wind.velocities[i].Y;
+          to[3 * i + 2] = wind.velocities[i].Z;
+        }
+      }
+      catch (Exception thrown)
+      {
+        // The air is still where the field failed; the step that called it throws.
+        wind.thrown = wind.thrown ?? thrown;
+      }
+    }
+  }
+
+  // Where debug drawing goes, during one call.
+  internal sealed class Canvas : IDisposable
+  {
+    private static readonly unsafe VerticesFunction linesFunction = OnLines;
+    private static readonly unsafe VerticesFunction pointsFunction = OnPoints;
+    internal static readonly IntPtr LinesAddress = Marshal.GetFunctionPointerForDelegate(linesFunction);
+    internal static readonly IntPtr PointsAddress = Marshal.GetFunctionPointerForDelegate(pointsFunction);
+
+    private readonly DebugVertices lines, points;
+    private readonly DebugVertex[] batch = new DebugVertex[1024];
+    private GCHandle self;
+    private Exception thrown;
+
+    internal Canvas(DebugVertices lines, DebugVertices points)
+    {
+      this.lines = lines;
+      this.points = points;
+      self = GCHandle.Alloc(this);
+    }
+
+    internal IntPtr User { get { return GCHandle.ToIntPtr(self); } }
+
+    public void Dispose() { self.Free(); }
+
+    internal void Rethrow()
+    {
+      if (thrown != null)
+        throw new InvalidOperationException("a callback of the host threw: " + thrown.Message, thrown);
+    }
+
+    private unsafe void Take(DebugVertices receiver, DebugVertex* vertices, UIntPtr count)
+    {
+      if (receiver == null || thrown != null)
+        return;
+      try
+      {
+        int taken = (int)count.ToUInt32();
+        for (int i = 0; i < taken; i++)
+          batch[i] = vertices[i];
+        receiver(batch, taken);
+      }
+      catch (Exception caught)
+      {
+        thrown = caught;
+      }
+    }
+
+    [MonoPInvokeCallback(typeof(VerticesFunction))]
+    private static unsafe void OnLines(IntPtr user, DebugVertex* vertices, UIntPtr count)
+    {
+      Canvas canvas = (Canvas)GCHandle.FromIntPtr(user).Target;
+      canvas.Take(canvas.lines, vertices, count);
+    }
+
+    [MonoPInvokeCallback(typeof(VerticesFunction))]
+    private static unsafe void OnPoints(IntPtr user, DebugVertex* vertices, UIntPtr count)
+    {
+      Canvas canvas = (Canvas)GCHandle.FromIntPtr(user).Target;
+      canvas.Take(canvas.points, vertices, count);
     }
   }
 

@@ -8,7 +8,7 @@ or float64, without copies. Errors are SuperhelixError and its subclasses, with 
 from __future__ import annotations
 
 from superhelix import enums, errors, frames, groom, records
-from superhelix._callbacks import Run, log_to_logging, parallel_for_on
+from superhelix._callbacks import Run, log_to_logging, parallel_for_on, set_allocator
 from superhelix._library import abi_version, build_info, version
 from superhelix.attachments import Attachment
 from superhelix.bodies import BodyDef, bake_distance_grid
@@ -94,6 +94,7 @@ __all__ = [
     "records",
     "run_combing_test",
     "sag_free_curvatures",
+    "set_allocator",
     "simulate",
     "spline_points",
     "suggest_elements",

@@ -12,8 +12,13 @@ import threading
 from collections.abc import Callable
 from typing import Any, Protocol
 
+import numpy as np
+import numpy.typing as npt
+
 from superhelix import _capi
+from superhelix._library import functions
 from superhelix.enums import LogLevel
+from superhelix.errors import check
 
 
 class Run(Protocol):
@@ -26,6 +31,10 @@ class Run(Protocol):
 
 #: A parallel loop: calls run(begin, end, worker) over ranges of min_range items or more that cover 0 to count - 1.
 ParallelFor = Callable[[int, int, Run], None]
+
+#: A field of wind: gets seconds since step was called and positions, m, an array of three columns; returns the air's velocities there, m/s, or one
+#: for all of them.
+WindField = Callable[[float, npt.NDArray[np.float64]], npt.ArrayLike]
 
 #: Receives messages.
 Log = Callable[[LogLevel, str], None]
@@ -112,6 +121,29 @@ def log_callback(log: Log, failures: Failures) -> Any:
     return _capi.shx_log_fn(callback)
 
 
+def wind_callback(field: WindField, failures: Failures) -> Any:
+    """A host's field of wind as a C callback."""
+
+    def callback(_user: object, seconds: float, positions: int, velocities: int, count: int) -> None:
+        try:
+            rows = (ctypes.c_double * 3) * count
+            points = np.ctypeslib.as_array(rows.from_address(positions))
+            np.ctypeslib.as_array(rows.from_address(velocities))[:] = field(seconds, points.copy())
+        except BaseException as error:  # raised again by the call that this happened in
+            failures.keep(error)
+
+    return _capi.shx_wind_fn(callback)
+
+
+def vertices_callback(batches: list[bytes], size: int) -> Any:
+    """A C callback that keeps batches of vertices, of size bytes each."""
+
+    def callback(_user: object, vertices: int, count: int) -> None:
+        batches.append(ctypes.string_at(vertices, size * count))
+
+    return _capi.shx_debug_vertices_fn(callback)
+
+
 def parallel_for_on(executor: concurrent.futures.Executor, workers: int) -> ParallelFor:
     """A parallel loop on an executor of threads, in as many ranges as there are workers or fewer."""
     if workers < 1:
@@ -126,6 +158,13 @@ def parallel_for_on(executor: concurrent.futures.Executor, workers: int) -> Para
             task.result()
 
     return loop
+
+
+def set_allocator(alloc: int, free: int, user: int | None = None) -> None:
+    """Makes the library take all of its memory from functions of native code, for the whole process, before anything else is done with it. alloc and
+    free are addresses of a shx_alloc_fn and a shx_free_fn: functions of Python would not do, since any thread calls them at any time.
+    """
+    check(functions.shx_set_allocator(alloc, free, user))
 
 
 _LEVELS = {LogLevel.ERROR: logging.ERROR, LogLevel.WARN: logging.WARNING, LogLevel.INFO: logging.INFO, LogLevel.DEBUG: logging.DEBUG}

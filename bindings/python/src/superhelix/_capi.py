@@ -113,6 +113,12 @@ SHX_SNAPSHOT_SHAPES_INCLUDED = 1
 SHX_SNAPSHOT_SHAPES_REFERENCED = 2
 SHX_RESTORE_OPTIONS_SNAPSHOT = 1
 SHX_RESTORE_OPTIONS_KEEP = 2
+SHX_DEBUG_CENTRELINES = 1
+SHX_DEBUG_FRAMES = 2
+SHX_DEBUG_CONTACTS = 4
+SHX_DEBUG_ISLANDS = 8
+SHX_DEBUG_BODIES = 16
+SHX_DEBUG_CONSTRAINTS = 32
 SHX_FIT_LENGTHS_EQUAL = 1
 SHX_FIT_LENGTHS_AUTO = 2
 SHX_FIT_LENGTHS_FREE = 3
@@ -290,7 +296,7 @@ class shx_step_limits(ctypes.Structure):
 
 
 class shx_step_report(ctypes.Structure):
-    """200 bytes."""
+    """208 bytes."""
 
     __slots__ = ("kept",)
     _fields_ = [
@@ -326,6 +332,7 @@ class shx_step_report(ctypes.Structure):
         ("search_seconds", ctypes.c_double),
         ("strand_seconds", ctypes.c_double),
         ("contact_seconds", ctypes.c_double),
+        ("sampling_seconds", ctypes.c_double),
     ]
 
 
@@ -812,6 +819,40 @@ class shx_restore_def(ctypes.Structure):
     ]
 
 
+class shx_debug_vertex(ctypes.Structure):
+    """32 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("position", ctypes.c_double * 3),
+        ("color", ctypes.c_uint32),
+        ("layer", ctypes.c_uint32),
+    ]
+
+
+class shx_debug_draw_def(ctypes.Structure):
+    """184 bytes."""
+
+    __slots__ = ("kept",)
+    _fields_ = [
+        ("struct_size", ctypes.c_uint32),
+        ("layers", ctypes.c_uint32),
+        ("points_per_strand", ctypes.c_uint32),
+        ("reserved", ctypes.c_uint32),
+        ("frame_length", ctypes.c_double),
+        ("normal_length", ctypes.c_double),
+        ("force_scale", ctypes.c_double),
+        ("origin", ctypes.c_double * 3),
+        ("x_axis", ctypes.c_double * 3),
+        ("y_axis", ctypes.c_double * 3),
+        ("z_axis", ctypes.c_double * 3),
+        ("translation", ctypes.c_double * 3),
+        ("lines", ctypes.c_void_p),
+        ("points", ctypes.c_void_p),
+        ("user", ctypes.c_void_p),
+    ]
+
+
 class shx_polyline_fit(ctypes.Structure):
     """88 bytes."""
 
@@ -1292,6 +1333,14 @@ shx_range_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c
 
 shx_parallel_for_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_void_p, ctypes.c_void_p)
 
+shx_alloc_fn = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_size_t)
+
+shx_free_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_size_t)
+
+shx_wind_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t)
+
+shx_debug_vertices_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t)
+
 
 class Functions:
     """The functions of a loaded library, with their C types set."""
@@ -1301,6 +1350,7 @@ class Functions:
     shx_build_info: Callable[[], bytes]
     shx_result_name: Callable[[int], bytes]
     shx_last_error: Callable[[Pointer, int], int]
+    shx_set_allocator: Callable[[Pointer, Pointer, Pointer], int]
     shx_solver_def_init: Callable[[Pointer, int], int]
     shx_solver_create: Callable[[Pointer, Pointer], int]
     shx_solver_destroy: Callable[[Pointer], None]
@@ -1316,6 +1366,7 @@ class Functions:
     shx_step_report_init: Callable[[Pointer, int], int]
     shx_solver_step: Callable[[Pointer, float, int, Pointer], int]
     shx_solver_step_with_limits: Callable[[Pointer, float, int, Pointer, Pointer], int]
+    shx_solver_set_wind_field: Callable[[Pointer, Pointer, Pointer], int]
     shx_strand_def_init: Callable[[Pointer, int], int]
     shx_solver_add_strands: Callable[[Pointer, Pointer, int, int, Pointer], int]
     shx_solver_remove_strands: Callable[[Pointer, Pointer, int], int]
@@ -1449,6 +1500,8 @@ class Functions:
     shx_restore_def_init: Callable[[Pointer, int], int]
     shx_solver_restore_with: Callable[[Pointer, Pointer, int, Pointer], int]
     shx_solver_state_hash: Callable[[Pointer, Pointer], int]
+    shx_debug_draw_def_init: Callable[[Pointer, int], int]
+    shx_solver_debug_draw: Callable[[Pointer, Pointer], int]
     shx_polyline_fit_init: Callable[[Pointer, int], int]
     shx_fit_polyline: Callable[[Pointer, int, Pointer, Pointer, Pointer, int], int]
     shx_sag_free_curvatures: Callable[[Pointer, Pointer, int, Pointer, Pointer], int]
@@ -1535,6 +1588,7 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_build_info": (ctypes.c_char_p, []),
     "shx_result_name": (ctypes.c_char_p, [ctypes.c_int32]),
     "shx_last_error": (ctypes.c_size_t, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_set_allocator": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_create": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_solver_destroy": (None, [ctypes.c_void_p]),
@@ -1553,6 +1607,7 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
         ctypes.c_int32,
         [ctypes.c_void_p, ctypes.c_double, ctypes.c_uint32, ctypes.c_void_p, ctypes.c_void_p],
     ),
+    "shx_solver_set_wind_field": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]),
     "shx_strand_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_add_strands": (
         ctypes.c_int32,
@@ -1834,6 +1889,8 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "shx_restore_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_solver_restore_with": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]),
     "shx_solver_state_hash": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
+    "shx_debug_draw_def_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
+    "shx_solver_debug_draw": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_void_p]),
     "shx_polyline_fit_init": (ctypes.c_int32, [ctypes.c_void_p, ctypes.c_size_t]),
     "shx_fit_polyline": (
         ctypes.c_int32,
@@ -1977,6 +2034,7 @@ INITIALIZERS: dict[type[ctypes.Structure], str] = {
     shx_ring_comb_def: "shx_ring_comb_def_init",
     shx_snapshot_def: "shx_snapshot_def_init",
     shx_restore_def: "shx_restore_def_init",
+    shx_debug_draw_def: "shx_debug_draw_def_init",
     shx_polyline_fit: "shx_polyline_fit_init",
     shx_fit_options: "shx_fit_options_init",
     shx_fit_input: "shx_fit_input_init",

@@ -329,6 +329,26 @@ class RestoreOptions(IntEnum):
     """The solver keeps its own options, contact options included."""
 
 
+class DebugLayers(IntFlag):
+    """What DebugVertex.layer may be."""
+
+    CENTRELINES = 1
+    """Centrelines of strands: beige if the last substep converged, orange if it did not, red if the strand is quarantined, blue if
+    it is frozen."""
+    FRAMES = 2
+    """Material frames at the root and at the end of every element: tangent red, first normal green, second normal blue."""
+    CONTACTS = 4
+    """Contacts of the last substep: a point and the normal (yellow), and the force on the strand (magenta)."""
+    ISLANDS = 8
+    """Centrelines coloured by island, instead of DebugLayers.CENTRELINES: strands that contacts or ties couple share a colour;
+    strands alone are grey."""
+    BODIES = 16
+    """Outlines of bodies, green: circles of round shapes, edges of boxes, hulls and meshes, a square of 1 m and the normal of a
+    half-space. Of a distance grid the box around its nodes."""
+    CONSTRAINTS = 32
+    """Constraints: a point on the strand and a line to its target (cyan), and the force on the strand (magenta)."""
+
+
 class FitLengths(IntEnum):
     """What FitOptions.length_mode may be."""
 
@@ -479,6 +499,7 @@ __all__ = [
     "ContactModel",
     "Curl",
     "CurveAttribute",
+    "DebugLayers",
     "Dofs",
     "ErrorCode",
     "FitLengths",

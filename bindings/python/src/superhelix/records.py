@@ -319,8 +319,9 @@ class StepReport(Record):
         "Time spent on the search for contacts, s. The three phases sum up to less than seconds; 0 where there is no clock."
     )
     strand_seconds = FloatField("Time spent on the equations of motion of strands, s.")
-    contact_seconds = FloatField(
-        "Time spent on the contact problems of islands, s. Sampling is not part of a step: time it yourself."
+    contact_seconds = FloatField("Time spent on the contact problems of islands, s.")
+    sampling_seconds = FloatField(
+        "Time that sampling this solver took since the step before, s; calls on several threads add up. Not part of seconds."
     )
 
     def __init__(
@@ -357,6 +358,7 @@ class StepReport(Record):
         search_seconds: float | None = None,
         strand_seconds: float | None = None,
         contact_seconds: float | None = None,
+        sampling_seconds: float | None = None,
     ) -> None:
         super().__init__()
         self._set(
@@ -391,6 +393,7 @@ class StepReport(Record):
             search_seconds=search_seconds,
             strand_seconds=strand_seconds,
             contact_seconds=contact_seconds,
+            sampling_seconds=sampling_seconds,
         )
 
 
@@ -1219,6 +1222,16 @@ class RingCombReport(Record):
     torque = VectorField(3, "Torque about the origin of its frame, N m, world.")
 
 
+class DebugVertexTable(Table):
+    """A row each: a point, or an end of a line."""
+
+    __slots__ = ()
+    _STRUCT = _capi.shx_debug_vertex
+    position = FloatColumn("In the space of DebugDrawDef.")
+    color = UintColumn("0xRRGGBB.")
+    layer = UintColumn("The layer that it belongs to: DebugLayers.")
+
+
 class PolylineFit(Record):
     """A strand fitted to a polyline, apart from its element lengths and curvatures."""
 
@@ -1953,6 +1966,7 @@ __all__ = [
     "ContactOptions",
     "ContactTable",
     "Cut",
+    "DebugVertexTable",
     "ElementChange",
     "FitOptions",
     "FittedCoefficient",

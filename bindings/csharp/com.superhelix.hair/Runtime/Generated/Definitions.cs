@@ -723,6 +723,99 @@ namespace Superhelix
     }
   }
 
+  /// <summary>What shx_solver_debug_draw draws, and where it goes. Fill it with shx_debug_draw_def_init.</summary>
+  public sealed unsafe partial class DebugDrawDef
+  {
+    internal DebugDrawDefRaw Raw;
+
+    /// <summary>One with the defaults.</summary>
+    public DebugDrawDef()
+    {
+      fixed (DebugDrawDefRaw* raw = &Raw)
+        Error.Check(Native.shx_debug_draw_def_init(raw, (UIntPtr)sizeof(DebugDrawDefRaw)));
+    }
+
+    /// <summary>SHX_DEBUG_ bits. Default centrelines, contacts and bodies.</summary>
+    public DebugLayers Layers
+    {
+      get { return Raw.Layers; }
+      set { Raw.Layers = value; }
+    }
+
+    /// <summary>Points of a centreline, 2 to 4096. Default 17.</summary>
+    public uint PointsPerStrand
+    {
+      get { return Raw.PointsPerStrand; }
+      set { Raw.PointsPerStrand = value; }
+    }
+
+    /// <summary>Length of the axes of a material frame, m; above zero. Default 0.005.</summary>
+    public double FrameLength
+    {
+      get { return Raw.FrameLength; }
+      set { Raw.FrameLength = value; }
+    }
+
+    /// <summary>Length of the normal of a contact, m; above zero. Default 0.005.</summary>
+    public double NormalLength
+    {
+      get { return Raw.NormalLength; }
+      set { Raw.NormalLength = value; }
+    }
+
+    /// <summary>Length of a force of 1 N, m/N; 0: forces are not drawn. Default 100.</summary>
+    public double ForceScale
+    {
+      get { return Raw.ForceScale; }
+      set { Raw.ForceScale = value; }
+    }
+
+    /// <summary>Subtracted from positions, m. Default 0.</summary>
+    public Vec3 Origin
+    {
+      get { return Raw.Origin; }
+      set { Raw.Origin = value; }
+    }
+
+    /// <summary>The space of the vertices, as in shx_sample_def. Default (1, 0, 0).</summary>
+    public Vec3 XAxis
+    {
+      get { return Raw.XAxis; }
+      set { Raw.XAxis = value; }
+    }
+
+    /// <summary>The same of the y axis. Default (0, 1, 0).</summary>
+    public Vec3 YAxis
+    {
+      get { return Raw.YAxis; }
+      set { Raw.YAxis = value; }
+    }
+
+    /// <summary>The same of the z axis. Default (0, 0, 1).</summary>
+    public Vec3 ZAxis
+    {
+      get { return Raw.ZAxis; }
+      set { Raw.ZAxis = value; }
+    }
+
+    /// <summary>Added to positions at last, in your units. Default 0.</summary>
+    public Vec3 Translation
+    {
+      get { return Raw.Translation; }
+      set { Raw.Translation = value; }
+    }
+
+    // What the C library reads during a call.
+    internal DebugDrawDefRaw Pin(Pins pins)
+    {
+      DebugDrawDefRaw raw = Raw;
+      PinByHand(pins, ref raw);
+      return raw;
+    }
+
+    partial void PinByHand(Pins pins, ref DebugDrawDefRaw raw);
+  }
+
   /// <summary>Options of fitting. Fill it with shx_fit_options_init.</summary>
   public sealed unsafe partial class FitOptions
   {

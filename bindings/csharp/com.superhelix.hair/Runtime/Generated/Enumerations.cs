@@ -405,6 +405,37 @@ namespace Superhelix
     Keep = 2,
   }
 
+  /// <summary>SHX_DEBUG_ of the C interface.</summary>
+  [Flags]
+  public enum DebugLayers : uint
+  {
+    /// <summary>
+    /// Centrelines of strands: beige if the last substep converged, orange if it did not, red if the strand is quarantined, blue if it is
+    /// frozen.
+    /// </summary>
+    Centrelines = 1,
+    /// <summary>
+    /// Material frames at the root and at the end of every element: tangent red, first normal green, second normal blue.
+    /// </summary>
+    Frames = 2,
+    /// <summary>Contacts of the last substep: a point and the normal (yellow), and the force on the strand (magenta).</summary>
+    Contacts = 4,
+    /// <summary>
+    /// Centrelines coloured by island, instead of SHX_DEBUG_CENTRELINES: strands that contacts or ties couple share a colour; strands alone
+    /// are grey.
+    /// </summary>
+    Islands = 8,
+    /// <summary>
+    /// Outlines of bodies, green: circles of round shapes, edges of boxes, hulls and meshes, a square of 1 m and the normal of a half-
+    /// space. Of a distance grid the box around its nodes.
+    /// </summary>
+    Bodies = 16,
+    /// <summary>
+    /// Constraints: a point on the strand and a line to its target (cyan), and the force on the strand (magenta).
+    /// </summary>
+    Constraints = 32,
+  }
+
   /// <summary>SHX_FIT_LENGTHS_ of the C interface.</summary>
   public enum FitLengths : uint
   {

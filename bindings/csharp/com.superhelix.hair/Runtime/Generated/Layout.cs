@@ -114,7 +114,7 @@ namespace Superhelix
       {
         StepReport x = default(StepReport);
         byte* at = (byte*)&x;
-        Compare(ref first, "sizeof StepReport", sizeof(StepReport), 200);
+        Compare(ref first, "sizeof StepReport", sizeof(StepReport), 208);
         Compare(ref first, "StepReport.StructSize", (byte*)&x.StructSize - at, 0);
         Compare(ref first, "StepReport.Quarantined", (byte*)&x.Quarantined - at, 4);
         Compare(ref first, "StepReport.Unconverged", (byte*)&x.Unconverged - at, 8);
@@ -147,6 +147,7 @@ namespace Superhelix
         Compare(ref first, "StepReport.SearchSeconds", (byte*)&x.SearchSeconds - at, 176);
         Compare(ref first, "StepReport.StrandSeconds", (byte*)&x.StrandSeconds - at, 184);
         Compare(ref first, "StepReport.ContactSeconds", (byte*)&x.ContactSeconds - at, 192);
+        Compare(ref first, "StepReport.SamplingSeconds", (byte*)&x.SamplingSeconds - at, 200);
       }
       {
         StrandDefRaw x = default(StrandDefRaw);
@@ -546,6 +547,34 @@ namespace Superhelix
         Compare(ref first, "RestoreDefRaw.Options", (byte*)&x.Options - at, 4);
         Compare(ref first, "RestoreDefRaw.Shapes", (byte*)&x.Shapes - at, 8);
         Compare(ref first, "RestoreDefRaw.ShapesSize", (byte*)&x.ShapesSize - at, 16);
+      }
+      {
+        DebugVertex x = default(DebugVertex);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof DebugVertex", sizeof(DebugVertex), 32);
+        Compare(ref first, "DebugVertex.Position", (byte*)&x.Position - at, 0);
+        Compare(ref first, "DebugVertex.Color", (byte*)&x.Color - at, 24);
+        Compare(ref first, "DebugVertex.Layer", (byte*)&x.Layer - at, 28);
+      }
+      {
+        DebugDrawDefRaw x = default(DebugDrawDefRaw);
+        byte* at = (byte*)&x;
+        Compare(ref first, "sizeof DebugDrawDefRaw", sizeof(DebugDrawDefRaw), 184);
+        Compare(ref first, "DebugDrawDefRaw.StructSize", (byte*)&x.StructSize - at, 0);
+        Compare(ref first, "DebugDrawDefRaw.Layers", (byte*)&x.Layers - at, 4);
+        Compare(ref first, "DebugDrawDefRaw.PointsPerStrand", (byte*)&x.PointsPerStrand - at, 8);
+        Compare(ref first, "DebugDrawDefRaw.reserved", (byte*)&x.reserved - at, 12);
+        Compare(ref first, "DebugDrawDefRaw.FrameLength", (byte*)&x.FrameLength - at, 16);
+        Compare(ref first, "DebugDrawDefRaw.NormalLength", (byte*)&x.NormalLength - at, 24);
+        Compare(ref first, "DebugDrawDefRaw.ForceScale", (byte*)&x.ForceScale - at, 32);
+        Compare(ref first, "DebugDrawDefRaw.Origin", (byte*)&x.Origin - at, 40);
+        Compare(ref first, "DebugDrawDefRaw.XAxis", (byte*)&x.XAxis - at, 64);
+        Compare(ref first, "DebugDrawDefRaw.YAxis", (byte*)&x.YAxis - at, 88);
+        Compare(ref first, "DebugDrawDefRaw.ZAxis", (byte*)&x.ZAxis - at, 112);
+        Compare(ref first, "DebugDrawDefRaw.Translation", (byte*)&x.Translation - at, 136);
+        Compare(ref first, "DebugDrawDefRaw.Lines", (byte*)&x.Lines - at, 160);
+        Compare(ref first, "DebugDrawDefRaw.Points", (byte*)&x.Points - at, 168);
+        Compare(ref first, "DebugDrawDefRaw.User", (byte*)&x.User - at, 176);
       }
       {
         PolylineFit x = default(PolylineFit);

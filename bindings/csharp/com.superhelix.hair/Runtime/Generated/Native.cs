@@ -25,6 +25,9 @@ namespace Superhelix
     internal static extern UIntPtr shx_last_error(byte* buffer, UIntPtr capacity);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_set_allocator(IntPtr alloc, IntPtr free, void* user);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_def_init(SolverDefRaw* @def, UIntPtr size);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -68,6 +71,9 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_step_with_limits(SolverHandle solver, double dt, uint substeps, StepLimitsRaw* limits, StepReport* report);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_set_wind_field(SolverHandle solver, IntPtr function, void* user);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_strand_def_init(StrandDefRaw* @def, UIntPtr size);
@@ -467,6 +473,12 @@ namespace Superhelix
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_solver_state_hash(SolverHandle solver, ulong* out_hash);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_debug_draw_def_init(DebugDrawDefRaw* @def, UIntPtr size);
+
+    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+    internal static extern int shx_solver_debug_draw(SolverHandle solver, DebugDrawDefRaw* @def);
 
     [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
     internal static extern int shx_polyline_fit_init(PolylineFit* fit, UIntPtr size);

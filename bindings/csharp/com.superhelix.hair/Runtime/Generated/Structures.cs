@@ -199,8 +199,12 @@ namespace Superhelix
     public double SearchSeconds;
     /// <summary>Time spent on the equations of motion of strands, s.</summary>
     public double StrandSeconds;
-    /// <summary>Time spent on the contact problems of islands, s. Sampling is not part of a step: time it yourself.</summary>
+    /// <summary>Time spent on the contact problems of islands, s.</summary>
     public double ContactSeconds;
+    /// <summary>
+    /// Time that sampling this solver took since the step before, s; calls on several threads add up. Not part of seconds.
+    /// </summary>
+    public double SamplingSeconds;
 
     /// <summary>One with the defaults.</summary>
     public static unsafe StepReport Default
@@ -1089,6 +1093,38 @@ namespace Superhelix
     internal RestoreOptions Options;
     internal IntPtr Shapes;
     internal UIntPtr ShapesSize;
+  }
+
+  /// <summary>A point, or an end of a line.</summary>
+  [StructLayout(LayoutKind.Sequential)]
+  public struct DebugVertex
+  {
+    /// <summary>In the space of shx_debug_draw_def.</summary>
+    public Vec3 Position;
+    /// <summary>0xRRGGBB.</summary>
+    public uint Color;
+    /// <summary>The layer that it belongs to: SHX_DEBUG_.</summary>
+    public DebugLayers Layer;
+  }
+
+  [StructLayout(LayoutKind.Sequential)]
+  internal struct DebugDrawDefRaw
+  {
+    internal uint StructSize;
+    internal DebugLayers Layers;
+    internal uint PointsPerStrand;
+    internal uint reserved;
+    internal double FrameLength;
+    internal double NormalLength;
+    internal double ForceScale;
+    internal Vec3 Origin;
+    internal Vec3 XAxis;
+    internal Vec3 YAxis;
+    internal Vec3 ZAxis;
+    internal Vec3 Translation;
+    internal IntPtr Lines;
+    internal IntPtr Points;
+    internal IntPtr User;
   }
 
   /// <summary>

@@ -32,16 +32,23 @@ namespace Superhelix
       }
     }
 
+    // The field that the library calls.
+    private Wind wind;
+
     /// <summary>Frees it and joins its threads.</summary>
     public void Dispose()
     {
       Handle.Dispose();
+      if (wind != null)
+        wind.Dispose();
+      wind = null;
     }
 
     // A callback's exception goes before the library's own error, which it may have led to.
     private void Check(int result)
     {
       Hooks.Rethrow(Handle.Hooks);
+      Wind.Rethrow(wind);
       Error.Check(result);
     }
 
@@ -83,6 +90,42 @@ namespace Superhelix
     public void SetWind(Vec3 wind)
     {
       Check(Native.shx_solver_set_wind(Handle, (double*)&wind));
+    }
+
+    /// <summary>
+    /// Adds a field to the uniform wind; null: none. It is called by the thread that steps, before each substep, and is in no snapshot. What it throws,
+    /// Step throws.
+    /// </summary>
+    public void SetWindField(WindField field)
+    {
+      Wind next = field == null ? null : new Wind(field);
+      IntPtr user = next == null ? IntPtr.Zero : next.User;
+      int result = Native.shx_solver_set_wind_field(Handle, next == null ? IntPtr.Zero : Wind.Address, (void*)user);
+      Wind old = result == 0 ? wind : next;
+      if (result == 0)
+        wind = next;
+      if (old != null)
+        old.Dispose();
+      Check(result);
+    }
+
+    /// <summary>
+    /// Draws what the solver knows as of the last step: batches of at most 1024 vertices to lines, in pairs, and to points. Null: those are not drawn.
+    /// </summary>
+    public void DebugDraw(DebugDrawDef def, DebugVertices lines, DebugVertices points)
+    {
+      if (def == null)
+        throw new ArgumentNullException("def");
+      using (Canvas canvas = new Canvas(lines, points))
+      using (Pins pins = Pins.Take())
+      {
+        def.Canvas = canvas.User;
+        DebugDrawDefRaw raw = def.Pin(pins);
+        def.Canvas = IntPtr.Zero;
+        int result = Native.shx_solver_debug_draw(Handle, &raw);
+        canvas.Rethrow();
+        Check(result);
+      }
     }
 
     /// <summary>An image of everything that a step depends on.</summary>

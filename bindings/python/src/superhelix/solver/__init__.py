@@ -13,7 +13,7 @@ from superhelix.solver.bodies import Bodies
 from superhelix.solver.constraints import Constraints
 from superhelix.solver.contact import Contact, ContactEvents, Overlaps, PermittedOverlap, PushedOut
 from superhelix.solver.posing import Brushed, Posing
-from superhelix.solver.sampling import Sampling
+from superhelix.solver.sampling import DebugDrawing, Sampling
 from superhelix.solver.shapes import Settled, Shapes, Stability
 from superhelix.solver.stepping import Cancel, Stepping
 from superhelix.solver.strands import Energies, Strands
@@ -66,6 +66,7 @@ class Solver(Strands, Shapes, Posing, Sampling, Bodies, Contact, Constraints, St
         self._open = None
         self._all = None
         self._failures = Failures()
+        self._wind = None
         kept = []
         if parallel_for is not None:
             kept.append(parallel_for_callback(parallel_for, self._failures))
@@ -96,6 +97,7 @@ __all__ = [
     "Cancel",
     "ContactEvents",
     "Cuts",
+    "DebugDrawing",
     "Energies",
     "Overlaps",
     "PermittedOverlap",

@@ -32,9 +32,11 @@ Numbers = npt.NDArray[np.float64]
 class SolverBase(Owner):
     """The handle of a solver."""
 
-    __slots__ = ("_all", "_failures")
+    __slots__ = ("_all", "_failures", "_wind")
     _failures: Failures
     _all: StrandIds | None
+    #: The field of wind that the library calls.
+    _wind: object
 
     def _call(self, function: Callable[Concatenate[Any, P], int], *args: P.args, **kwargs: P.kwargs) -> None:
         """Calls a function of the solver; raises its error, or an exception of a callback that ran in it."""

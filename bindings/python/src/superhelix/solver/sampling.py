@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from superhelix import _capi
 from superhelix._buffers import Output, address, column, float_type, vector, whole
+from superhelix._callbacks import attach, vertices_callback
 from superhelix._library import functions
-from superhelix._record import initialize
+from superhelix._record import dtype_of, initialize
 from superhelix._transform import put_transform
+from superhelix.enums import DebugLayers
 from superhelix.ids import StrandId
+from superhelix.records import DebugVertexTable
 from superhelix.solver._base import SolverBase, StrandsLike
 
 
@@ -21,10 +24,58 @@ def _reference(output: Output | None) -> Any:
     return None if output is None else ctypes.byref(output.view)
 
 
+class DebugDrawing(NamedTuple):
+    """What debug drawing gave: lines, a pair of rows each, and points; with positions, colours (0xRRGGBB) and layers."""
+
+    lines: DebugVertexTable
+    points: DebugVertexTable
+
+
 class Sampling(SolverBase):
     """Reading strands of a solver."""
 
     __slots__ = ()
+
+    def debug_draw(
+        self,
+        layers: DebugLayers | None = None,
+        *,
+        points_per_strand: int | None = None,
+        frame_length: float | None = None,
+        normal_length: float | None = None,
+        force_scale: float | None = None,
+        origin: npt.ArrayLike | None = None,
+        transform: npt.ArrayLike | None = None,
+    ) -> DebugDrawing:
+        """Draws what the solver knows as of the last step as coloured lines and points.
+
+        layers: a union of DebugLayers, by default centrelines, contacts and bodies. points_per_strand: of a centreline. frame_length and normal_length, m:
+        of the axes of frames and of the normals of contacts. force_scale: length of a force of 1 N, m. origin and transform: as in sample_strands.
+        """
+        definition = _capi.shx_debug_draw_def()
+        initialize(definition)
+        for name, value in (("frame_length", frame_length), ("normal_length", normal_length), ("force_scale", force_scale)):
+            if value is not None:
+                setattr(definition, name, value)
+        if layers is not None:
+            definition.layers = DebugLayers(layers)
+        if points_per_strand is not None:
+            definition.points_per_strand = whole("points_per_strand", points_per_strand)
+        if origin is not None:
+            definition.origin = (ctypes.c_double * 3)(*vector("origin", origin))
+        put_transform(definition, transform)
+        size = ctypes.sizeof(_capi.shx_debug_vertex)
+        lines: list[bytes] = []
+        points: list[bytes] = []
+        definition.kept = (vertices_callback(lines, size), vertices_callback(points, size))
+        attach(definition, "lines", definition.kept[0])
+        attach(definition, "points", definition.kept[1])
+        self._call(functions.shx_solver_debug_draw, ctypes.byref(definition))
+
+        def table(batches: list[bytes]) -> DebugVertexTable:
+            return DebugVertexTable(np.frombuffer(b"".join(batches), dtype=dtype_of(_capi.shx_debug_vertex)))
+
+        return DebugDrawing(table(lines), table(points))
 
     def sample_strands(
         self,

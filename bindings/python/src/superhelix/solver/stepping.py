@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from superhelix import _capi
 from superhelix._buffers import address, vector, whole
+from superhelix._callbacks import WindField, wind_callback
 from superhelix._library import functions
 from superhelix._record import initialize, reference
 from superhelix.enums import RestoreOptions, SnapshotShapes
@@ -87,6 +88,17 @@ class Stepping(SolverBase):
         """Sets the uniform wind, m/s, from the next step on. Only strands with an air_drag feel it."""
         numbers = vector("wind", wind)
         self._call(functions.shx_solver_set_wind, address(numbers))
+
+    def set_wind_field(self, field: WindField | None) -> None:
+        """Adds a field to the uniform wind: field(seconds, positions) returns the air's velocities at positions (rows of x, y, z), or one velocity for
+        all. None: no field. It is called by the thread that steps, before each substep, for at most 1024 points at a time; an exception in it is
+        raised by step. Snapshots do not contain it.
+
+            solver.set_wind_field(lambda seconds, positions: np.sin(seconds) * positions[:, [1, 0, 2]])
+        """
+        callback = None if field is None else wind_callback(field, self._failures)
+        self._call(functions.shx_solver_set_wind_field, callback and ctypes.cast(callback, ctypes.c_void_p), None)
+        self._wind = callback
 
     @property
     def own_user_data(self) -> int:
