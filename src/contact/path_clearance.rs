@@ -207,8 +207,8 @@ impl FreePath<'_> {
             if start + length > self.exempt {
                 let chord = [state.origin_left, state.origin_right()].map(|end| to.origin + Vector3::from(end));
                 // The shape knows either how far a whole chord is, or how far its middle is.
-                let (distance, enough) = match body.shape.distance_of_segment(chord) {
-                    Some(distance) => (distance, needed + state.off_chord() + displacement),
+                let (distance, enough) = match body.shape.separation(chord) {
+                    Some(plane) => (plane.distance, needed + state.off_chord() + displacement),
                     None => {
                         let enough = needed + slope * (0.5 * length + displacement);
                         (body.shape.distance(0.5 * (chord[0] + chord[1]), enough), enough)
@@ -228,7 +228,7 @@ impl FreePath<'_> {
         if exempt >= length {
             return true;
         }
-        if body.shape.knows_segments() {
+        if body.shape.knows_separations() {
             self.is_clear_by_chords(body, element, exempt, spare, balls)
         } else {
             self.is_clear_by_balls(body, element, exempt, spare, balls)
@@ -241,8 +241,8 @@ impl FreePath<'_> {
         self.radius + body.thickness - spare - sunk
     }
 
-    /// By chords of pieces in the middle of their time: what goes straight from an arc to an arc stays as near to the chord that goes from
-    /// chord to chord.
+    /// By chords of pieces: what moves straight from an arc to an arc stays as near to the chord that moves from chord to chord, and a plane
+    /// between the shape and that chord in the middle of its motion bounds how near all of them come.
     fn is_clear_by_chords(&self, body: &BodyAt, element: &Element, exempt: f64, spare: f64, chords: &mut u32) -> bool {
         let length = element.states[0].length;
         let mut pieces = [Chord::default(); MOST_PIECES];
@@ -259,11 +259,11 @@ impl FreePath<'_> {
             let off_chord = element.off_chord(to - from);
             let half_way = 0.5 * (ways[0][1] - ways[0][0]).norm_squared().max((ways[1][1] - ways[1][0]).norm_squared()).sqrt();
             let midway = ways.map(|[a, b]| 0.5 * (a + b));
-            let distance = body.shape.distance_of_segment(midway).unwrap_or(f64::NEG_INFINITY);
-            if distance >= needed + (off_chord + half_way) {
+            let Some(plane) = body.shape.separation(midway) else { return false };
+            if plane.distance_of(ways.into_iter().flatten()) >= needed + off_chord {
                 continue;
             }
-            if distance < needed - (off_chord + half_way) || count + 2 > MOST_PIECES {
+            if plane.distance < needed - (off_chord + half_way) || count + 2 > MOST_PIECES {
                 return false;
             }
             if off_chord >= half_way {

@@ -19,6 +19,7 @@
 //! - `outline.rs`: Outlines: a shape as a few segments, for debug drawing.
 //! - `parts.rs`: A shape taken apart, for images of a scene, and put together again to the bit.
 //! - `planes.rs`: The tangent plane at every node of a distance grid, for look-ups by the hundred thousand.
+//! - `separation.rs`: Planes that separate convex shapes from straight segments, for the shapes that know them in closed form.
 //! - `sphere.rs`: Sphere about the origin.
 //! - `surface.rs`: Where a shape's surface is nearest to a point.
 //! - `triangle.rs`: Nearest point of a triangle.
@@ -41,6 +42,7 @@ mod mesh_query;
 mod outline;
 mod parts;
 mod planes;
+mod separation;
 mod sphere;
 mod surface;
 mod triangle;
@@ -57,7 +59,6 @@ pub(crate) use parts::Parts;
 pub(crate) use planes::PlaneField;
 pub use surface::Surface;
 
-use super::segment_distance::closest_of_segments;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// The shape of a body, in the body's own axes. Made by the functions `new_…`, which check their arguments.
@@ -224,24 +225,6 @@ impl Shape {
             Kind::Hull(mesh) | Kind::Mesh(mesh) => mesh.closest(point, within).map_or(within, |surface| surface.distance),
             Kind::Grid(grid) => grid.distance(point, within, self.distance_slope()),
             _ => self.closest_smooth(point).distance,
-        }
-    }
-
-    /// Whether [`Shape::distance_of_segment`] knows an answer.
-    pub(in crate::contact) fn knows_segments(&self) -> bool {
-        matches!(self.0, Kind::Sphere { .. } | Kind::Capsule { .. } | Kind::HalfSpace { .. })
-    }
-
-    /// The distance (m) of the surface from a straight segment, below zero inside; `None` for shapes that do not know it in closed form.
-    pub(in crate::contact) fn distance_of_segment(&self, [from, to]: [Vector3<f64>; 2]) -> Option<f64> {
-        match &self.0 {
-            Kind::Sphere { radius } => {
-                let centre = Vector3::zeros();
-                Some(closest_of_segments([&centre, &centre], [&from, &to]).distance - radius)
-            }
-            Kind::Capsule { a, b, radius } => Some(closest_of_segments([a, b], [&from, &to]).distance - radius),
-            Kind::HalfSpace { normal } => Some(normal.dot(&from).min(normal.dot(&to))),
-            _ => None,
         }
     }
 

@@ -1,0 +1,89 @@
+//! Planes that separate convex shapes from straight segments, for the shapes that know them in closed form.
+
+use nalgebra::Vector3;
+
+use super::{Kind, Shape};
+use crate::contact::segment_distance::closest_of_segments;
+
+/// A plane between a shape and a segment, across the shortest way from one to the other.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::contact) struct Separation {
+    /// Unit normal, from the shape to the segment.
+    normal: Vector3<f64>,
+    /// No point of the shape is further along the normal than this, m.
+    offset: f64,
+    /// The distance of shape and segment, m; below zero where they overlap.
+    pub distance: f64,
+}
+
+impl Separation {
+    /// A lower bound on the distance from the shape of everything between these points, m.
+    pub fn distance_of(&self, points: impl IntoIterator<Item = Vector3<f64>>) -> f64 {
+        points.into_iter().map(|point| self.normal.dot(&point)).fold(f64::INFINITY, f64::min) - self.offset
+    }
+}
+
+impl Shape {
+    /// Whether [`Shape::separation`] gives a plane.
+    pub(in crate::contact) fn knows_separations(&self) -> bool {
+        matches!(self.0, Kind::Sphere { .. } | Kind::Capsule { .. } | Kind::HalfSpace { .. })
+    }
+
+    /// The plane between the shape and a straight segment; `None` for shapes that do not know it in closed form.
+    pub(in crate::contact) fn separation(&self, segment: [Vector3<f64>; 2]) -> Option<Separation> {
+        let (axis, radius) = match &self.0 {
+            Kind::Sphere { radius } => ([Vector3::zeros(); 2], *radius),
+            Kind::Capsule { a, b, radius } => ([*a, *b], *radius),
+            Kind::HalfSpace { normal } => {
+                let distance = normal.dot(&segment[0]).min(normal.dot(&segment[1]));
+                return Some(Separation { normal: *normal, offset: 0.0, distance });
+            }
+            _ => return None,
+        };
+        let nearest = closest_of_segments([&axis[0], &axis[1]], [&segment[0], &segment[1]]);
+        let apart = segment[0].lerp(&segment[1], nearest.u) - axis[0].lerp(&axis[1], nearest.t);
+        // (Where a segment meets the axis any plane will do: it is inside.)
+        let normal = apart.try_normalize(f64::MIN_POSITIVE).unwrap_or_else(Vector3::x);
+        let offset = normal.dot(&axis[0]).max(normal.dot(&axis[1])) + radius;
+        Some(Separation { normal, offset, distance: nearest.distance - radius })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random::Seeded;
+
+    /// No point of the shape is beyond the plane, none of the segment before it, and the distance is that of the shape's nearest point.
+    #[test]
+    fn a_plane_separates() {
+        let random = Seeded::new(3, 0);
+        let mut count = 0;
+        let mut number = || {
+            count += 1;
+            2.0 * random.unit(count) - 1.0
+        };
+        let mut point = || Vector3::new(number(), number(), number());
+        for _ in 0..300 {
+            let capsule = Shape::new_capsule(0.5 * point(), 0.5 * point(), 0.1).unwrap();
+            let shapes = [Shape::new_sphere(0.4).unwrap(), capsule, Shape::new_half_space(point()).unwrap()];
+            let segment = [point(), point()];
+            for shape in shapes {
+                let plane = shape.separation(segment).unwrap();
+                let places = (0..=400).map(|k| segment[0].lerp(&segment[1], f64::from(k) / 400.0));
+                let nearest =
+                    places.map(|place| shape.closest(place, f64::INFINITY).unwrap().distance).fold(f64::INFINITY, f64::min);
+                assert!((nearest - plane.distance).abs() < 1e-2 && nearest > plane.distance - 1e-12, "{shape:?} {segment:?}");
+                let bound = plane.distance_of(segment);
+                assert!(plane.distance < 0.0 || (bound - plane.distance).abs() < 1e-9, "{bound} {plane:?}");
+                // Points anywhere are no nearer than the plane says.
+                let others = [point(), point()];
+                let least = others
+                    .map(|place| shape.closest(place, f64::INFINITY).unwrap().distance)
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min);
+                assert!(plane.distance_of(others) <= least + 1e-12);
+            }
+        }
+    }
+}
