@@ -14,7 +14,8 @@
 
 use super::StrandOutcome;
 use super::damping::Damping;
-use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_compensation, place_trial};
+use super::iterate::{Iterate, Problem, forces, foresee, place_accepted, place_compensation};
+use super::line_search::{self, LineSearch, Merit, lanes};
 use super::options::{LinearSolver, StepOptions};
 use crate::chain::dense::{Dense, DenseMethod};
 use crate::chain::elimination::Elimination;
@@ -23,10 +24,6 @@ use crate::math::lane::{Lane, MAX_LANES, Precision};
 
 /// A direction that would turn an element by more than this many limits is damped, not only shortened.
 const SHORTENED_AT_MOST: f64 = 20.0;
-/// An undamped iteration that turned by θ leaves at most about this times θ² to turn (`docs/theory/newton.md`).
-const QUADRATIC: f64 = 50.0;
-/// Where the iterations show a larger constant, the estimate takes this many times what they show.
-const QUADRATIC_SAFETY: f64 = 3.0;
 /// In f32 only rounding moves an iteration that is undamped and of full length, turns by no more than this many [`ROUNDING`]s,
 /// and turns by no less than [`STALLED`] of the last turn.
 const ROUNDING_AT_MOST: f64 = 16.0;
@@ -37,50 +34,14 @@ const STALLED: f64 = 0.5;
 const ROUNDING: f64 = 2.0;
 /// Largest number of dampings in an iteration: 4⁴⁰ spans the relevant range of f64.
 pub(super) const MAX_DAMPINGS: u32 = 40;
-/// Armijo's fraction of the predicted descent.
-pub(super) const ARMIJO: f64 = 1e-4;
-/// Largest number of halvings in an iteration.
-pub(super) const MAX_HALVINGS: u32 = 40;
-
-/// The potential, and its rounding error.
-#[derive(Debug, Clone, Copy, Default)]
-struct Potential {
-    value: f64,
-    noise: f64,
-}
-
 /// What the iteration tracks for every lane; lanes are sets of bits.
 struct Control {
-    potential: [Potential; MAX_LANES],
-    next: [Potential; MAX_LANES],
+    potential: [Merit; MAX_LANES],
     damping: [Damping; MAX_LANES],
     /// The last iteration's rotation, if it was undamped and of full length.
     before: [Option<f64>; MAX_LANES],
     /// The fraction of the direction that was taken.
     gone: [f64; MAX_LANES],
-}
-
-/// The lanes of a set, ascending.
-#[inline(always)]
-fn lanes(set: u32) -> Lanes {
-    Lanes(set)
-}
-
-/// See [`lanes`].
-struct Lanes(u32);
-
-impl Iterator for Lanes {
-    type Item = usize;
-    #[inline(always)]
-    fn next(&mut self) -> Option<usize> {
-        if self.0 == 0 {
-            return None;
-        }
-        // An index that the compiler can prove to be within the arrays.
-        let lane = self.0.trailing_zeros() as usize % MAX_LANES;
-        self.0 &= self.0 - 1;
-        Some(lane)
-    }
 }
 
 /// Minimises the potential of one strand with the solver that the options name; see [`minimise`].
@@ -125,8 +86,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     let (value, noise) = start;
     let usual = usual_damping(it);
     let mut control = Control {
-        potential: [Potential::default(); MAX_LANES],
-        next: [Potential::default(); MAX_LANES],
+        potential: [Merit::default(); MAX_LANES],
         damping: std::array::from_fn(|lane| Damping::new(if lane < T::LANES { usual.lane(lane) } else { 0.0 })),
         before: [None; MAX_LANES],
         gone: [0.0; MAX_LANES],
@@ -135,7 +95,7 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
     let mut running = active;
     for lane in lanes(active) {
         outcomes[lane] = StrandOutcome::default();
-        control.potential[lane] = Potential { value: value.lane(lane), noise: noise.lane(lane) };
+        control.potential[lane] = Merit { value: value.lane(lane), noise: noise.lane(lane) };
         if !control.potential[lane].value.is_finite() {
             outcomes[lane].quarantined = true;
             running &= !(1 << lane);
@@ -161,14 +121,21 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
             }
             outcome.residual = rotation;
             rotations[lane] = rotation;
-            part[lane] = if rotation > S::ROTATION_LIMIT { S::ROTATION_LIMIT / rotation } else { 1.0 };
+            part[lane] = line_search::first_fraction(rotation, S::ROTATION_LIMIT);
             // This near the minimum an f32 potential shows only rounding, and the full step is right.
             if T::PRECISION == Precision::F32 && rotation <= ROUNDING_AT_MOST * rounding && found.repaired.lane(lane) == 0.0 {
                 trusted |= 1 << lane;
             }
         }
         // Lanes without a descent that rounding lets us see are as good as their potential can show.
-        running &= !walk(problem, it, &mut control, &found, part, running, trusted);
+        let from = control.potential;
+        let potential = |_: &Iterate<T>, _: usize, potential: Merit| potential;
+        let search = LineSearch { problem, descent: found.descent, from: &from, trusted };
+        let (failed, next) = search.run(it, &mut part, running, potential);
+        running &= !failed;
+        for lane in lanes(running) {
+            control.gone[lane] = part[lane];
+        }
         std::mem::swap(&mut it.kinematics, &mut it.trial);
         std::mem::swap(&mut it.curvatures, &mut it.trial_curvatures);
         std::mem::swap(&mut it.compensation, &mut it.trial_compensation);
@@ -176,18 +143,13 @@ pub fn minimise<T: Lane, S: LinearSolve<T>>(
         let mut to_check = 0;
         for lane in lanes(running) {
             let (outcome, damping, rotation) = (&mut outcomes[lane], &mut control.damping[lane], rotations[lane]);
-            let (from, next) = (control.potential[lane], control.next[lane]);
+            let (from, next) = (control.potential[lane], next[lane]);
             if S::DAMPED {
-                // The model predicted f·d − ½ d·H d, with H d = f − λ·(rotations).
-                let promised = 0.5 * (found.descent.lane(lane) + damping.value * found.rotation_sum.lane(lane));
-                let seen = promised >= 8.0 * from.noise;
-                damping.learn(if seen { (from.value - next.value) / promised } else { 1.0 });
+                line_search::teach(damping, &found, lane, from, next);
             }
             control.potential[lane] = next;
             let newton = damping.value == 0.0 && control.gone[lane] == 1.0;
-            let quadratic = newton && it.system.exact;
-            let left = constant(rotation, control.before[lane]) * rotation;
-            outcome.residual = if quadratic { rotation * left.min(1.0) } else { rotation };
+            outcome.residual = line_search::left(rotation, newton && it.system.exact, control.before[lane]);
             if T::PRECISION == Precision::F32 {
                 let stalled = control.before[lane].is_some_and(|before| rotation >= STALLED * before);
                 if newton && stalled && rotation <= ROUNDING_AT_MOST * rounding && outcome.residual > options.tolerance {
@@ -264,70 +226,6 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
     }
 }
 
-/// Line search along the direction: starts at the fraction `part` and halves it until the potential falls enough; the trial state
-/// is then the result. Returns the lanes that found no descent; they stay where they are, as do lanes that do not run. `trusted`
-/// lanes take the full step unchecked.
-#[inline(always)]
-fn walk<T: Lane>(
-    problem: &Problem<T>,
-    it: &mut Iterate<T>,
-    control: &mut Control,
-    found: &Direction<T>,
-    mut part: [f64; MAX_LANES],
-    running: u32,
-    trusted: u32,
-) -> u32 {
-    let mut pending = running;
-    let mut moving = running;
-    for _ in 0..MAX_HALVINGS {
-        let (value, noise) = place_on_way(problem, it, &part, moving);
-        for lane in lanes(pending) {
-            let from = control.potential[lane];
-            let trial = Potential { value: value.lane(lane), noise: noise.lane(lane) };
-            let falls = trial.value <= from.value - ARMIJO * part[lane] * found.descent.lane(lane) + from.noise;
-            if falls || trusted >> lane & 1 == 1 {
-                control.next[lane] = trial;
-                control.gone[lane] = part[lane];
-                pending &= !(1 << lane);
-            } else {
-                part[lane] *= 0.5;
-            }
-        }
-        if pending == 0 {
-            return 0;
-        }
-    }
-    moving &= !pending;
-    place_on_way(problem, it, &part, moving);
-    pending
-}
-
-/// Moves the trial state the fraction `part` of the direction away from the accepted one, in the lanes of `moving`.
-#[inline(always)]
-pub(super) fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
-    let fraction = T::from_lanes(|lane| part[lane]);
-    let moving = T::mask(moving);
-    it.trial_curvatures.clone_from(&it.curvatures);
-    if T::PRECISION == Precision::F32 {
-        it.trial_compensation.clone_from(&it.compensation);
-        for (element, row) in it.trial_curvatures.iter_mut().enumerate() {
-            for axis in problem.axes {
-                let change = fraction * it.change[element][*axis] + it.compensation[element][*axis];
-                let (sum, rest) = row[*axis].two_sum(change);
-                row[*axis] = T::select(moving, sum, row[*axis]);
-                it.trial_compensation[element][*axis] = T::select(moving, rest, it.compensation[element][*axis]);
-            }
-        }
-        return place_trial(problem, it);
-    }
-    for (row, change) in it.trial_curvatures.iter_mut().zip(&it.change) {
-        for axis in 0..3 {
-            row[axis] = T::select(moving, row[axis] + fraction * change[axis], row[axis]);
-        }
-    }
-    place_trial(problem, it)
-}
-
 /// Whether the accepted states, to which damped iterations crept, solve the step's equations without being minima: gives the
 /// squared rotation of the undamped direction. A strand that symmetry balances on its end is such a state when the step is too
 /// long for inertia to keep it there. Reflected pivots change the direction, not its size.
@@ -341,11 +239,6 @@ fn stationary<T: Lane, S: LinearSolve<T>>(problem: &Problem<T>, it: &mut Iterate
     let found = solver.solve(&it.kinematics, &it.system, problem.axes, &mut it.change);
     std::mem::swap(&mut it.system.point_tension, &mut it.spare_tension);
     found.rotation_squared
-}
-
-/// The constant C of Newton's quadratic convergence, θₖ₊₁ ≤ C θₖ²: the usual one, or the one that the last two rotations show.
-pub(super) fn constant(rotation: f64, before: Option<f64>) -> f64 {
-    before.map_or(QUADRATIC, |before| QUADRATIC.max(QUADRATIC_SAFETY * rotation / (before * before)))
 }
 
 /// The damping to try first: a hundredth of the stiffness with which one element's points resist its rotation.
