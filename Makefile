@@ -6,7 +6,7 @@ SHELL := /bin/bash
 TARGET := $(if $(CARGO_TARGET_DIR),$(CARGO_TARGET_DIR),target)
 DATA := tests/data/grooms
 
-.PHONY: help lib install uninstall dist dist-check deb test test-docs docs python cpp csharp abi abi-baseline wasm platforms demo soak bench contact pictures fit haptics \
+.PHONY: help lib install uninstall dist dist-check deb test test-docs docs python cpp csharp abi abi-baseline rust-api package wasm platforms demo soak bench contact pictures fit haptics \
 	instructions figures tradeoff peers clean
 
 help: ## this list
@@ -43,6 +43,8 @@ test: ## everything: format, lints, documentation, tests in Rust, C and of all b
 	cargo fmt --check
 	cargo clippy --locked --all-targets --all-features -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --all-features
+	scripts/rust_api.sh
+	scripts/package.sh
 	cargo test --locked --all-features
 	scripts/test_python.sh
 	scripts/test_cpp.sh
@@ -76,6 +78,12 @@ abi: ## the binary interface against its baseline (docs/reference/abi.md)
 	python3 abi/test_abi.py
 	python3 abi/abi.py check
 	python3 abi/abi.py abidiff
+
+rust-api: ## the public Rust interface against its text, abi/rust.txt (scripts/rust_api.sh --bless writes it); says so where it is skipped
+	scripts/rust_api.sh
+
+package: ## what crates.io would get: that nothing is missing, and that it compiles
+	scripts/package.sh
 
 abi-baseline: ## makes the present header and the present examples what later ones are held to
 	python3 abi/abi.py baseline
@@ -132,7 +140,7 @@ figures: ## every figure and table of docs/, from their programs
 	@scripts/setup.sh build figures
 	scripts/figures.sh
 
-tradeoff: ## what accuracy costs: docs/notebook/tradeoff.md, its figures, and src/study/measured.rs (about half an hour of one core)
+tradeoff: ## what accuracy costs: docs/notebook/tradeoff.md, its figures, and src/analysis/measured.rs (about half an hour of one core)
 	@scripts/setup.sh build figures
 	scripts/tradeoff.sh
 

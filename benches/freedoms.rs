@@ -9,16 +9,10 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use rustix::time::{ClockId, clock_gettime};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::groom::hair_type::HairType;
-use superhelix::math::frame::Frame;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::{BodyId, StrandId};
+use superhelix::hair::HairType;
+use superhelix::{
+    BodyDef, BodyId, Frame, Freedoms, InstructionSet, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId,
+};
 
 const TEETH: usize = 7;
 
@@ -46,7 +40,7 @@ fn scene(comb: bool, count: usize, elements: usize, freedoms: Freedoms, set: Opt
         .map(|k| {
             let mut def = StrandDef::straight(0.15, elements);
             def.natural = vec![[2.0, 15.0, 0.0]; elements];
-            def.material = superhelix::rod::material::Material { viscosity: 2e-3, ..hair.material() };
+            def.material = superhelix::Material { viscosity: 2e-3, ..hair.material() };
             def.freedoms = freedoms;
             let origin = Vector3::new(4e-3 * (k / 20) as f64, 2e-3 * (k % 20) as f64, 0.0);
             let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.5 * PI);

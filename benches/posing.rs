@@ -4,12 +4,8 @@
 use std::time::Instant;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::Shape;
-use superhelix::groom::pose::{Brush, DragTarget, PoseOptions};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
+use superhelix::editing::{Brush, DragTarget, PoseOptions};
+use superhelix::{BodyDef, Frame, Shape, Solver, SolverOptions, StrandDef, Workers};
 
 const STRANDS: usize = 1000;
 const ELEMENTS: usize = 10;
@@ -76,7 +72,7 @@ fn main() {
                 solver.set_shapes(&ids, &before).expect("shapes");
                 let mut targets = Vec::new();
                 for id in &ids {
-                    let push = |_: usize, sample: &superhelix::solver::Sample| {
+                    let push = |_: usize, sample: &superhelix::Sample| {
                         targets.push(DragTarget { arclength: LENGTH, position: sample.position });
                     };
                     solver.sample_at(*id, &[LENGTH], push).expect("a tip");

@@ -14,18 +14,16 @@ use std::ptr::{null, null_mut};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::guard::shx_solver;
-use superhelix::capi::sampling::{shx_sample_def, shx_sample_def_init, shx_solver_sample_strands};
-use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::capi::solver_def::{shx_solver_def, shx_solver_def_init};
-use superhelix::capi::step::shx_solver_step;
-use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::capi::strands::{shx_solver_add_strands, shx_solver_remove_strands};
-use superhelix::capi::types::*;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::Integrator;
+use superhelix::internals::capi::errors::SHX_OK;
+use superhelix::internals::capi::guard::shx_solver;
+use superhelix::internals::capi::sampling::{shx_sample_def, shx_sample_def_init, shx_solver_sample_strands};
+use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::solver_def::{shx_solver_def, shx_solver_def_init};
+use superhelix::internals::capi::step::shx_solver_step;
+use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::strands::{shx_solver_add_strands, shx_solver_remove_strands};
+use superhelix::internals::capi::types::*;
+use superhelix::{Integrator, Solver, SolverOptions, StrandDef};
 
 /// Bytes in use: as requested, and as rounded up by the allocator (glibc: one word more, in units of 16, at least 32).
 struct Counting;
@@ -273,7 +271,7 @@ fn one_by_one(strands: usize, rounds: usize, csv: &mut String) {
     let (mut clock, mut processor) = (Vec::new(), Vec::new());
     for _ in 0..rounds {
         let (a, b) = both_times(|| {
-            let put = |strand: usize, point: usize, sample: &superhelix::solver::Sample| {
+            let put = |strand: usize, point: usize, sample: &superhelix::Sample| {
                 points[strand * POINTS + point] = sample.position.map(|number| number as f32).into();
             };
             solver.sample_strands(&ids, POINTS, put).expect("samples");

@@ -8,11 +8,7 @@ use std::fmt::Write as _;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::Integrator;
+use superhelix::{Frame, Integrator, Material, Solver, SolverOptions, StrandDef};
 
 /// The head motion of the references: yaw about z and sway along y, eased in.
 struct Root<'a>(&'a Value);

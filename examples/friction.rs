@@ -8,8 +8,8 @@ use std::fmt::Write as _;
 mod friction_cases;
 
 use friction_cases::{Case, case, truth};
-use superhelix::study::friction_fit::Coefficient::{self, AirDrag, InternalFriction, Viscosity};
-use superhelix::study::friction_fit::{FrictionFit, FrictionFitOptions, Sought, fit_friction};
+use superhelix::experiments::Coefficient::{AirDrag, InternalFriction, Viscosity};
+use superhelix::experiments::{Coefficient, FrictionFit, FrictionFitOptions, Sought, fit_friction};
 
 fn fit(case: &Case, options: &FrictionFitOptions) -> FrictionFit {
     fit_friction(&case.strand, &case.recording, &case.motion, options).expect("a fit")

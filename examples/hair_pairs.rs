@@ -5,15 +5,15 @@ use std::path::Path;
 use std::time::Instant;
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use superhelix::contact::hair_pairs::{HairPairs, PairOptions};
-use superhelix::contact::pieces::Wisp;
-use superhelix::contact::touch::{StrandCurve, StrandPath};
-use superhelix::contact::touches::TouchScratch;
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::{FitOptions, fit_polyline};
-use superhelix::math::quadrature::Rule;
-use superhelix::math::vector::Mat3;
-use superhelix::rod::kinematics::Kinematics;
+use superhelix::hair::{FitOptions, fit_polyline};
+use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
+use superhelix::internals::contact::pieces::Wisp;
+use superhelix::internals::contact::touch::{StrandCurve, StrandPath};
+use superhelix::internals::contact::touches::TouchScratch;
+use superhelix::internals::math::quadrature::Rule;
+use superhelix::internals::math::vector::Mat3;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::io::Curves;
 
 /// A fitted strand.
 struct Strand {

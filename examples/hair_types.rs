@@ -7,13 +7,9 @@
 use std::fmt::Write as _;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
-use superhelix::groom::hair_type::HairType;
-use superhelix::groom::variation::Variation;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::EquilibriumOptions;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation};
+use superhelix::{Frame, Solver, SolverOptions, StrandDef};
 
 /// Length of the locks, m, and sampled points per strand.
 const LENGTH: f64 = 0.15;

@@ -9,12 +9,8 @@
 use std::fmt::Write as _;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::files::motion::Motion;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::Integrator;
+use superhelix::io::Motion;
+use superhelix::{Frame, Integrator, Material, Solver, SolverOptions, StrandDef};
 
 const DURATION: f64 = 2.0;
 const LENGTH: f64 = 0.2;

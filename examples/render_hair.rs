@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 use std::sync::{Arc, Mutex};
 
 use nalgebra::Vector3;
-use superhelix::files::curves::Curves;
-use superhelix::groom::render_hair::{
+use superhelix::io::Curves;
+use superhelix::render::{
     GuideSamples, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, resampled,
 };
 

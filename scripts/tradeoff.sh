@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The price list: measures, writes the engine's own table (src/study/measured.rs), draws, and fills docs/notebook/tradeoff.md.
+# The price list: measures, writes the engine's own table (src/analysis/measured.rs), draws, and fills docs/notebook/tradeoff.md.
 #   TRADEOFF_MEASURE=no   draws from the committed numbers without measuring again
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -6,6 +6,15 @@ use std::sync::atomic::{AtomicU8, AtomicU32, AtomicU64, Ordering};
 use crate::platform::Instant;
 
 /// Limits on the cost of a call's steps. The default limits nothing but the work of each step: see [`StepLimits::work`].
+///
+/// ```
+/// use superhelix::{Solver, SolverOptions, StepLimits, Stopped};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let report = solver.step_within(1.0 / 60.0, 1, &StepLimits { work: Some(10_000), ..StepLimits::default() })?;
+/// assert_eq!(report.stopped, Stopped::No);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepLimits<'a> {
     /// The most work on strands in contact or with constraints in each substep, in units of about a microsecond of one core of

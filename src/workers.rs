@@ -17,12 +17,43 @@ use crate::platform::{HAS_THREADS, process_id};
 
 /// A host's task system. `run(count, min_range, task)` must call `task(begin, end, worker)` over disjoint ranges that cover `[0,
 /// count)` exactly once, on any threads, and return when all are done.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use superhelix::{ParallelFor, Solver, SolverOptions, StrandDef, Workers};
+///
+/// /// A task system of one thread.
+/// struct Tasks;
+///
+/// impl ParallelFor for Tasks {
+///     fn run(&self, count: u32, min_range: u32, task: &(dyn Fn(u32, u32, u32) + Sync)) {
+///         for begin in (0..count).step_by(min_range.max(1) as usize) {
+///             task(begin, count.min(begin + min_range.max(1)), 0);
+///         }
+///     }
+/// }
+///
+/// let mut solver = Solver::new(SolverOptions { workers: Workers::Host(Arc::new(Tasks)), ..SolverOptions::default() })?;
+/// solver.add_strands(&vec![StrandDef::straight(0.2, 5); 100])?;
+/// solver.step(1.0 / 60.0, 1)?;
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 pub trait ParallelFor: Send + Sync {
     /// Runs `task` over `[0, count)`; a range should hold at least `min_range` items (the last may be shorter).
     fn run(&self, count: u32, min_range: u32, task: &(dyn Fn(u32, u32, u32) + Sync));
 }
 
 /// Which threads run the strands of a step.
+///
+/// ```
+/// use superhelix::{Solver, SolverOptions, Workers};
+///
+/// let solver = Solver::new(SolverOptions { workers: Workers::Pool(2), ..SolverOptions::default() })?;
+/// # drop(solver);
+/// assert!(Workers::Pool(1000).check("options").is_err());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Clone, Default)]
 pub enum Workers {
     /// The calling thread.

@@ -10,15 +10,10 @@ use std::sync::Arc;
 
 use allocations::allocations_so_far;
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::{
+    BodyDef, ConstraintDef, ContactModel, ContactOptions, Frame, Hold, InstructionSet, Shape, Solver, SolverOptions,
+    StrandContact, StrandDef, StrandId,
+};
 
 const STRANDS: usize = 64;
 const STEPS: u32 = 10;

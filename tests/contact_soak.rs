@@ -9,16 +9,11 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::bodies::{Contact, ContactPartner};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::{BodyId, StrandId};
-use superhelix::solver::report::{StepReport, StrandStatus};
-use superhelix::step::options::Integrator;
+use superhelix::shapes::Sides;
+use superhelix::{
+    BodyDef, BodyId, Contact, ContactModel, ContactOptions, ContactPartner, Frame, Friction, Integrator, Shape, Solver,
+    SolverOptions, StepReport, StrandContact, StrandDef, StrandId, StrandStatus,
+};
 
 /// Steps with bodies, and then without them, of a scene.
 const THROWN: u32 = 60;

@@ -7,13 +7,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use peak_alloc::PeakAlloc;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::{Curves, Extras};
-use superhelix::files::mesh_cache::MeshCache;
-use superhelix::files::motion::{Motion, MotionOptions};
-use superhelix::files::recorded_curve::RecordedCurve;
-use superhelix::files::tfx::TfxVersion;
-use superhelix::files::{distance_grid, hair, obj, obj_mesh, tfx, usda};
+use superhelix::io::{
+    CurveCache, Curves, Extras, MeshCache, Motion, MotionOptions, RecordedCurve, TfxVersion, distance_grid, hair, obj, obj_mesh,
+    tfx, usda,
+};
 
 #[global_allocator]
 static MEMORY: PeakAlloc = PeakAlloc;
@@ -178,7 +175,7 @@ fn ball() -> Vec<u8> {
     let at = |node: u32, axis: u32| f64::from(node / 6_u32.pow(axis) % 6) - 2.5;
     let values = (0..216).map(|node| ((0..3).map(|axis| at(node, axis).powi(2)).sum::<f64>().sqrt() - 1.8) as f32);
     let low = nalgebra::Vector3::repeat(-2.5);
-    let grid = superhelix::contact::shape::DistanceGrid::from_parts(low, 1.0, 0.7, [6; 3], values.collect()).unwrap();
+    let grid = superhelix::shapes::DistanceGrid::from_parts(low, 1.0, 0.7, [6; 3], values.collect()).unwrap();
     distance_grid::write_to_bytes(&grid).unwrap()
 }
 

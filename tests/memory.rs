@@ -6,16 +6,10 @@ use std::sync::Arc;
 
 use held_bytes::held_bytes;
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
+use superhelix::shapes::Sides;
+use superhelix::{
+    BodyDef, ConstraintDef, Frame, Hold, Integrator, Material, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId,
+};
 
 /// Twice a number that fills tasks and packs of any width, also where there are two kinds.
 const STRANDS: usize = 512;

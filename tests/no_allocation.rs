@@ -5,13 +5,7 @@ mod allocations;
 
 use allocations::allocations_so_far;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::math::lane::Precision;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::step::options::Integrator;
+use superhelix::{Frame, InstructionSet, Integrator, Material, Precision, Solver, SolverOptions, StrandDef, Workers};
 
 /// A root from which strands hang, swayed.
 fn swayed(t: f64) -> Frame {

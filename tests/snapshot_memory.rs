@@ -6,15 +6,11 @@ use std::sync::Arc;
 
 use held_bytes::held_bytes;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::{DistanceGrid, Shape, Sides};
-use superhelix::files::curves::Curves;
-use superhelix::files::obj_mesh;
-use superhelix::groom::fit::{FitOptions, fit_polyline};
-use superhelix::math::frame::Frame;
-use superhelix::solver::definition::{SolverOptions, StrandDef, UsualLimits};
-use superhelix::solver::{SnapshotShapes, Solver};
+use superhelix::hair::{FitOptions, fit_polyline};
+use superhelix::io::{Curves, obj_mesh};
+use superhelix::reading::SnapshotShapes;
+use superhelix::shapes::{DistanceGrid, Sides};
+use superhelix::{BodyDef, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef, UsualLimits};
 
 const FRAMES: usize = 100;
 /// The header's advice for such hair.

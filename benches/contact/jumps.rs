@@ -7,15 +7,10 @@ use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::meter::StepLimits;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::{BodyId, StrandId};
-use superhelix::solver::report::StepReport;
+use superhelix::{
+    BodyDef, BodyId, ContactModel, ContactOptions, Frame, Shape, Solver, SolverOptions, StepLimits, StepReport, StrandContact,
+    StrandDef, StrandId,
+};
 
 use crate::{ELEMENTS, Outcome, STEP};
 

@@ -14,15 +14,12 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::contact::shape::{DistanceGrid, Shape, Sides};
-use superhelix::files::{curves::Curves, obj_mesh};
-use superhelix::groom::fit::{FitOptions, fit_polyline, natural_under_gravity};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::report::Phases;
+use superhelix::hair::{FitOptions, fit_polyline, natural_under_gravity};
+use superhelix::io::{Curves, obj_mesh};
+use superhelix::shapes::{DistanceGrid, Sides};
+use superhelix::{
+    BodyDef, ContactModel, ContactOptions, Frame, Phases, Shape, Solver, SolverOptions, StrandContact, StrandDef, Workers,
+};
 
 const ELEMENTS: usize = 10;
 const SCALE: f64 = 0.01;

@@ -4,12 +4,9 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::{
+    BodyDef, ContactModel, ContactOptions, Friction, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId,
+};
 
 use crate::{ELEMENTS, MODELS, Outcome};
 

@@ -7,20 +7,16 @@ use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use rustix::time::{ClockId, clock_gettime};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::hair_pairs::{HairPairs, PairOptions};
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::contact::pieces::Wisp;
-use superhelix::contact::shape::Shape;
-use superhelix::contact::touch::{StrandCurve, StrandPath};
-use superhelix::contact::touches::TouchScratch;
-use superhelix::math::frame::Frame;
-use superhelix::math::quadrature::Rule;
-use superhelix::math::vector::Mat3;
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
+use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
+use superhelix::internals::contact::pieces::Wisp;
+use superhelix::internals::contact::touch::{StrandCurve, StrandPath};
+use superhelix::internals::contact::touches::TouchScratch;
+use superhelix::internals::math::quadrature::Rule;
+use superhelix::internals::math::vector::Mat3;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::{
+    BodyDef, ContactModel, ContactOptions, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId, Workers,
+};
 
 use crate::{CALM, EXEMPT, GRAVITY, Outcome, STEP, WISP, guides, pose};
 

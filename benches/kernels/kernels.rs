@@ -8,16 +8,14 @@ use std::hint::black_box;
 
 use criterion::{BatchSize, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use nalgebra::Vector3;
-use superhelix::chain::elimination::Elimination;
-use superhelix::chain::system::{ChainSystem, LinearSolve};
-use superhelix::math::entire::Stumpff;
-use superhelix::math::lane::{Lane, Precision};
-use superhelix::math::lanes::InstructionSet;
-use superhelix::math::quadrature::Rules;
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::{InstructionSet, Precision, Solver, SolverOptions, StrandDef};
+use superhelix::internals::chain::elimination::Elimination;
+use superhelix::internals::chain::system::{ChainSystem, LinearSolve};
+use superhelix::internals::math::entire::Stumpff;
+use superhelix::internals::math::lane::Lane;
+use superhelix::internals::math::quadrature::Rules;
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::Kinematics;
 
 /// Elements of the strands.
 const COUNT: usize = 10;

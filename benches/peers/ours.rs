@@ -9,11 +9,7 @@ use std::time::{Duration, Instant};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use rustix::time::{ClockId, clock_gettime};
 use serde_json::{Value, json};
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
+use superhelix::{Integrator, Material, Solver, SolverOptions, StrandDef, StrandId};
 
 /// Points of a strand to return for comparison.
 const POINTS: usize = 65;

@@ -1,8 +1,7 @@
 //! What is absent from a scene costs nothing: strands with fewer freedoms, without drag, without friction. Beside the time stands
 //! the number of arithmetic operations, which other programs cannot disturb.
 
-use superhelix::math::lane::Precision;
-use superhelix::rod::freedoms::Freedoms;
+use superhelix::{Freedoms, Precision};
 
 use crate::counted;
 use crate::crowd::{Crowd, Setting};

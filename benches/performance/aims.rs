@@ -1,7 +1,6 @@
 //! The required costs, each with its limit.
 
-use superhelix::math::lane::Precision;
-use superhelix::step::options::Integrator;
+use superhelix::{Integrator, Precision};
 
 use crate::counted;
 use crate::crowd::{Crowd, Setting, Timed};

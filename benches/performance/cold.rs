@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use superhelix::solver::Solver;
+use superhelix::Solver;
 
 use crate::crowd::Setting;
 use crate::scene::{STEP, Stage};

@@ -1,8 +1,6 @@
 //! The cost of a step per element: over N, by instructions, precision, threads, integrator, Hessian, linear solve and scene.
 
-use superhelix::math::lane::Precision;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::step::options::{Integrator, LinearSolver};
+use superhelix::{InstructionSet, Integrator, LinearSolver, Precision};
 
 use crate::crowd::{Crowd, Setting, Timed};
 use crate::scene::{Hair, Scene};

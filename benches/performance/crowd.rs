@@ -3,12 +3,7 @@
 use std::time::Instant;
 
 use rustix::time::{ClockId, clock_gettime};
-use superhelix::math::lane::Precision;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
+use superhelix::{InstructionSet, Integrator, Precision, Solver, SolverOptions, StrandId, Workers};
 
 use crate::scene::{GRAVITY, Hair, STEP, Scene, Stage};
 

@@ -4,7 +4,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use superhelix::math::lanes::InstructionSet;
+use superhelix::InstructionSet;
 
 use crate::crowd::processor_seconds;
 use crate::statistics::Summary;

@@ -24,9 +24,7 @@ mod table;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use superhelix::math::lane::Precision;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::step::options::Integrator;
+use superhelix::{InstructionSet, Integrator, Precision};
 
 use crate::crowd::{Crowd, Setting, processor_seconds};
 use crate::machine::Peak;

@@ -1,12 +1,9 @@
 //! The timed scenes: y up, steps of 1/60 s.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::files::motion::Motion;
-use superhelix::groom::fit::natural_under_gravity;
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::StrandDef;
+use superhelix::hair::natural_under_gravity;
+use superhelix::io::Motion;
+use superhelix::{Frame, Freedoms, Material, StrandDef};
 
 /// Seconds per step.
 pub const STEP: f64 = 1.0 / 60.0;

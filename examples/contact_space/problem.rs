@@ -2,19 +2,19 @@
 //! other.
 
 use nalgebra::Vector3;
-use superhelix::chain::delassus::Delassus;
-use superhelix::chain::elimination::Elimination;
-use superhelix::chain::load::{Load, Station};
-use superhelix::chain::system::ChainSystem;
-use superhelix::contact::contact_space::{ContactSpace, End, SpaceTouch};
-use superhelix::contact::law::Law;
-use superhelix::contact::law::coefficient::Coefficient;
-use superhelix::contact::law::contact::{Contact, Friction};
-use superhelix::contact::law::response::Response;
-use superhelix::math::quadrature::Rule;
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::rod::material::Material;
+use superhelix::Material;
+use superhelix::internals::chain::delassus::Delassus;
+use superhelix::internals::chain::elimination::Elimination;
+use superhelix::internals::chain::load::{Load, Station};
+use superhelix::internals::chain::system::ChainSystem;
+use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceTouch};
+use superhelix::internals::contact::law::Law;
+use superhelix::internals::contact::law::coefficient::Coefficient;
+use superhelix::internals::contact::law::contact::{Contact, Friction};
+use superhelix::internals::contact::law::response::Response;
+use superhelix::internals::math::quadrature::Rule;
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::Kinematics;
 
 /// The head's radius, m.
 const HEAD: f64 = 0.09;

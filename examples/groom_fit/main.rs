@@ -20,10 +20,9 @@ use std::time::Instant;
 use methods::{Errors, METHODS};
 use nalgebra::Vector3;
 use rustix::time::{ClockId, clock_gettime};
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::bulk::fit_curves;
-use superhelix::groom::fit::{FitCurve, FitOptions};
-use superhelix::workers::Workers;
+use superhelix::Workers;
+use superhelix::hair::{FitCurve, FitOptions, fit_curves};
+use superhelix::io::Curves;
 
 type Answer<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -89,9 +88,8 @@ fn main() -> Answer<()> {
                 .iter()
                 .filter(|fit| fit.element_lengths.iter().any(|own| (own / fit.element_lengths[0] - 1.0).abs() > 1e-9))
                 .count();
-            let turned =
-                |fit: &superhelix::groom::fit::Fit| superhelix::rod::turning::largest_turn(&fit.element_lengths, &fit.curvatures);
-            let coarse = fits.iter().filter(|fit| turned(fit) > superhelix::rod::turning::LARGEST_TURN).count();
+            let turned = |fit: &superhelix::hair::Fit| superhelix::editing::largest_turn(&fit.element_lengths, &fit.curvatures);
+            let coarse = fits.iter().filter(|fit| turned(fit) > superhelix::editing::LARGEST_TURN).count();
             let within = max.iter().filter(|largest| **largest < 0.01).count() as f64 / fits.len().max(1) as f64;
             let [r50, r95, r99, r100] = [0.5, 0.95, 0.99, 1.0].map(|share| at(&mut rms, share));
             let [m50, m95, m99, m100] = [0.5, 0.95, 0.99, 1.0].map(|share| at(&mut max, share));

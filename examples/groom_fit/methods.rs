@@ -1,7 +1,7 @@
 //! The compared methods of fitting. Curves have length one.
 
 use nalgebra::Vector3;
-use superhelix::groom::fit::{ElementLengths, FitCurve, FitOptions, FitScratch, fit_curve};
+use superhelix::hair::{ElementLengths, FitCurve, FitOptions, FitScratch, fit_curve};
 
 use crate::{floating_tangents, sequential};
 

@@ -2,7 +2,7 @@
 //! frame of the one before.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::fit::{ElementLengths, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
+use superhelix::hair::{ElementLengths, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
 
 use crate::methods::Errors;
 

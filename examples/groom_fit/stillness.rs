@@ -4,13 +4,10 @@
 use std::io::Write;
 
 use nalgebra::Vector3;
-use superhelix::files::curves::{Curves, UpAxis};
-use superhelix::groom::fit::bulk::fit_curves;
-use superhelix::groom::fit::{FitCurve, FitOptions};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::{Solver, Stiffening};
-use superhelix::workers::Workers;
+use superhelix::editing::Stiffening;
+use superhelix::hair::{FitCurve, FitOptions, fit_curves};
+use superhelix::io::{Curves, UpAxis};
+use superhelix::{Solver, SolverOptions, StrandDef, StrandId, Workers};
 
 use crate::Answer;
 

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use rustix::time::{ClockId, clock_gettime};
-use superhelix::haptics::{HapticOptions, haptic};
+use superhelix::haptic::{HapticOptions, haptic};
 
 use super::scene::{combed_hair, motion, stroke};
 

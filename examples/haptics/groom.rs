@@ -4,17 +4,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::{FitCurve, FitOptions, FitScratch, fit_curve};
-use superhelix::groom::wisp::Wisp;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::BodyId;
-use superhelix::solver::{Solver, Stiffening};
+use superhelix::editing::Stiffening;
+use superhelix::hair::{FitCurve, FitOptions, FitScratch, fit_curve};
+use superhelix::io::Curves;
+use superhelix::{BodyDef, BodyId, Frame, Material, Shape, Solver, SolverOptions, StrandContact, StrandDef, Wisp, Workers};
 
 const TEETH: usize = 7;
 

@@ -5,9 +5,8 @@ use std::fmt::Write as _;
 use std::time::{Duration, Instant};
 
 use rustix::time::{ClockId, clock_gettime};
-use superhelix::haptics::{Device, HapticOptions, Tool, haptic};
-use superhelix::meter::StepLimits;
-use superhelix::solver::Solver;
+use superhelix::haptic::{Device, HapticOptions, Tool, haptic};
+use superhelix::{Solver, StepLimits};
 
 use super::groom;
 use super::scene::{TICK, motion};

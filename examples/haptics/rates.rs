@@ -3,10 +3,8 @@
 use std::fmt::Write as _;
 
 use nalgebra::Vector3;
-use superhelix::haptics::HapticOptions;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::id::BodyId;
+use superhelix::haptic::HapticOptions;
+use superhelix::{BodyId, Frame, Solver};
 
 use super::agreement::{Forces, difference, drawn, rms};
 use super::groom;

@@ -3,9 +3,8 @@
 use std::fmt::Write as _;
 
 use nalgebra::Vector3;
-use superhelix::groom::hair_parameters::CurlFormula;
-use superhelix::groom::hair_type::HairType;
-use superhelix::haptics::{ForceLaw, HapticOptions};
+use superhelix::hair::{CurlFormula, HairType};
+use superhelix::haptic::{ForceLaw, HapticOptions};
 
 use super::scene::{Rate, handed_over};
 use super::typed_hair::{SLOWER, hair, stroke_of};

@@ -5,10 +5,10 @@
 //! inertia and drag; in the rows of translation the work of gravity and of a uniform wind; and, with a point's springs in place
 //! of its mass, Newton's matrix.
 
-use superhelix::math::quadrature::Rule;
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::element_state;
-use superhelix::rod::segment;
+use superhelix::internals::math::quadrature::Rule;
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::element_state;
+use superhelix::internals::rod::segment;
 
 /// Directions of the rotation vector: angles from the tangent (0: pure twist; a right angle: a plane arc), and about it.
 const FROM_TANGENT: [f64; 9] = [0.0, 5.0, 15.0, 30.0, 45.0, 60.0, 75.0, 85.0, 90.0];

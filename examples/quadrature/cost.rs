@@ -1,11 +1,8 @@
 //! Steps for counting instructions: calmly swaying strands whose elements turn by four fifths of a radian.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::fit::natural_under_gravity_with;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::StepOptions;
+use superhelix::hair::natural_under_gravity_with;
+use superhelix::{Frame, Solver, SolverOptions, StepOptions, StrandDef};
 
 /// Elements per strand.
 const ELEMENTS: usize = 10;

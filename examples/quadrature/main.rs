@@ -29,8 +29,8 @@ use std::fmt::Write as _;
 use hair::Hair;
 use reference::Truth;
 use scene::Scene;
-use superhelix::math::quadrature::{Rule, Rules};
-use superhelix::rod::freedoms::Freedoms;
+use superhelix::Freedoms;
+use superhelix::internals::math::quadrature::{Rule, Rules};
 use walk::Walk;
 
 /// Tolerances of the motions.

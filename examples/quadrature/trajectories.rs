@@ -1,10 +1,8 @@
 //! What a quadrature tolerance adds to a motion's error, beside the error of the elements and steps.
 
 use nalgebra::Vector3;
-use superhelix::math::quadrature::TIGHTEST;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::StepOptions;
+use superhelix::internals::math::quadrature::TIGHTEST;
+use superhelix::{Solver, SolverOptions, StepOptions, StrandDef};
 
 use crate::path::{FRAMES, POINTS, Path};
 use crate::scene::{DURATION, GRAVITY, Scene};

@@ -1,7 +1,6 @@
 //! The strands that the comparison steps in both precisions.
 
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::StrandDef;
+use superhelix::{Material, StrandDef};
 
 /// A strand that can be divided into any number of elements.
 #[derive(Debug, Clone, Copy)]

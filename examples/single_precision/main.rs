@@ -15,8 +15,7 @@ use std::fmt::Write as _;
 use hair::Hair;
 use motion::Motion;
 use run::{Way, apart, run};
-use superhelix::math::lane::Precision;
-use superhelix::step::options::Integrator;
+use superhelix::{Integrator, Precision};
 
 const SECONDS: f64 = 3.0;
 const ROUNDING: f64 = 1.0 / 16_777_216.0;

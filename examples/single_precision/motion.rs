@@ -1,8 +1,8 @@
 //! The motion of the head.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::files::motion::Motion as Recording;
-use superhelix::math::frame::Frame;
+use superhelix::Frame;
+use superhelix::io::Motion as Recording;
 
 /// A head's motion, y up.
 #[derive(Debug)]

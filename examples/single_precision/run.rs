@@ -1,12 +1,8 @@
 //! One strand through one motion, in one precision.
 
 use nalgebra::Vector3;
-use superhelix::math::lane::Precision;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::equilibrium::EquilibriumOptions;
-use superhelix::step::options::Integrator;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::{Integrator, Precision, Solver, SolverOptions, StrandDef, StrandId};
 
 use crate::motion::Motion;
 

@@ -2,9 +2,7 @@
 
 use std::f64::consts::PI;
 
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::StrandDef;
+use superhelix::{Freedoms, Material, StrandDef};
 
 /// A type of hair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 //! `cargo run --profile demo --example tradeoff -- sweep docs/figures 1` measures everything: `tradeoff.csv` and
 //! `tradeoff_truth.csv` (about a quarter of an hour of processor time; times are those of the thread, so two threads may work on
 //! it). `presets docs/figures 1` measures the presets again. `check docs/figures` compares the trajectories with those of the
-//! reference integrator: `tradeoff_check.csv`. `table docs/figures` writes src/study/measured.rs from `tradeoff.csv`.
+//! reference integrator: `tradeoff_check.csv`. `table docs/figures` writes src/analysis/measured.rs from `tradeoff.csv`.
 
 mod hair;
 mod measure;
@@ -27,7 +27,7 @@ use nalgebra::Vector3;
 use reference::Truth;
 use scene::Scene;
 use setting::{Setting, integrator_name};
-use superhelix::study::settings::HairShape;
+use superhelix::settings::HairShape;
 use walk::Walk;
 
 fn cases() -> impl Iterator<Item = (Scene, Hair)> {

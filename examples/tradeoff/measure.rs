@@ -2,9 +2,7 @@
 
 use nalgebra::Vector3;
 use rustix::time::{ClockId, clock_gettime};
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::StepOptions;
+use superhelix::{Solver, SolverOptions, StepOptions, StrandDef};
 
 use super::path::{Distance, FRAMES, POINTS, Path};
 use super::reference::Truth;

@@ -4,18 +4,16 @@
 //! uses this, since dense matrices of 64 elements are out of reach where hair whips about. [`radau`] is the integrator itself.
 
 use nalgebra::Vector3;
-use superhelix::math::quadrature::Rules;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::rod::strand::StrandModel;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::EquilibriumOptions;
-use superhelix::step::members::One;
-use superhelix::step::options::{Integrator, StepOptions};
-use superhelix::step::scratch::Scratch;
-use superhelix::step::state::{StrandState, rotation_matrix};
-use superhelix::step::{self, Setting, Surroundings};
+use superhelix::editing::EquilibriumOptions;
+use superhelix::internals::math::quadrature::Rules;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::internals::rod::strand::StrandModel;
+use superhelix::internals::step;
+use superhelix::internals::step::members::One;
+use superhelix::internals::step::scratch::Scratch;
+use superhelix::internals::step::state::{StrandState, rotation_matrix};
+use superhelix::internals::step::{Setting, Surroundings};
+use superhelix::{Freedoms, Integrator, Solver, SolverOptions, StepOptions, StrandDef};
 
 use super::hair::Hair;
 use super::path::{Distance, FRAMES, POINTS, Path, Shape};

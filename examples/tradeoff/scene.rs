@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
+use superhelix::Frame;
 
 use super::walk::Walk;
 

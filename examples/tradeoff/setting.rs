@@ -1,9 +1,7 @@
 //! The settings to measure.
 
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::step::options::{Integrator, StepOptions};
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::HairShape;
+use superhelix::settings::{HairShape, Preset};
+use superhelix::{Freedoms, Integrator, StepOptions};
 
 /// Steps per second. A sixth of a second is a whole number of steps at each rate, so that wind may change there; 960 represents a
 /// thousand.

@@ -1,10 +1,10 @@
-//! Writes src/study/measured.rs from tradeoff.csv.
+//! Writes src/analysis/measured.rs from tradeoff.csv.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use superhelix::study::presets::Preset;
+use superhelix::settings::Preset;
 
 use crate::hair::Hair;
 use crate::scene::Scene;
@@ -110,5 +110,5 @@ pub static PRESETS: [[[Price; 6]; 4]; 3] = [
         text += "    ],\n";
     }
     text += "];\n";
-    crate::write(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/study")), "measured.rs", &text);
+    crate::write(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/src/analysis")), "measured.rs", &text);
 }

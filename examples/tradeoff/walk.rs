@@ -1,8 +1,8 @@
 //! The recorded walk as a smooth function of time.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use superhelix::files::motion::Motion;
-use superhelix::math::frame::Frame;
+use superhelix::Frame;
+use superhelix::io::Motion;
 
 /// The scene's start in the recording, s.
 const START: f64 = 1.0;

@@ -4,7 +4,8 @@
     python3 scripts/docs/folders.py            writes the lists
     python3 scripts/docs/folders.py --check    fails where one is old, or a file says nothing
 
-The list stands at the end of the `//!` comment of `mod.rs` (or of `folder.rs`, `lib.rs`, `main.rs`), after the line "Files:".
+The list stands at the end of the `//!` comment of `mod.rs` (or of `folder.rs`, `main.rs`), after the line "Files:". That of `lib.rs`, whose comment is
+the front page of the crate's documentation, is a comment of its own below it.
 """
 
 from __future__ import annotations
@@ -78,6 +79,12 @@ def listed(speaker: Path, lines: list[str]) -> str:
         head = head[: head.index(BEGIN)]
     while head and head[-1] == "//!":
         head.pop()
+    if speaker.name == "lib.rs":
+        rest = text[end:]
+        while rest and (not rest[0] or rest[0].startswith("// ") or rest[0] == "//"):
+            rest.pop(0)
+        own = [line.replace("//!", "//", 1) for line in (BEGIN, "//!", *lines)]
+        return "\n".join([*head, "", *own, "", *rest])
     return "\n".join([*head, "//!", BEGIN, "//!", *lines, *text[end:]])
 
 

@@ -142,6 +142,7 @@ impl shx_constraint_def {
     }
 }
 
+#[doc(hidden)]
 impl From<&ConstraintState> for shx_constraint_state {
     fn from(state: &ConstraintState) -> Self {
         Self {

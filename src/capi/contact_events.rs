@@ -52,6 +52,7 @@ const _: () = {
     assert!(offset_of!(shx_contact_event, position) == 56);
 };
 
+#[doc(hidden)]
 impl From<&ContactEvent> for shx_contact_event {
     fn from(event: &ContactEvent) -> Self {
         let contact = shx_contact::from(&event.contact);

@@ -48,6 +48,7 @@ const _: () = {
     assert!(offset_of!(shx_contact, position) == 48 && offset_of!(shx_contact, gap) == 144);
 };
 
+#[doc(hidden)]
 impl From<&Contact> for shx_contact {
     fn from(contact: &Contact) -> Self {
         let (none, nothing) = (shx_strand_id { bits: 0 }, shx_body_id { bits: 0 });

@@ -12,10 +12,10 @@ use super::strand_def::shx_strand_def;
 use super::thread::on_own_thread;
 use super::types::shx_frame;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
+use crate::analysis::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
+use crate::analysis::recording::{Observable, Recording, RootMotion};
 use crate::error::{Error, Result};
 use crate::math::pose_spline::PoseSpline;
-use crate::study::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
-use crate::study::recording::{Observable, Recording, RootMotion};
 
 /// Distance from root to tip, m.
 pub const SHX_OBSERVABLE_SPAN: u32 = 1;

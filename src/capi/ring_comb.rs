@@ -69,6 +69,7 @@ const _: () = {
     assert!(size_of::<shx_ring_comb_report>() == 64 && offset_of!(shx_ring_comb_report, force) == 16);
 };
 
+#[doc(hidden)]
 impl From<&RingCombReport> for shx_ring_comb_report {
     fn from(report: &RingCombReport) -> Self {
         Self {

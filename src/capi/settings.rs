@@ -5,11 +5,11 @@ use std::mem::{offset_of, size_of};
 use super::errors::shx_result;
 use super::guard::call;
 use super::versioned::{Versioned, VersionedOutput, initialise};
+use crate::analysis::presets::Preset;
+use crate::analysis::settings::{HairShape, Settings};
+use crate::analysis::suggestion::{Scenes, suggest_settings};
 use crate::error::{Error, Result};
 use crate::step::options::StepOptions;
-use crate::study::presets::Preset;
-use crate::study::settings::{HairShape, Settings};
-use crate::study::suggestion::{Scenes, suggest_settings};
 
 /// For interactive work: the character of the motion is right, its course is not.
 pub const SHX_PRESET_PREVIEW: u32 = 1;

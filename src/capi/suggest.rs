@@ -11,8 +11,8 @@ use super::strand_def::shx_strand_def;
 use super::thread::on_own_thread;
 use super::types::shx_frame;
 use super::versioned::{Versioned, VersionedOutput, initialise, read_versioned};
+use crate::analysis::elements::{Demand, RootMotion, Suggestion, suggest_elements};
 use crate::error::Result;
-use crate::study::elements::{Demand, RootMotion, Suggestion, suggest_elements};
 
 /// Options of shx_suggest_elements. Fill it with shx_suggest_def_init, then change what you need.
 #[repr(C)]

@@ -52,6 +52,7 @@ impl shx_frame {
     }
 }
 
+#[doc(hidden)]
 impl From<&Frame> for shx_frame {
     fn from(frame: &Frame) -> Self {
         Self { origin: frame.origin.into(), rotation: frame.rotation_xyzw() }

@@ -5,6 +5,18 @@ use crate::error::{Error, Result, check_not_negative};
 
 /// What a strand may overlap, told at stations along it, linear between them and constant beyond the first and the last. It is bound to
 /// arclength, not to elements, and stays where it is when these change.
+///
+/// ```
+/// use superhelix::{Solver, SolverOptions, StrandContact, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 5)])?;
+/// solver.set_contact(&ids, Some(&StrandContact::default()))?;
+/// assert!(solver.allow_overlaps(&ids)?.is_empty()); // it overlaps nothing
+/// let kept = solver.allowance(ids[0])?.cloned();
+/// solver.set_allowances(&ids, &[kept])?;
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Allowance {
     /// Arclength of the stations from the root, m, rising; the first zero or above. At least one.

@@ -11,6 +11,24 @@ use crate::math::rotation::rotation_vector;
 use crate::math::way::Way;
 
 /// What a body is made of. [`BodyDef::new`] gives a body at the origin that touches every strand, with their own friction.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{BodyDef, Frame, Shape, Solver, SolverOptions};
+///
+/// let shape = Arc::new(Shape::new_sphere(0.09)?);
+/// let head = BodyDef {
+///     pose: Frame { origin: Vector3::new(0.0, 0.0, 1.7), ..Frame::default() },
+///     thickness: 1e-3,
+///     ..BodyDef::new(shape)
+/// };
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_bodies(vec![head])?;
+/// assert_eq!(solver.body(ids[0])?.thickness, 1e-3);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct BodyDef {
     /// Shape in the body's own axes. Bodies may share one.

@@ -42,6 +42,16 @@ impl ContactModel {
 }
 
 /// How contact is answered in a solver.
+///
+/// ```
+/// use superhelix::{ContactModel, ContactOptions, Solver, SolverOptions};
+///
+/// // Hair on hair and on bodies, by the cheap model: two iterations of penalties.
+/// let contact = ContactOptions { model: ContactModel::Penalty, hair: true, max_iterations: 2, ..ContactOptions::default() };
+/// let solver = Solver::new(SolverOptions { contact, ..SolverOptions::default() })?;
+/// assert!(solver.options().contact.hair);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactOptions {
     /// Which model.
@@ -116,6 +126,13 @@ impl ContactOptions {
 
 /// Friction of a surface that is rougher one way than the other, as hair is by its scales: `along` for what goes over it from root to tip,
 /// `against` from tip to root; between them by the cosine of the direction (paper 000, section 5).
+///
+/// ```
+/// use superhelix::Friction;
+///
+/// let hair = Friction { along: 0.2, against: 0.3 };
+/// assert_ne!(hair, Friction::uniform(0.2));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction {
     /// Coefficient from root to tip, zero or above.
@@ -137,6 +154,23 @@ impl Friction {
 }
 
 /// What a strand is to contact. Strands have none unless it is given to them.
+///
+/// ```
+/// use superhelix::{Friction, Solver, SolverOptions, StrandContact, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 5)])?;
+/// // A wisp of 2 mm whose first centimetre touches nothing.
+/// let contact = StrandContact {
+///     wisp_radius: 2e-3,
+///     exempt_length: 0.01,
+///     friction: Friction::uniform(0.3),
+///     ..StrandContact::default()
+/// };
+/// solver.set_contact(&ids, Some(&contact))?;
+/// assert_eq!(solver.contact(ids[0])?, Some(&contact));
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrandContact {
     /// How far from the centreline the strand begins for bodies, m; zero or above. Its section's radius where nothing else is said.

@@ -421,7 +421,7 @@ mod tests {
         for curvature in [0.0, 8.0] {
             let rows = [[0.0, curvature, 0.0]; 4];
             let mut elements = Vec::new();
-            element_states(rotation_matrix(&Frame::default()), [LENGTH / 4.0; 4].into_iter(), &rows, &mut elements);
+            element_states(rotation_matrix(&Frame::default()), [LENGTH / 4.0; 4], &rows, &mut elements);
             let places =
                 elements.iter().flat_map(|element| (0..=1000).map(|k| element.point(f64::from(k) * LENGTH / 4000.0).position));
             let nearest = places.map(|place| (axis.xz() - Vector3::from(place).xz()).norm()).fold(f64::INFINITY, f64::min);

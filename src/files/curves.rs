@@ -60,6 +60,15 @@ impl CurvesFormat {
 ///
 /// Only USD has a unit and an up axis ([`Extras::metres_per_unit`], [`Extras::up`]): [`Curves::scaled`] and [`Curves::to_z_up`]
 /// convert grooms to the engine's metres and its default axes.
+///
+/// ```
+/// use superhelix::io::Curves;
+///
+/// let curves = Curves::from_strands(&[vec![[0.0, 0.0, 0.0], [0.0, 0.0, -10.0]], vec![[1.0, 0.0, 0.0], [1.0, 0.0, -8.0]]])?;
+/// assert_eq!((curves.strand_count(), curves.point_count()), (2, 4));
+/// assert_eq!(curves.strand(1)[1], [1.0, 0.0, -8.0]);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curves {
     pub(super) format: CurvesFormat,
@@ -81,6 +90,15 @@ pub enum UpAxis {
 
 /// Optional data of a file beside the points. Lists "per point" follow the order of the points, lists "per strand" that of the
 /// strands.
+///
+/// ```
+/// use superhelix::io::{Curves, Extras};
+///
+/// let curves = Curves::from_strands(&[[[0.0, 0.0, 0.0], [0.0, 0.0, -10.0]]])?;
+/// let thick = curves.with_extras(Extras { thickness: Some(vec![0.01, 0.005]), metres_per_unit: Some(0.01), ..Extras::default() })?;
+/// assert_eq!(thick.extras().metres_per_unit, Some(0.01));
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Extras {
     /// Thickness (diameter) per point, in file units (`.hair`, `.usda`).

@@ -10,6 +10,14 @@ use crate::math::frame::Frame;
 use crate::math::pose_spline::PoseSpline;
 
 /// Options for reading a motion.
+///
+/// ```
+/// use superhelix::io::MotionOptions;
+///
+/// // A .bvh in centimetres; the joint that carries the hair.
+/// let options = MotionOptions { joint: Some("Head".into()), metres_per_unit: Some(0.01) };
+/// assert_ne!(options.metres_per_unit, MotionOptions::default().metres_per_unit);
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MotionOptions {
     /// `.bvh` only: the joint to read, by its exact name. `None`: the first joint whose name contains "head", in upper or lower
@@ -38,6 +46,18 @@ impl MotionOptions {
 }
 
 /// A rigid motion: poses at increasing times, smooth in between, at rest before the first and after the last.
+///
+/// ```
+/// use superhelix::Frame;
+/// use superhelix::io::Motion;
+///
+/// let table = b"time_s,px_m,py_m,pz_m,qw,qx,qy,qz\n0,0,0,1.7,1,0,0,0\n1,0.1,0,1.7,1,0,0,0\n";
+/// let motion = Motion::read_from_bytes("walk.csv", table, &Default::default())?;
+/// assert_eq!(motion.duration(), 1.0);
+/// let pose: Frame = motion.at(0.5);
+/// assert!((pose.origin.x - 0.05).abs() < 1e-12);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
     spline: PoseSpline,

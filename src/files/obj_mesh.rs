@@ -23,6 +23,18 @@ const OF_VERTICES: [&str; 3] = ["vn", "vt", "vp"];
 /// A triangle mesh in a file's own units; scaled to metres, [`Shape::new_mesh`](crate::contact::shape::Shape::new_mesh) takes it.
 /// Every number is finite, every index is that of a vertex, and the three of a triangle differ. The shape checks that the mesh is
 /// closed and that its triangles have areas.
+///
+/// ```
+/// use superhelix::Shape;
+/// use superhelix::io::obj_mesh;
+/// use superhelix::shapes::Sides;
+///
+/// let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+/// let mesh = obj_mesh::read_from_bytes("plate.obj", text)?;
+/// let plate = Shape::new_mesh(mesh.vertices, mesh.triangles, Sides::Both)?;
+/// assert!(plate.mesh().is_some());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjMesh {
     /// Vertices in file units, in the file's order; some may belong to no triangle.

@@ -26,6 +26,14 @@ const MEASURED: [(&str, Measured); 4] =
 const ROOT: [&str; 3] = ["root_x_m", "root_y_m", "root_z_m"];
 
 /// A recorded curve, as in the file.
+///
+/// ```
+/// use superhelix::io::{Measured, RecordedCurve};
+///
+/// let curve = RecordedCurve::read_from_bytes("tip.csv", b"time_s,depth_m\n0,0.2\n0.01,0.19\n0.02,0.17\n")?;
+/// assert_eq!((curve.times.len(), curve.measured), (3, Measured::Depth));
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedCurve {
     /// Times, s, strictly increasing.

@@ -36,6 +36,23 @@ pub enum Existing {
 }
 
 /// Writes a cache, one frame per call.
+///
+/// ```
+/// use superhelix::io::{CacheFormat, Curves, Existing, Sequence, SequenceWriter};
+///
+/// let directory = std::env::temp_dir().join(format!("superhelix-sequence-example-{}", std::process::id()));
+/// std::fs::create_dir_all(&directory).unwrap();
+/// let mut writer = SequenceWriter::create(&directory, "hair", CacheFormat::Obj, 1, Existing::Replace)?;
+/// for frame in 0..3 {
+///     let x = frame as f32;
+///     writer.write(&Curves::from_strands(&[[[x, 0.0, 0.0], [x, 0.0, -0.1]]])?)?;
+/// }
+/// let frames = Sequence::list(&directory, "hair", CacheFormat::Obj)?;
+/// assert_eq!(frames.frames().len(), 3);
+/// assert_eq!(frames.read(2)?.strand(0)[0][0], 2.0);
+/// # std::fs::remove_dir_all(&directory).unwrap();
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct SequenceWriter {
     directory: PathBuf,

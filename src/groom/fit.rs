@@ -42,6 +42,16 @@ use start::{Nodes, Start};
 use target::Target;
 
 /// Options of a fit.
+///
+/// ```
+/// use superhelix::hair::{FitOptions, fit_polyline};
+/// use superhelix::nalgebra::Vector3;
+///
+/// let curve: Vec<_> = (0..40).map(|k| 0.1 * f64::from(k)).map(|t| Vector3::new(0.05 * t.sin(), 0.05 * t.cos(), 0.01 * t)).collect();
+/// let fit = fit_polyline(&curve, &FitOptions::within(1e-4, 50))?;
+/// assert!(fit.max_error <= 1e-4 && fit.element_lengths.len() < 50);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitOptions {
     /// Helical elements of the fitted strand, 1 to [`MAX_ELEMENTS`]; with a tolerance, their largest number. Default 10.
@@ -169,6 +179,17 @@ pub enum FitRoot {
 }
 
 /// A curve to fit. Splines are converted to points first: [`crate::groom::spline`].
+///
+/// ```
+/// use superhelix::hair::{FitCurve, FitOptions, FitRoot, FitScratch, fit_curve};
+/// use superhelix::nalgebra::Vector3;
+///
+/// let points: Vec<_> = (0..20).map(|k| 0.01 * f64::from(k)).map(|x| Vector3::new(x, 2.0 * x * x, 0.0)).collect();
+/// let curve = FitCurve { root: FitRoot::Direction(Vector3::x()), ..FitCurve::polyline(&points) };
+/// let fit = fit_curve(&curve, &FitOptions::elements(6), &mut FitScratch::default())?;
+/// assert!((fit.root.rotation * Vector3::x() - Vector3::x()).norm() < 1e-12);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct FitCurve<'a> {
     /// Points in metres, root first; at least two distinct ones. Repeated points are skipped, with their data below.

@@ -25,6 +25,17 @@ fn fading(value: f64, from: f64, to: f64) -> f64 {
 }
 
 /// Guides' roots with nearest-neighbour queries. Immutable: any threads may use them at the same time.
+///
+/// ```
+/// use superhelix::hair::GuideRoots;
+/// use superhelix::nalgebra::Vector3;
+///
+/// let roots = (0..25).map(|k| Vector3::new(0.01 * f64::from(k % 5), 0.01 * f64::from(k / 5), 0.0)).collect();
+/// let roots = GuideRoots::new(roots)?;
+/// assert!((roots.spacing().expect("more than one") - 0.01).abs() < 1e-9);
+/// assert_eq!(roots.among(100, 3).len(), 100);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct GuideRoots {
     roots: Vec<Vector3<f64>>,

@@ -10,6 +10,15 @@ use super::hair_type::{HairType, MEAN_FRICTIONAL_FORCE, MeasuredHair, youngs_mod
 use crate::error::{Error, Result, check_finite, check_not_negative, check_positive};
 
 /// What a hand feels of hair. SI units.
+///
+/// ```
+/// use superhelix::hair::{HairHandle, HairType};
+///
+/// let handle = HairHandle { natural_curvature: 40.0, ..HairHandle::from(HairType::Caucasian1) };
+/// let hair = handle.parameters()?;
+/// assert!((hair.natural[1] - 40.0).abs() < 1e-9);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HairHandle {
     /// Geometry: the longer diameter of the section, m; above zero.

@@ -21,6 +21,16 @@ pub enum CurlFormula {
 }
 
 /// Parameters that the strands of a head share.
+///
+/// ```
+/// use superhelix::hair::{CurlFormula, HairType, Variation};
+///
+/// let mut hair = HairType::African.measured().parameters(CurlFormula::Exact)?;
+/// hair.variation = Variation::natural();
+/// let strand = hair.strand(7, &[0.005; 20])?;
+/// assert_eq!(strand.natural.len(), 20);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HairParameters {
     /// Section and material.
@@ -34,6 +44,15 @@ pub struct HairParameters {
 }
 
 /// High-level sliders, each from −1 to 1; 0 changes nothing.
+///
+/// ```
+/// use superhelix::hair::{CurlFormula, HairType, Sliders};
+///
+/// let hair = HairType::Caucasian2.measured().parameters(CurlFormula::Exact)?;
+/// let wet = hair.with_sliders(&Sliders { weight: 1.0, curliness: -0.5, ..Sliders::default() })?;
+/// assert!(wet.material.density > 1.9 * hair.material.density);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sliders {
     /// Curliness: −1 is straight, and the natural curvature grows linearly to its own value at 0; above 0 it grows to 1.5 times

@@ -32,6 +32,17 @@ pub enum HairType {
 }
 
 /// What can be measured of a hair and of a lock of it. SI units.
+///
+/// ```
+/// use superhelix::hair::{CurlFormula, HairType, MeasuredHair};
+///
+/// // Asian hair that is a little thicker.
+/// let hair = MeasuredHair { mean_radius: 55e-6, ..HairType::Asian.measured() };
+/// hair.check("hair")?;
+/// assert!(hair.material().mean_radius() > 54e-6);
+/// assert!(hair.natural(CurlFormula::Exact)[1] < 10.0); // rad/m: nearly straight
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasuredHair {
     /// Mean radius of the section √(a1 a2), m; above zero.

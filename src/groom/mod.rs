@@ -2,6 +2,7 @@
 //!
 //! Files:
 //!
+//! - `drawn.rs`: A groom as it was drawn: curves in metres, and the strands that rest as these curves are.
 //! - `fit.rs`: Fits a strand to a curve: finds the Super-Helix whose centreline comes closest at equal arclength.
 //! - `guide_roots.rs`: The region of the guides' roots: their spacing, the distance of other places from them, and random places among them where no scalp is known.
 //! - `hair_handle.rs`: Hair handle: what a hand feels of hair, in the three groups of properties of Bonanni and Kmoch 2008, section 2: geometry, bending, friction.
@@ -17,6 +18,7 @@
 //! - `variation.rs`: Random variation between strands and along them: seeded, and independent of the order of queries.
 //! - `wisp.rs`: Wisps: a guide of a groom represents the hairs around it, which lie and move together.
 
+pub mod drawn;
 pub mod fit;
 pub mod guide_roots;
 pub mod hair_handle;

@@ -48,6 +48,21 @@ use crate::rod::segment;
 use crate::step::state::rotation_matrix;
 
 /// A strand's shape: the root's pose, the elements' lengths and curvatures.
+///
+/// ```
+/// use superhelix::editing::{Growth, StrandShape};
+/// use superhelix::Frame;
+///
+/// let mut shape = StrandShape {
+///     root: Frame::default(),
+///     element_lengths: vec![0.05; 4],
+///     curvatures: vec![[0.0, 5.0, 0.0]; 4],
+/// };
+/// shape.cut(0.12)?;
+/// shape.grow(&Growth { length: 0.03, elements: 1, curvatures: None })?;
+/// assert!((shape.length() - 0.15).abs() < 1e-12);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct StrandShape {
     /// The root's pose in the world.
@@ -59,6 +74,16 @@ pub struct StrandShape {
 }
 
 /// Options of posing.
+///
+/// ```
+/// use superhelix::editing::PoseOptions;
+///
+/// // Only the outer half of eight elements moves, and stays out of bodies.
+/// let movable = (0..8).map(|element| element >= 4).collect();
+/// let options = PoseOptions { movable: Some(movable), keep_out: true, ..PoseOptions::default() };
+/// options.check("options", 8)?;
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PoseOptions {
     /// Which elements may change: one flag per element, strand after strand for several strands; `None` for all. The others keep

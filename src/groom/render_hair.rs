@@ -81,6 +81,40 @@ const STRAIGHT: f64 = std::f64::consts::FRAC_PI_2;
 const CURLY: f64 = 3.0 * std::f64::consts::PI;
 
 /// The map from guides to render strands. Immutable: any threads may use it at the same time.
+///
+/// ```
+/// use std::sync::{Arc, Mutex};
+///
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::render::{GuideSamples, RenderHair, RenderPose, RenderSettings, StrandPoints, StrandSink, View};
+///
+/// // Two guides of 16 points that hang 2 cm apart, and hairs between them.
+/// let settings = RenderSettings { points_per_strand: 16, ..RenderSettings::default() };
+/// let guide = |x: f64| (0..16).map(move |k| Vector3::new(x, 0.0, -0.01 * f64::from(k)));
+/// let rest: Vec<_> = guide(0.0).chain(guide(0.02)).collect();
+/// let roots: Vec<_> = (0..50).map(|k| Vector3::new(4e-4 * f64::from(k), 0.0, 0.0)).collect();
+/// let hair = Arc::new(RenderHair::bind(&settings, &GuideSamples::at_rest(&rest), &roots)?);
+///
+/// /// Counts points and strands.
+/// #[derive(Default)]
+/// struct Count(Mutex<(usize, usize)>);
+///
+/// impl StrandSink for Count {
+///     fn take(&self, strand: &StrandPoints) {
+///         let mut count = self.0.lock().unwrap();
+///         *count = (count.0 + strand.positions[0].len(), count.1 + 1);
+///     }
+/// }
+///
+/// // Each frame: where the guides are now, and the hairs that follow them.
+/// let mut pose = RenderPose::new(hair.clone());
+/// let moved: Vec<_> = rest.iter().map(|point| point + Vector3::new(0.0, 0.01, 0.0)).collect();
+/// pose.set(&GuideSamples::at_rest(&moved))?;
+/// let count = Count::default();
+/// pose.evaluate(&View::whole(&hair), &count)?;
+/// assert_eq!(*count.0.lock().unwrap(), (50 * 16, 50));
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 pub struct RenderHair {
     settings: RenderSettings,
     reference: Reference,

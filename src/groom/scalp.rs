@@ -28,6 +28,17 @@ pub use texture::Jitter;
 use crate::error::{Error, Result, check_finite};
 
 /// A place on a triangle of a scalp.
+///
+/// ```
+/// use superhelix::hair::{Follicle, Scalp};
+/// use superhelix::nalgebra::Vector3;
+///
+/// let corners = vec![Vector3::zeros(), Vector3::new(0.3, 0.0, 0.0), Vector3::new(0.0, 0.3, 0.0)];
+/// let scalp = Scalp::new(corners, vec![[0, 1, 2]], None, Vector3::x())?;
+/// let middle = Follicle { triangle: 0, shares: [1.0 / 3.0, 1.0 / 3.0] };
+/// assert!((scalp.place(&middle) - Vector3::new(0.1, 0.1, 0.0)).norm() < 1e-12);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Follicle {
     /// The triangle's number.
@@ -53,6 +64,21 @@ impl Follicle {
 const BORDER: f64 = 1e-6;
 
 /// A mesh at rest. Immutable: any threads may use it at the same time.
+///
+/// ```
+/// use superhelix::hair::{Amount, Density, Scalp, ScatterOptions};
+/// use superhelix::nalgebra::Vector3;
+///
+/// // A square of 10 cm, and follicles on it that are at least 2 mm apart.
+/// let corners = [(0.0, 0.0), (0.1, 0.0), (0.1, 0.1), (0.0, 0.1)].map(|(x, y)| Vector3::new(x, y, 0.0));
+/// let scalp = Scalp::new(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], None, Vector3::x())?;
+///
+/// let options = ScatterOptions { amount: Amount::Spacing(2e-3), density: Density::Uniform, seed: 1 };
+/// let scattered = scalp.scatter(&options)?;
+/// let roots = scalp.frames(scalp.vertices(), &scattered.follicles)?;
+/// assert!(roots.len() > 500 && roots[0].origin.z == 0.0);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Scalp {
     vertices: Vec<Vector3<f64>>,

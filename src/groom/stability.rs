@@ -9,9 +9,26 @@ use nalgebra::Vector3;
 
 use crate::error::{Error, Result};
 use crate::rod::definition::StrandDef;
+use crate::rod::material::Material;
 use crate::step::equilibrium;
 
 /// How firmly a strand rests in a shape under gravity, with a natural shape that holds it there.
+///
+/// ```
+/// use superhelix::StrandDef;
+/// use superhelix::editing::{Stiffening, stability_under_gravity};
+/// use superhelix::nalgebra::Vector3;
+///
+/// // A limp strand that leaves upwards falls over; twice as stiff as its border of stability, it stands.
+/// let strand = StrandDef::straight(0.15, 6);
+/// let up = Vector3::new(-9.81, 0.0, 0.0);
+/// let found = stability_under_gravity(&strand, &strand.natural, up)?;
+/// assert!(!found.is_stable());
+/// let scale = Stiffening::YoungsModulus.scale(&found, 0.5)?;
+/// let stiff = StrandDef { material: Stiffening::YoungsModulus.applied(&strand.material, scale), ..strand.clone() };
+/// assert!(stability_under_gravity(&stiff, &strand.natural, up)?.is_stable());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stability {
     /// The smallest eigenvalue λ of the static Hessian against the elastic stiffness: 1 without gravity (a little more for
@@ -44,6 +61,37 @@ impl Stability {
     /// [`Error::InvalidArgument`] for a margin out of range.
     pub fn radius_scale(&self, margin: f64) -> Result<f64> {
         Ok(self.youngs_scale(margin)?.sqrt())
+    }
+}
+
+/// What to change of a material to make it stiffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stiffening {
+    /// Young's modulus, at the same Poisson's ratio.
+    YoungsModulus,
+    /// Both semi-axes, and with them the weight.
+    Radius,
+}
+
+impl Stiffening {
+    /// The factor for a strand: see [`Stability::youngs_scale`].
+    ///
+    /// # Errors
+    /// [`Error::InvalidArgument`] for a margin out of range.
+    pub fn scale(self, stability: &Stability, margin: f64) -> Result<f64> {
+        match self {
+            Self::YoungsModulus => stability.youngs_scale(margin),
+            Self::Radius => stability.radius_scale(margin),
+        }
+    }
+
+    /// A material with this factor.
+    #[must_use]
+    pub fn applied(self, material: &Material, scale: f64) -> Material {
+        match self {
+            Self::YoungsModulus => Material { youngs_modulus: material.youngs_modulus * scale, ..*material },
+            Self::Radius => Material { radius: material.radius.map(|radius| radius * scale), ..*material },
+        }
     }
 }
 

@@ -12,6 +12,17 @@ use crate::rod::definition::{check_lengths, check_rows};
 use crate::rod::material::Material;
 
 /// How the strands of a head vary.
+///
+/// ```
+/// use superhelix::hair::Variation;
+///
+/// let variation = Variation { frizz: 12.0, seed: 5, ..Variation::none() };
+/// let straight = [[0.0; 3]; 8];
+/// let frizzy = variation.of_shape(0, &[0.025; 8], &straight)?;
+/// assert_ne!(frizzy, straight);
+/// assert_eq!(frizzy, variation.of_shape(0, &[0.025; 8], &straight)?);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Variation {
     /// Natural twist and curvature, between strands: standard deviation over the mean; 0 to 0.25.

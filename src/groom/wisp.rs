@@ -19,6 +19,17 @@ const CALMING: f64 = 0.1;
 const MAX_HAIRS: f64 = 1e6;
 
 /// What a guide represents.
+///
+/// ```
+/// use superhelix::{Material, Wisp};
+///
+/// let hair = Material::default();
+/// let wisp = Wisp { hairs: 150.0, hold: 0.5 };
+/// let rod = wisp.material(&hair)?;
+/// assert!(rod.linear_density() > 149.0 * hair.linear_density());
+/// assert!(wisp.radius(&hair) < 1e-3); // m: the distance at which it meets other wisps
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wisp {
     /// Hairs n; 1 to 1e6. A head has about 100,000.

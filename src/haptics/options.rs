@@ -29,6 +29,29 @@ pub enum ForceLaw {
 }
 
 /// Settings of a haptic object.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use superhelix::haptic::{HapticOptions, haptic};
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{BodyDef, Shape, Solver, SolverOptions};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let finger = solver.add_bodies(vec![BodyDef::new(Arc::new(Shape::new_sphere(8e-3)?))])?;
+/// let options = HapticOptions { max_force: 3.0, ..HapticOptions::default() };
+/// let (mut tool, mut device) = haptic(&solver, &finger, &options)?;
+///
+/// // The solver's rate: once a step.
+/// tool.before_step(&mut solver, 1.0 / 60.0)?;
+/// solver.step(1.0 / 60.0, 1)?;
+/// tool.after_step(&mut solver)?;
+/// // The device's rate, on a thread of its own: once a millisecond.
+/// let pose = device.first_pose();
+/// let (wrench, _state) = device.update(&pose, Vector3::zeros(), Vector3::zeros(), 1e-3)?;
+/// assert!(wrench.force.norm() <= 3.0);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HapticOptions {
     /// The source of the force.

@@ -8,6 +8,19 @@ use crate::error::{Error, Result, check_finite};
 pub const UNIT_QUATERNION_TOLERANCE: f64 = 1e-5;
 
 /// A right-handed pose in the world. `rotation` takes the axes to (n0, n1, n2): n0 the tangent, n1 and n2 the section's axes.
+///
+/// ```
+/// use superhelix::Frame;
+/// use superhelix::nalgebra::{UnitQuaternion, Vector3};
+///
+/// let head = Frame {
+///     origin: Vector3::new(0.0, 0.0, 1.7),
+///     rotation: UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2),
+/// };
+/// // A root 9 cm in front of the head's centre.
+/// let root = head.compose(&Frame { origin: Vector3::new(0.09, 0.0, 0.0), ..Frame::default() });
+/// assert!((root.origin - Vector3::new(0.0, 0.09, 1.7)).norm() < 1e-12);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     /// Position, m.

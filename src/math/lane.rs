@@ -146,7 +146,7 @@ pub struct Constants {
 impl Precision {
     /// The constants of this precision.
     #[inline(always)]
-    pub const fn constants(self) -> &'static Constants {
+    pub(crate) const fn constants(self) -> &'static Constants {
         match self {
             Self::F64 => &Constants {
                 epsilon: f64::EPSILON,

@@ -30,6 +30,17 @@ pub enum SplineEnds {
 }
 
 /// A cubic curve over a number of control points.
+///
+/// ```
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::splines::{Spline, SplineEnds, SplineKind};
+///
+/// let controls: Vec<_> = [0.0, 1.0, 2.0, 3.0].iter().map(|&x| Vector3::new(0.01 * x, 1e-3 * x * x, 0.0)).collect();
+/// let spline = Spline::new(SplineKind::CatmullRom, SplineEnds::Pinned, controls.len())?;
+/// let (points, arclengths) = spline.points(&controls, 8)?;
+/// assert_eq!((points.len(), arclengths.len()), (spline.point_count(8), spline.point_count(8)));
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Spline {
     kind: SplineKind,

@@ -13,6 +13,22 @@ use crate::math::frame::Frame;
 pub const MAX_ELEMENTS: usize = 100_000;
 
 /// The definition of a strand. Curvature rows are (twist κ0, κ1, κ2) in rad/m, one per element.
+///
+/// ```
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Frame, Solver, SolverOptions, StrandDef};
+///
+/// // A curl: eight elements of 2.5 cm, each an arc of 60 rad/m.
+/// let strand = StrandDef {
+///     root: Frame { origin: Vector3::new(0.0, 0.0, 1.7), ..Frame::default() },
+///     natural: vec![[0.0, 60.0, 0.0]; 8],
+///     ..StrandDef::straight(0.2, 8)
+/// };
+/// assert!((strand.length() - 0.2).abs() < 1e-15);
+/// let ids = Solver::new(SolverOptions::default())?.add_strands(&[strand])?;
+/// assert_eq!(ids.len(), 1);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct StrandDef {
     /// Lengths of the helical elements from root to tip, m; at least one, each above zero.

@@ -3,6 +3,17 @@
 use crate::error::{Error, Result};
 
 /// A set of freedoms. A curvature left out keeps its natural value and costs nothing in the solve.
+///
+/// ```
+/// use superhelix::{Freedoms, StrandDef};
+///
+/// // Hair that bends and does not twist.
+/// let freedoms = Freedoms::BEND1.union(Freedoms::BEND2);
+/// assert_eq!(freedoms.count(), 2);
+/// let strand = StrandDef { freedoms, ..StrandDef::straight(0.2, 5) };
+/// strand.check("strand")?;
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Freedoms(u32);
 

@@ -9,6 +9,16 @@ use std::f64::consts::PI;
 use crate::error::{Error, Result, check_not_negative, check_positive};
 
 /// Section and material of one strand. SI units.
+///
+/// ```
+/// use superhelix::Material;
+///
+/// let hair = Material { radius: [45e-6, 30e-6], youngs_modulus: 3e9, air_drag: 5e-6, ..Material::default() };
+/// hair.check("hair")?;
+/// let [twist, flat, edge] = hair.stiffness(); // N·m²
+/// assert!(twist < flat || flat < edge);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     /// Semi-axes of the elliptic cross-section along n1 and n2, m; above zero.

@@ -9,6 +9,20 @@ use crate::math::frame::Frame;
 
 /// The poses of things in the axes of their carrier. An attachment belongs to the solver that made it; snapshots do not contain
 /// it, and it is valid as long as the identifiers are.
+///
+/// ```
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Frame, Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 8)])?;
+/// let head = solver.attach(&Frame::default(), &ids, &[], &[])?;
+/// let moved = Frame { origin: Vector3::new(0.0, 0.01, 0.0), ..Frame::default() };
+/// solver.move_attached(&head, &moved, 0.1)?;
+/// solver.step(0.1, 6)?;
+/// assert!((solver.root_frame(ids[0])?.origin.y - 0.01).abs() < 1e-12);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Attachment {
     strands: Vec<StrandId>,

@@ -66,6 +66,39 @@ pub struct Tile<'a, T> {
 }
 
 /// Receives samples. Tiles come in any order and from any of the solver's threads, each point of each strand once.
+///
+/// ```
+/// use std::sync::Mutex;
+///
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::reading::{SampleSink, Tile, Wanted};
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// const POINTS: usize = 9;
+///
+/// /// Points of all strands, one strand after the other.
+/// struct Points(Mutex<Vec<[f32; 3]>>);
+///
+/// impl SampleSink<f32> for Points {
+///     fn take(&self, tile: &Tile<f32>) {
+///         let mut points = self.0.lock().unwrap();
+///         for (lane, strand) in tile.strands.iter().enumerate() {
+///             for k in 0..tile.count {
+///                 let axes = &tile.positions[k];
+///                 points[*strand as usize * POINTS + tile.first + k] = [axes[0][lane], axes[1][lane], axes[2][lane]];
+///             }
+///         }
+///     }
+/// }
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&vec![StrandDef::straight(0.2, 5); 20])?;
+/// let wanted = Wanted { points_per_strand: POINTS, origin: Vector3::zeros(), positions: true, rotations: false, velocities: false };
+/// let points = Points(Mutex::new(vec![[0.0; 3]; ids.len() * POINTS]));
+/// solver.sample_tiles(&ids, &wanted, &points)?;
+/// assert!((points.0.lock().unwrap()[POINTS - 1][0] - 0.2).abs() < 1e-6);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 pub trait SampleSink<T>: Sync {
     /// Receives a tile.
     fn take(&self, tile: &Tile<T>);

@@ -10,6 +10,23 @@ use crate::error::{Error, Result, check_positive};
 use crate::math::frame::Frame;
 
 /// A clip.
+///
+/// ```
+/// use superhelix::editing::ClipDef;
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Frame, Hold, Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 8)])?;
+/// let clip = ClipDef {
+///     frame: Frame { origin: Vector3::new(0.1, 0.0, 0.0), ..Frame::default() },
+///     half_edges: Vector3::new(0.01, 0.02, 0.02),
+///     hold: Hold::Frame,
+///     compliance: 0.0,
+/// };
+/// assert!(!solver.clip_strands(&ids, &clip)?.is_empty());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClipDef {
     /// Its pose, world.

@@ -41,6 +41,23 @@ pub enum Hold {
 }
 
 /// The definition of a constraint.
+///
+/// ```
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{ConstraintDef, Frame, Hold, Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let strand = solver.add_strands(&[StrandDef::straight(0.2, 8)])?[0];
+/// // The tip is pinned, and drawn towards the root within half a second.
+/// let at = |x: f64| Frame { origin: Vector3::new(x, 0.0, 0.0), ..Frame::default() };
+/// let pin = ConstraintDef { strand, arclength: 0.2, hold: Hold::Point, target: at(0.2), compliance: 0.0 };
+/// let pins = solver.add_constraints(&[pin])?;
+/// solver.set_constraint_targets(&pins, &[at(0.15)], 0.5)?;
+/// solver.step(0.5, 30)?;
+/// let state = solver.constraint_state(pins[0])?;
+/// assert!(state.error < 1e-5 && state.force.norm() > 0.0); // m, N
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConstraintDef {
     /// The constrained strand.

@@ -11,6 +11,23 @@ use crate::step::options::StepOptions;
 pub use crate::workers::{ParallelFor, Workers};
 
 /// Options of a solver.
+///
+/// ```
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Integrator, Solver, SolverOptions, StepOptions, Workers};
+///
+/// // y is up, a light wind, four threads, first order.
+/// let options = SolverOptions {
+///     gravity: Vector3::new(0.0, -9.81, 0.0),
+///     wind: Vector3::new(1.5, 0.0, 0.0),
+///     workers: Workers::Pool(4),
+///     step: StepOptions { integrator: Integrator::ImplicitEuler, ..StepOptions::default() },
+///     ..SolverOptions::default()
+/// };
+/// let solver = Solver::new(options)?;
+/// assert_eq!(solver.options().wind.x, 1.5);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct SolverOptions {
     /// Gravity, m/s². Default (0, 0, −9.81): z up. For a y-up host use (0, −9.81, 0).
@@ -34,6 +51,15 @@ pub struct SolverOptions {
 }
 
 /// Limits of steps without their own: see [`StepLimits`](crate::meter::StepLimits).
+///
+/// ```
+/// use superhelix::{Solver, SolverOptions, UsualLimits};
+///
+/// let limits = UsualLimits { work: Some(50_000), seconds: None };
+/// let solver = Solver::new(SolverOptions { limits, ..SolverOptions::default() })?;
+/// assert_eq!(solver.options().limits.work, Some(50_000));
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct UsualLimits {
     /// Most work per substep; above zero. `None`: [`usual_work`](crate::meter::usual_work).

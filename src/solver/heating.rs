@@ -21,6 +21,26 @@ pub enum HeatedShape {
 }
 
 /// A heated region and its effect.
+///
+/// ```
+/// use superhelix::editing::{HeatDef, HeatedShape};
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Frame, Solver, SolverOptions, StrandDef};
+///
+/// // Hot plates straighten what is between them.
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let curl = StrandDef { natural: vec![[0.0, 40.0, 0.0]; 8], ..StrandDef::straight(0.2, 8) };
+/// let ids = solver.add_strands(&[curl])?;
+/// let plates = HeatDef {
+///     frame: Frame::default(),
+///     half_edges: Vector3::new(0.3, 0.3, 0.3),
+///     shape: HeatedShape::Straight,
+///     rate: 1.0,
+/// };
+/// solver.heat_strands(&ids, &plates, 1.0)?;
+/// assert!(solver.natural_curvatures(ids[0])?[0][1] < 20.0);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeatDef {
     /// Pose of the hot box, world.

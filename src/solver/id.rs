@@ -6,6 +6,7 @@ use crate::error::Result;
 use crate::memory;
 
 /// An identifier as bits.
+#[doc(hidden)]
 pub trait Identifier: Copy {
     /// Sixteen bits that distinguish this type of identifier.
     const SORT: u16;

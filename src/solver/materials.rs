@@ -3,41 +3,10 @@
 use super::Solver;
 use super::id::StrandId;
 use crate::error::{Error, Result};
-use crate::groom::stability::Stability;
+pub use crate::groom::stability::Stiffening;
 use crate::rod::kinematics::Kinematics;
 use crate::rod::material::Material;
 use crate::rod::strand::StrandModel;
-
-/// What to change of a material to make it stiffer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stiffening {
-    /// Young's modulus, at the same Poisson's ratio.
-    YoungsModulus,
-    /// Both semi-axes, and with them the weight.
-    Radius,
-}
-
-impl Stiffening {
-    /// The factor for a strand: see [`Stability::youngs_scale`].
-    ///
-    /// # Errors
-    /// [`Error::InvalidArgument`] for a margin out of range.
-    pub fn scale(self, stability: &Stability, margin: f64) -> Result<f64> {
-        match self {
-            Self::YoungsModulus => stability.youngs_scale(margin),
-            Self::Radius => stability.radius_scale(margin),
-        }
-    }
-
-    /// A material with this factor.
-    #[must_use]
-    pub fn applied(self, material: &Material, scale: f64) -> Material {
-        match self {
-            Self::YoungsModulus => Material { youngs_modulus: material.youngs_modulus * scale, ..*material },
-            Self::Radius => Material { radius: material.radius.map(|radius| radius * scale), ..*material },
-        }
-    }
-}
 
 impl Solver {
     /// A strand's section and material.

@@ -115,6 +115,19 @@ use workers::Crew;
 ///
 /// Any number of threads may read (`&self`) at the same time; changes (`&mut self`) are exclusive. A call that fails has changed
 /// nothing.
+///
+/// ```
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 5), StrandDef::straight(0.1, 3)])?;
+/// let report = solver.step(1.0 / 60.0, 2)?; // two substeps of 1/120 s
+/// assert_eq!((report.substeps, report.unconverged), (2, 0));
+/// assert!(solver.curvatures(ids[0])?[0][1] != 0.0); // rad/m: it has begun to bend
+/// solver.remove_strands(&ids[1..])?;
+/// assert_eq!(solver.strand_count(), 1);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 pub struct Solver {
     options: SolverOptions,
     rules: Box<Rules>,

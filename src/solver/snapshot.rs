@@ -80,6 +80,22 @@ pub enum SnapshotShapes {
 }
 
 /// Options of restoring a snapshot.
+///
+/// ```
+/// use superhelix::reading::{Restoring, SnapshotShapes};
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// solver.add_strands(&[StrandDef::straight(0.2, 5)])?;
+/// // Shapes once, and a small image for each frame.
+/// let shapes = solver.snapshot_shapes()?;
+/// let image = solver.snapshot_with(SnapshotShapes::Referenced)?;
+/// let hash = solver.state_hash();
+/// solver.step(0.1, 6)?;
+/// solver.restore_with(&image, &Restoring { shapes: Some(&shapes), ..Restoring::default() })?;
+/// assert_eq!(solver.state_hash(), hash);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Restoring<'a> {
     /// Which options the solver has afterwards.

@@ -82,6 +82,17 @@ pub fn of_strands(counts: impl Iterator<Item = usize>) -> impl Iterator<Item = [
 }
 
 /// The contacts of some bodies, and the strands' compliance between them. Its memory is reused.
+///
+/// ```
+/// use superhelix::reading::TouchCompliance;
+/// use superhelix::{Solver, SolverOptions};
+///
+/// let solver = Solver::new(SolverOptions::default())?;
+/// let mut found = TouchCompliance::default();
+/// solver.touch_compliance(&[], 1.0 / 60.0, 1e-3, &mut found)?;
+/// assert!(found.touches.is_empty());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Default)]
 pub struct TouchCompliance {
     /// The time span, s.

@@ -26,6 +26,17 @@ use crate::rod::kinematics::Kinematics;
 use crate::rod::strand::StrandModel;
 
 /// Options of the search.
+///
+/// ```
+/// use superhelix::editing::EquilibriumOptions;
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 8)])?;
+/// let found = solver.settle(&ids, &EquilibriumOptions { check_stability: false, ..EquilibriumOptions::default() })?;
+/// assert!(found[0].converged && found[0].smallest_eigenvalue.is_none());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EquilibriumOptions {
     /// At rest when no unbalanced moment exceeds this, relative to ρS|g|L² plus 1e-4 (1/L + the largest natural curvature) times

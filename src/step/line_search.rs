@@ -1,8 +1,7 @@
-//! The line search of Newton's iteration, for free and constrained strands: the step length along a direction, its effect on the
-//! damping, and the estimated error.
+//! The line search of Newton's iteration, for free and for constrained strands.
 //!
-//! It halves the step length until the merit function falls enough (Armijo's condition): the potential of a free strand, the
-//! Lagrangian of a constrained one.
+//! The step is halved until the merit function falls enough (Armijo's condition): the potential of a free strand, the Lagrangian of a
+//! constrained one. The result also updates the damping and the estimate of the error left.
 
 use super::damping::Damping;
 use super::iterate::{Iterate, Problem, place_trial};
@@ -41,14 +40,14 @@ impl Iterator for Lanes {
         if self.0 == 0 {
             return None;
         }
-        // An index that the compiler can prove to be within the arrays.
+        // An index that the compiler sees to be below the length of the arrays.
         let lane = self.0.trailing_zeros() as usize % MAX_LANES;
         self.0 &= self.0 - 1;
         Some(lane)
     }
 }
 
-/// The fraction of a direction to try first: less than one where an element would turn by more than the limit.
+/// The fraction of a direction to try first: below one if an element would turn by more than the limit.
 #[inline(always)]
 pub(super) fn first_fraction(rotation: f64, limit: f64) -> f64 {
     if rotation > limit { limit / rotation } else { 1.0 }
@@ -57,19 +56,18 @@ pub(super) fn first_fraction(rotation: f64, limit: f64) -> f64 {
 /// A search along directions, one per lane; lanes are sets of bits.
 pub(super) struct LineSearch<'a, T> {
     pub problem: &'a Problem<'a, T>,
-    /// The predicted fall of the merit functions along the directions, to first order.
+    /// The predicted descent of the merit functions, to first order.
     pub descent: T,
-    /// The merit functions at the start of the search.
+    /// The merit functions where the search begins.
     pub from: &'a [Merit; MAX_LANES],
     /// Lanes that take the full step unchecked.
     pub trusted: u32,
 }
 
 impl<T: Lane> LineSearch<'_, T> {
-    /// Searches along the directions of the `running` lanes: starts at the fraction `part` of each and halves it until the merit
-    /// function falls enough; the trial state is then the result. `merit` makes a lane's merit from its potential at a trial.
-    /// Returns the lanes that found no descent, which stay where they are like those that do not run, and the merits of the
-    /// others.
+    /// Starts at the fraction `part` of the directions of the `running` lanes and halves it until the merit function falls enough; the trial
+    /// state is then the result. `merit` turns a lane's potential at a trial into its merit. Returns the lanes that found no descent, which stay
+    /// where they are, as do lanes that do not run; and the merits of the others.
     #[inline(always)]
     pub fn run(
         &self,
@@ -81,8 +79,8 @@ impl<T: Lane> LineSearch<'_, T> {
         let mut next = [Merit::default(); MAX_LANES];
         let mut pending = running;
         for _ in 0..MAX_HALVINGS {
-            // (Even if none runs: the trial state must be that of all lanes.)
-            let (value, noise) = place_on_way(self.problem, it, part, running);
+            // (Also if none runs: the trial state then equals the accepted one.)
+            let (value, noise) = place_trial_at(self.problem, it, part, running);
             for lane in lanes(pending) {
                 let from = self.from[lane];
                 let trial = merit(it, lane, Merit { value: value.lane(lane), noise: noise.lane(lane) });
@@ -98,31 +96,31 @@ impl<T: Lane> LineSearch<'_, T> {
                 return (0, next);
             }
         }
-        place_on_way(self.problem, it, part, running & !pending);
+        place_trial_at(self.problem, it, part, running & !pending);
         (pending, next)
     }
 }
 
-/// Updates the damping after an iteration that went from one merit to the other.
+/// Updates the damping by what an iteration predicted and what the merit function did.
 #[inline(always)]
 pub(super) fn teach<T: Lane>(damping: &mut Damping, found: &Direction<T>, lane: usize, from: Merit, to: Merit) {
-    // The model predicted f·d − ½ d·H d, with H d = f − λ·(rotations).
+    // The model predicted f·d − ½ d·H d with H d = f − λ·(rotations).
     let promised = 0.5 * (found.descent.lane(lane) + damping.value * found.rotation_sum.lane(lane));
     let seen = promised >= 8.0 * from.noise;
     damping.learn(if seen { (from.value - to.value) / promised } else { 1.0 });
 }
 
-/// Estimated distance of an element from convergence after it turned by `rotation`, rad; `quadratic`: in an undamped full step
-/// with the exact Hessian, `before`: after one that turned by that.
+/// Estimate of the error left after an iteration that turned an element by `rotation`, rad. `quadratic`: the iteration was undamped, of full
+/// length and used the exact Hessian. `before`: the rotation of the iteration before, if that was undamped and of full length.
 #[inline(always)]
 pub(super) fn left(rotation: f64, quadratic: bool, before: Option<f64>) -> f64 {
     let left = constant(rotation, before) * rotation;
     if quadratic { rotation * left.min(1.0) } else { rotation }
 }
 
-/// Moves the trial state the fraction `part` of the direction away from the accepted one, in the lanes of `moving`.
+/// Puts the trial state `part` of the direction on from the accepted one, in the lanes of `moving`.
 #[inline(always)]
-fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
+fn place_trial_at<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64; MAX_LANES], moving: u32) -> (T, T) {
     let fraction = T::from_lanes(|lane| part[lane]);
     let moving = T::mask(moving);
     it.trial_curvatures.clone_from(&it.curvatures);
@@ -130,8 +128,8 @@ fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64;
         it.trial_compensation.clone_from(&it.compensation);
         for (element, row) in it.trial_curvatures.iter_mut().enumerate() {
             for axis in problem.axes {
-                let way = fraction * it.change[element][*axis] + it.compensation[element][*axis];
-                let (sum, rest) = row[*axis].two_sum(way);
+                let change = fraction * it.change[element][*axis] + it.compensation[element][*axis];
+                let (sum, rest) = row[*axis].two_sum(change);
                 row[*axis] = T::select(moving, sum, row[*axis]);
                 it.trial_compensation[element][*axis] = T::select(moving, rest, it.compensation[element][*axis]);
             }
@@ -146,7 +144,7 @@ fn place_on_way<T: Lane>(problem: &Problem<T>, it: &mut Iterate<T>, part: &[f64;
     place_trial(problem, it)
 }
 
-/// The constant C of Newton's quadratic convergence, θₖ₊₁ ≤ C θₖ²: the usual one, or the one that the last two rotations show.
+/// The constant C of Newton's quadratic convergence, θₖ₊₁ ≤ C θₖ²: the usual one, or what the last two rotations show.
 fn constant(rotation: f64, before: Option<f64>) -> f64 {
     before.map_or(QUADRATIC, |before| QUADRATIC.max(QUADRATIC_SAFETY * rotation / (before * before)))
 }

@@ -11,7 +11,7 @@
 //! - `held_pack.rs`: Strands that forces hold at stations, side by side: what is the same work for all of them in the iterations of `super::held`.
 //! - `held_packs.rs`: Packs of strands that forces hold, in registers of any width.
 //! - `iterate.rs`: The state of Newton's iteration: a spring to a target at every quadrature point and every curvature (`energy`), and the strand between them.
-//! - `line_search.rs`: The line search of Newton's iteration, for free and constrained strands.
+//! - `line_search.rs`: The line search of Newton's iteration, for free and for constrained strands.
 //! - `linearly_implicit.rs`: The linearly implicit step of the papers (Bertails et al. 2006, section 3.4; Bergbom 2007, section 4.2.8), with its second-order terms.
 //! - `local_error.rs`: The error that one step adds to the positions of a strand's points, estimated from the step itself, world axes (Milne's device; Hairer, Nørsett and Wanner 1993, section III.7).
 //! - `members.rs`: Packs: strands that take a step side by side, one per lane, and the transfer of their numbers into lanes and back.
@@ -41,8 +41,8 @@ mod held_loads;
 pub mod held_pack;
 pub mod held_packs;
 pub mod iterate;
-pub mod line_search;
-mod linearly_implicit;
+mod line_search;
+pub mod linearly_implicit;
 pub mod local_error;
 pub mod members;
 pub mod newton;

@@ -59,6 +59,16 @@ impl LinearSolver {
 }
 
 /// Options of a step.
+///
+/// ```
+/// use superhelix::{Precision, Solver, SolverOptions, StepOptions};
+///
+/// // Strands halve their step until it adds no more than a thousandth of their length to the error.
+/// let step = StepOptions { error_tolerance: 1e-3, precision: Precision::F64, ..StepOptions::default() };
+/// let solver = Solver::new(SolverOptions { step, ..SolverOptions::default() })?;
+/// assert_eq!(solver.options().step.error_tolerance, 1e-3);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepOptions {
     /// Which integrator.

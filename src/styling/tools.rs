@@ -16,6 +16,17 @@ use crate::math::frame::Frame;
 pub const MAX_TEETH: u32 = 1000;
 
 /// A styling tool. Lengths in m, above zero.
+///
+/// ```
+/// use superhelix::tools::Tool;
+/// use superhelix::{Frame, Solver, SolverOptions};
+///
+/// let comb = Tool::Comb { teeth: 8, spacing: 3e-3, length: 25e-3, radius: 0.6e-3 };
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let bodies = solver.add_bodies(comb.bodies(&Frame::default(), 0.0)?)?;
+/// assert_eq!(bodies.len(), comb.body_count());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Tool {
     /// A row of capsules, one body per tooth.

@@ -5,16 +5,14 @@ use std::ffi::CString;
 use std::mem::MaybeUninit;
 use std::ptr::{null, null_mut};
 
-use superhelix::capi::curve_cache::*;
-use superhelix::capi::curve_data::*;
-use superhelix::capi::curves::*;
-use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::hair_type::*;
-use superhelix::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_input, shx_output};
-use superhelix::files::curves::{Curves, Extras, UpAxis};
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
-use superhelix::groom::hair_type::HairType;
-use superhelix::groom::variation::Variation;
+use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation};
+use superhelix::internals::capi::curve_cache::*;
+use superhelix::internals::capi::curve_data::*;
+use superhelix::internals::capi::curves::*;
+use superhelix::internals::capi::errors::SHX_OK;
+use superhelix::internals::capi::hair_type::*;
+use superhelix::internals::capi::types::{SHX_FORMAT_F32X3, SHX_FORMAT_F64X3, shx_input, shx_output};
+use superhelix::io::{Curves, Extras, UpAxis};
 
 fn made<T>(fill: impl FnOnce(*mut T) -> i32) -> T {
     let mut made = MaybeUninit::uninit();
@@ -149,7 +147,7 @@ fn a_cache_is_written_and_read_frame_by_frame() {
         let given_up = made(|writer| shx_curve_cache_writer_create(path("none.usda").1.as_ptr(), &raw const data, 24.0, writer));
         shx_curve_cache_writer_abandon(given_up);
     }
-    let cache = superhelix::files::curve_cache::CurveCache::read(&rust).unwrap();
+    let cache = superhelix::io::CurveCache::read(&rust).unwrap();
     assert_eq!(cache.frame(1).unwrap().points(), at(0.5));
     std::fs::remove_file(rust).unwrap();
     assert!(!path("none.usda").0.exists());

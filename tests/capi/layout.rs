@@ -4,42 +4,40 @@
 
 use std::mem::{offset_of, size_of};
 
-use superhelix::capi::{
-    body_def::shx_body_def,
-    constraints::{shx_constraint_def, shx_constraint_state},
-    contact::{shx_contact_options, shx_strand_contact},
-    contact_events::shx_contact_event,
-    contacts::shx_contact,
-    curve_data::shx_curve_data,
-    distance_grid::shx_distance_grid_def,
-    fit::shx_polyline_fit,
-    fit_curves::{shx_fit_input, shx_fit_options, shx_fitted_strand},
-    friction_fit::{shx_fitted_coefficient, shx_friction_fit_def, shx_friction_fit_report},
-    hair_handle::{shx_combing_result, shx_combing_test, shx_hair_handle},
-    hair_type::{shx_hair_sliders, shx_hair_strand, shx_hair_strands_def, shx_hair_type},
-    haptic_def::{shx_haptic_def, shx_haptic_state},
-    materials::shx_material,
-    pose_def::{shx_brush, shx_element_change, shx_pose_options},
-    push_out::shx_push_out_def,
-    render_def::{shx_render_guides, shx_render_settings, shx_render_view},
-    ring_comb::{shx_ring_comb_def, shx_ring_comb_report},
-    sampling::shx_sample_def,
-    scalp::{shx_follicle, shx_scalp_def, shx_scatter_def},
-    settings::shx_settings,
-    settle::{shx_settle_def, shx_settle_report},
-    solver_def::shx_solver_def,
-    solver_options::shx_solver_options,
-    spline::shx_spline_def,
-    state::{shx_restore_def, shx_snapshot_def},
-    step::shx_step_report,
-    step_limits::shx_step_limits,
-    strand_def::shx_strand_def,
-    styling::{shx_clip_def, shx_cut, shx_heat_def},
-    styling_tool::shx_tool_def,
-    suggest::{shx_suggest_def, shx_suggestion},
-    types::{shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id},
-    wisp::shx_wisp,
-};
+use superhelix::internals::capi::body_def::shx_body_def;
+use superhelix::internals::capi::constraints::{shx_constraint_def, shx_constraint_state};
+use superhelix::internals::capi::contact::{shx_contact_options, shx_strand_contact};
+use superhelix::internals::capi::contact_events::shx_contact_event;
+use superhelix::internals::capi::contacts::shx_contact;
+use superhelix::internals::capi::curve_data::shx_curve_data;
+use superhelix::internals::capi::distance_grid::shx_distance_grid_def;
+use superhelix::internals::capi::fit::shx_polyline_fit;
+use superhelix::internals::capi::fit_curves::{shx_fit_input, shx_fit_options, shx_fitted_strand};
+use superhelix::internals::capi::friction_fit::{shx_fitted_coefficient, shx_friction_fit_def, shx_friction_fit_report};
+use superhelix::internals::capi::hair_handle::{shx_combing_result, shx_combing_test, shx_hair_handle};
+use superhelix::internals::capi::hair_type::{shx_hair_sliders, shx_hair_strand, shx_hair_strands_def, shx_hair_type};
+use superhelix::internals::capi::haptic_def::{shx_haptic_def, shx_haptic_state};
+use superhelix::internals::capi::materials::shx_material;
+use superhelix::internals::capi::pose_def::{shx_brush, shx_element_change, shx_pose_options};
+use superhelix::internals::capi::push_out::shx_push_out_def;
+use superhelix::internals::capi::render_def::{shx_render_guides, shx_render_settings, shx_render_view};
+use superhelix::internals::capi::ring_comb::{shx_ring_comb_def, shx_ring_comb_report};
+use superhelix::internals::capi::sampling::shx_sample_def;
+use superhelix::internals::capi::scalp::{shx_follicle, shx_scalp_def, shx_scatter_def};
+use superhelix::internals::capi::settings::shx_settings;
+use superhelix::internals::capi::settle::{shx_settle_def, shx_settle_report};
+use superhelix::internals::capi::solver_def::shx_solver_def;
+use superhelix::internals::capi::solver_options::shx_solver_options;
+use superhelix::internals::capi::spline::shx_spline_def;
+use superhelix::internals::capi::state::{shx_restore_def, shx_snapshot_def};
+use superhelix::internals::capi::step::shx_step_report;
+use superhelix::internals::capi::step_limits::shx_step_limits;
+use superhelix::internals::capi::strand_def::shx_strand_def;
+use superhelix::internals::capi::styling::{shx_clip_def, shx_cut, shx_heat_def};
+use superhelix::internals::capi::styling_tool::shx_tool_def;
+use superhelix::internals::capi::suggest::{shx_suggest_def, shx_suggestion};
+use superhelix::internals::capi::types::{shx_body_id, shx_constraint_id, shx_frame, shx_input, shx_output, shx_strand_id};
+use superhelix::internals::capi::wisp::shx_wisp;
 
 /// The lines of layout.c for these structures, after their numbers have been compared with Rust's.
 macro_rules! layouts {

@@ -4,16 +4,16 @@
 
 use std::ptr::{null, null_mut};
 
-use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::guard::shx_solver;
-use superhelix::capi::roots::*;
-use superhelix::capi::sampling::*;
-use superhelix::capi::solver::*;
-use superhelix::capi::state::*;
-use superhelix::capi::step::shx_solver_step;
-use superhelix::capi::strand_def::*;
-use superhelix::capi::strands::*;
-use superhelix::capi::types::*;
+use superhelix::internals::capi::errors::SHX_OK;
+use superhelix::internals::capi::guard::shx_solver;
+use superhelix::internals::capi::roots::*;
+use superhelix::internals::capi::sampling::*;
+use superhelix::internals::capi::solver::*;
+use superhelix::internals::capi::state::*;
+use superhelix::internals::capi::step::shx_solver_step;
+use superhelix::internals::capi::strand_def::*;
+use superhelix::internals::capi::strands::*;
+use superhelix::internals::capi::types::*;
 
 const STRANDS: usize = 3;
 const POINTS: usize = 5;

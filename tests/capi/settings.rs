@@ -4,17 +4,15 @@
 use std::mem::{MaybeUninit, size_of};
 use std::ptr::null_mut;
 
-use superhelix::capi::errors::SHX_OK;
-use superhelix::capi::settings::*;
-use superhelix::capi::solver::{shx_solver_create, shx_solver_destroy};
-use superhelix::capi::solver_def::{shx_solver_def, shx_solver_def_init};
-use superhelix::capi::step::shx_solver_step;
-use superhelix::capi::strand_def::{shx_strand_def, shx_strand_def_init};
-use superhelix::capi::strands::shx_solver_add_strands;
-use superhelix::capi::types::shx_strand_id;
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::{HairShape, Settings};
-use superhelix::study::suggestion::{Scenes, suggest_settings};
+use superhelix::internals::capi::errors::SHX_OK;
+use superhelix::internals::capi::settings::*;
+use superhelix::internals::capi::solver::{shx_solver_create, shx_solver_destroy};
+use superhelix::internals::capi::solver_def::{shx_solver_def, shx_solver_def_init};
+use superhelix::internals::capi::step::shx_solver_step;
+use superhelix::internals::capi::strand_def::{shx_strand_def, shx_strand_def_init};
+use superhelix::internals::capi::strands::shx_solver_add_strands;
+use superhelix::internals::capi::types::shx_strand_id;
+use superhelix::settings::{HairShape, Preset, Scenes, Settings, suggest_settings};
 
 fn new_settings() -> shx_settings {
     let mut settings = MaybeUninit::uninit();

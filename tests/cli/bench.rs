@@ -2,7 +2,7 @@
 
 use crate::support::{errors, superhelix};
 use serde_json::Value;
-use superhelix::math::lanes::InstructionSet;
+use superhelix::InstructionSet;
 
 #[test]
 fn the_card_has_a_row_for_every_kind() {

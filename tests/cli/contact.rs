@@ -183,7 +183,7 @@ fn bad_bakes_are_explained() {
 /// A box without a quarter of one of its smallest faces has its other faces where they were.
 #[test]
 fn a_mesh_with_an_opening_is_baked() {
-    use superhelix::files::distance_grid;
+    use superhelix::io::distance_grid;
     let directory = directory("open_bake");
     let path = |name: &str| directory.join(name).to_str().unwrap().to_string();
     let (mesh, grid) = (path("open.obj"), path("open.shxgrid"));

@@ -2,8 +2,7 @@
 
 use crate::support::{data, directory, errors, run_text, small_scene, superhelix, with};
 use serde_json::{Value, json};
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::{Curves, UpAxis};
+use superhelix::io::{CurveCache, Curves, UpAxis};
 
 #[track_caller]
 fn succeed(arguments: &[&str]) -> (String, String) {
@@ -184,9 +183,9 @@ fn a_lock_is_a_scene_and_hair_in_a_scene_is_the_same() {
     let scene = with(scene, "/duration", json!(0.0));
     let (output, result) = run_text(&directory, &scene.to_string());
     let result = result.unwrap_or_else(|| panic!("{}", errors(&output)));
-    use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
-    let hair = superhelix::groom::hair_type::HairType::Caucasian2.measured().parameters(CurlFormula::Exact).unwrap();
-    let variation = superhelix::groom::variation::Variation { between: 0.1, along: 0.1, seed: 3, ..Default::default() };
+    use superhelix::hair::{CurlFormula, HairParameters, Sliders};
+    let hair = superhelix::hair::HairType::Caucasian2.measured().parameters(CurlFormula::Exact).unwrap();
+    let variation = superhelix::hair::Variation { between: 0.1, along: 0.1, seed: 3, ..Default::default() };
     let hair = HairParameters { variation, ..hair }.with_sliders(&Sliders { curliness: 0.5, ..Sliders::default() }).unwrap();
     let expected = hair.strand(2, &[0.025; 4]).unwrap().natural;
     let found = result.to_string();

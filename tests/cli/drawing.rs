@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use nalgebra::{Rotation3, Vector3};
-use superhelix::files::curves::Curves;
-use superhelix::files::{hair, obj};
+use superhelix::io::{Curves, hair, obj};
 
 use crate::support::{data, directory, errors, superhelix};
 

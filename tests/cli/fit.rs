@@ -2,8 +2,7 @@
 
 use crate::support::{data, difference, directory, errors, numbers, superhelix};
 use serde_json::Value;
-use superhelix::files::curves::{Curves, Extras, UpAxis};
-use superhelix::files::obj;
+use superhelix::io::{Curves, Extras, UpAxis, obj};
 
 #[test]
 fn fit_says_how_close_strands_come() {
@@ -31,8 +30,7 @@ fn fit_says_how_close_strands_come() {
 
 #[test]
 fn fitted_strands_are_wisps_unless_they_are_to_be_bare() {
-    use superhelix::groom::wisp::Wisp;
-    use superhelix::rod::material::Material;
+    use superhelix::{Material, Wisp};
     let place = directory("fit_wisps");
     let scene = place.join("scene.json").display().to_string();
     let groom = data("sintel_hair_001.tfx");

@@ -2,8 +2,7 @@
 
 use crate::support::{data, directory, errors, superhelix};
 use serde_json::Value;
-use superhelix::files::curves::Curves;
-use superhelix::files::{hair, obj};
+use superhelix::io::{Curves, hair, obj};
 
 #[test]
 fn info_counts_the_contents_of_a_groom() {

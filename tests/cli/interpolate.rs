@@ -2,8 +2,7 @@
 
 use crate::support::{data, directory, errors, superhelix};
 use serde_json::Value;
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::Curves;
+use superhelix::io::{CurveCache, Curves};
 
 fn answer(arguments: &[&str]) -> Value {
     let output = superhelix(arguments);
@@ -54,7 +53,7 @@ fn a_groom_is_filled_up_on_its_head() {
     assert_eq!(said["kept_out_of_body"].as_bool(), Some(true));
     let grids = std::fs::read_dir(&place).expect("a directory").map(|entry| entry.expect("an entry").path());
     let grid = grids.into_iter().find(|path| path.extension().is_some_and(|extension| extension == "shxgrid"));
-    let grid = superhelix::files::distance_grid::read(grid.expect("a grid")).expect("a grid");
+    let grid = superhelix::io::distance_grid::read(grid.expect("a grid")).expect("a grid");
     let inside = |curves: &Curves| {
         let depths = curves.strands().flat_map(|strand| &strand[1..]).map(|point| {
             grid.closest(nalgebra::Vector3::from(point.map(f64::from)) * 0.01).map_or(0.0, |surface| -surface.distance)

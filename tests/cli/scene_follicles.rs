@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::support::{data, difference, directory, errors, numbers, run, run_text, small_scene, superhelix, with};
 use serde_json::{Value, json};
-use superhelix::files::curve_cache::CurveCache;
+use superhelix::io::CurveCache;
 
 /// A square of 20 cm in the plane z = 0, facing up, in centimetres.
 fn square(place: &Path) {

@@ -2,7 +2,7 @@
 
 use crate::support::{data, difference, directory, errors, numbers, run, run_text, small_scene, with};
 use serde_json::{Value, json};
-use superhelix::files::curves::Curves;
+use superhelix::io::Curves;
 
 const SCALE: f64 = 0.01;
 const EVERY: usize = 40;

@@ -4,8 +4,7 @@ use std::path::Path;
 
 use crate::support::{errors, small_scene, superhelix, with};
 use serde_json::{Value, json};
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::Curves;
+use superhelix::io::{CurveCache, Curves};
 
 /// A square of 20 cm in the plane z = 0, facing up, in centimetres; its corners raised by `lift`.
 fn square(path: &Path, lift: f64) {

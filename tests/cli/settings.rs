@@ -2,9 +2,7 @@
 
 use crate::support::{data, errors, superhelix};
 use serde_json::Value;
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::HairShape;
-use superhelix::study::suggestion::{Scenes, suggest_settings};
+use superhelix::settings::{HairShape, Preset, Scenes, suggest_settings};
 
 fn answer(arguments: &[&str]) -> Value {
     let output = superhelix(&[&["settings", "--json"], arguments].concat());

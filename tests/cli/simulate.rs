@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::support::{data, directory, errors, superhelix};
 use serde_json::Value;
-use superhelix::files::curves::Curves;
+use superhelix::io::Curves;
 
 /// Runs `simulate` with `--json`; the report.
 fn simulate(arguments: &[&str]) -> Value {
@@ -126,7 +126,7 @@ fn z_up_is_y_up_turned() {
     let directory = directory("simulate_up");
     let groom = Curves::read(data("sintel_hair_001.tfx")).unwrap();
     let turned = directory.join("turned.hair");
-    superhelix::files::hair::write(&turned, &groom.to_z_up()).unwrap();
+    superhelix::io::hair::write(&turned, &groom.to_z_up()).unwrap();
     let run = |groom: &str, up: &str| {
         let cache = directory.join(up);
         simulate(&[
@@ -339,7 +339,7 @@ fn degenerate_strands_are_left_out_and_named() {
     let good: Vec<[f32; 3]> = (0..9).map(|index| [0.0, -0.02 * index as f32, 0.003 * (index * index) as f32]).collect();
     let point = vec![[0.1f32, 0.0, 0.0]; 4];
     let speck = vec![[0.2f32, 0.0, 0.0], [0.2, 1e-5, 0.0]];
-    superhelix::files::hair::write(&groom, &Curves::from_strands(&[good.clone(), point, speck, good]).unwrap()).unwrap();
+    superhelix::io::hair::write(&groom, &Curves::from_strands(&[good.clone(), point, speck, good]).unwrap()).unwrap();
     let report = simulate(&[groom.to_str().unwrap(), "--duration", "0.1"]);
     assert_eq!((report["strands_in_file"].as_u64(), report["strands"].as_u64()), (Some(4), Some(2)));
     let skipped: Vec<u64> =

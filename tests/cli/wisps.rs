@@ -118,7 +118,7 @@ fn hair_drawn_inside_a_head_is_brought_out() {
     let directory = directory("wisps_inside");
     let bust = bust_in(&directory);
     let groom = directory.join("inside.obj");
-    let curves = superhelix::files::curves::Curves::read(data("sintel_hair_001.tfx")).unwrap();
+    let curves = superhelix::io::Curves::read(data("sintel_hair_001.tfx")).unwrap();
     // A place well inside the skull.
     let roots: Vec<[f32; 3]> = curves.strands().map(|strand| strand[0]).collect();
     let middle: Vec<f32> = (0..3).map(|axis| roots.iter().map(|root| root[axis]).sum::<f32>() / roots.len() as f32).collect();

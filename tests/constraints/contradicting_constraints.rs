@@ -4,15 +4,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, Friction, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::meter::StepLimits;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, ConstraintState, ConstraintStatus, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::{
+    BodyDef, ConstraintDef, ConstraintState, ConstraintStatus, ContactModel, Frame, Friction, Hold, Shape, Solver, SolverOptions,
+    StepLimits, StrandContact, StrandDef, StrandId,
+};
 
 /// What contradicts itself takes a while: more than a step's usual work.
 const AS_LONG_AS_IT_TAKES: StepLimits = StepLimits { work: Some(u64::MAX), seconds: None, cancel: None };

@@ -4,13 +4,9 @@ use std::f64::consts::PI;
 
 use crate::numbers::Numbers;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::Friction;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, ConstraintStatus, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
+use superhelix::{
+    ConstraintDef, ConstraintStatus, Frame, Friction, Hold, Integrator, Solver, SolverOptions, StrandDef, StrandId,
+};
 
 /// The required accuracy.
 const EXACT: f64 = 1e-9;

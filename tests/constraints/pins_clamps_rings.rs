@@ -1,13 +1,9 @@
 //! Bilateral constraints: they hold to 1e-9 m, their forces agree with statics, and contradictory sets are reported.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::Friction;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, ConstraintStatus, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
+use superhelix::{
+    ConstraintDef, ConstraintStatus, Frame, Friction, Hold, Integrator, Solver, SolverOptions, StrandDef, StrandId,
+};
 
 const GRAVITY: f64 = 9.81;
 

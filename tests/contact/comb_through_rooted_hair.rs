@@ -5,12 +5,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::{BodyDef, ContactModel, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef};
 
 const STEP: f64 = 1.0 / 60.0;
 const SIDE: usize = 4;

@@ -3,14 +3,14 @@
 
 use crate::numbers::Numbers;
 use nalgebra::{Matrix3, Vector3};
-use superhelix::contact::contact_space::{ContactSpace, End, SpaceTouch};
-use superhelix::contact::gauss_seidel::{GaussSeidel, Report, Settings};
-use superhelix::contact::law::Law;
-use superhelix::contact::law::bond::{Bond, BondAxes};
-use superhelix::contact::law::coefficient::Coefficient;
-use superhelix::contact::law::contact::{Contact, Friction};
-use superhelix::contact::law::response::Response;
-use superhelix::contact::law::ring::Ring;
+use superhelix::internals::contact::contact_space::{ContactSpace, End, SpaceTouch};
+use superhelix::internals::contact::gauss_seidel::{GaussSeidel, Report, Settings};
+use superhelix::internals::contact::law::Law;
+use superhelix::internals::contact::law::bond::{Bond, BondAxes};
+use superhelix::internals::contact::law::coefficient::Coefficient;
+use superhelix::internals::contact::law::contact::{Contact, Friction};
+use superhelix::internals::contact::law::response::Response;
+use superhelix::internals::contact::law::ring::Ring;
 
 const STEP: f64 = 1.0 / 60.0;
 

@@ -3,16 +3,11 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, Friction, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::math::rotation::from_rotation_vector;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::report::{Phases, StepReport};
+use superhelix::internals::math::rotation::from_rotation_vector;
+use superhelix::{
+    BodyDef, ConstraintDef, ContactModel, Frame, Friction, Hold, InstructionSet, Phases, Shape, Solver, SolverOptions,
+    StepReport, StrandContact, StrandDef, Workers,
+};
 
 const STEP: f64 = 1.0 / 60.0;
 const STRANDS: usize = 96;

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::{Body, BodyDef};
-use superhelix::contact::shape::{Mesh, Shape, Sides};
+use superhelix::internals::contact::body::Body;
+use superhelix::shapes::{Mesh, Sides};
+use superhelix::{BodyDef, Shape};
 
 use super::random_bodies::{Dice, bumpy};
 

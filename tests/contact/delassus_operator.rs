@@ -1,15 +1,15 @@
 //! A strand's response to forces at material points, against dense matrices and differences of positions.
 
 use nalgebra::{DMatrix, DVector};
-use superhelix::chain::delassus::Delassus;
-use superhelix::chain::dense;
-use superhelix::chain::elimination::Elimination;
-use superhelix::chain::load::{Load, Station};
-use superhelix::chain::response::ResponseScratch;
-use superhelix::chain::system::ChainSystem;
-use superhelix::math::quadrature::Rule;
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::Kinematics;
+use superhelix::internals::chain::delassus::Delassus;
+use superhelix::internals::chain::dense;
+use superhelix::internals::chain::elimination::Elimination;
+use superhelix::internals::chain::load::{Load, Station};
+use superhelix::internals::chain::response::ResponseScratch;
+use superhelix::internals::chain::system::ChainSystem;
+use superhelix::internals::math::quadrature::Rule;
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::Kinematics;
 
 /// Numbers in (−1, 1).
 struct Pseudo(u64);

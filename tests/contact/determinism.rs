@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use superhelix::math::lanes::InstructionSet;
-use superhelix::solver::definition::Workers;
+use superhelix::{InstructionSet, Workers};
 
 use crate::crowded_scene::{GOLDEN, course};
 

@@ -1,8 +1,9 @@
 //! Signed distance grids.
 
 use nalgebra::Vector3;
-use superhelix::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
-use superhelix::files::distance_grid;
+use superhelix::Shape;
+use superhelix::io::distance_grid;
+use superhelix::shapes::{DistanceGrid, Mesh, Sides};
 
 use super::random_bodies::{Dice, ball, bumpy, sheet};
 
@@ -122,7 +123,7 @@ fn a_grid_comes_back_from_bytes_and_nothing_else_does() {
 fn a_grid_that_cannot_be_is_refused() {
     let (vertices, triangles) = ball(0.1, 1);
     let mesh = Mesh::new(vertices, triangles, Sides::Solid).unwrap();
-    let says = |result: superhelix::error::Result<DistanceGrid>, argument: &str| {
+    let says = |result: superhelix::Result<DistanceGrid>, argument: &str| {
         let text = result.unwrap_err().to_string();
         assert!(text.starts_with(argument), "{text}");
     };

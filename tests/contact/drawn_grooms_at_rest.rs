@@ -4,18 +4,14 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::allowance::Allowance;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
-use superhelix::contact::shape::{DistanceGrid, Shape, Sides};
-use superhelix::error::Error;
-use superhelix::files::{curves::Curves, obj_mesh};
-use superhelix::groom::fit::{FitOptions, fit_polyline};
-use superhelix::math::frame::Frame;
-use superhelix::solver::constraints::{ConstraintDef, ConstraintStatus, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::{Sample, Solver, Stiffening};
+use superhelix::editing::{Allowance, Stiffening};
+use superhelix::hair::{FitOptions, fit_polyline};
+use superhelix::io::{Curves, obj_mesh};
+use superhelix::shapes::{DistanceGrid, Sides};
+use superhelix::{
+    BodyDef, ConstraintDef, ConstraintStatus, ContactModel, ContactOptions, Error, Frame, Friction, Hold, Sample, Shape, Solver,
+    SolverOptions, StrandContact, StrandDef, StrandId, Workers,
+};
 
 const MODELS: [ContactModel; 3] = [ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Coulomb];
 /// What issue and theory ask: rounding alone moves a groom at rest.
@@ -309,7 +305,7 @@ fn a_real_groom_drawn_into_itself_and_into_a_head_lies_still() {
         // A quarter of the strands or more are in others, some in the bust.
         let (mut solver, ids) = sintel(model, &bust, every, 2e-3);
         let drawn = solver.allow_overlaps(&ids).unwrap();
-        let deep = |of: fn(&superhelix::solver::Overlap) -> f64| {
+        let deep = |of: fn(&superhelix::editing::Overlap) -> f64| {
             let all: Vec<f64> = drawn.iter().map(of).filter(|depth| *depth > 0.0).collect();
             (all.len(), all.into_iter().fold(0.0, f64::max))
         };

@@ -2,12 +2,12 @@
 
 use crate::numbers::Numbers;
 use nalgebra::{Matrix3, Vector3};
-use superhelix::contact::law::bond::{Bond, BondAxes};
-use superhelix::contact::law::coefficient::Coefficient;
-use superhelix::contact::law::contact::{Contact, Friction};
-use superhelix::contact::law::response::Response;
-use superhelix::contact::law::ring::Ring;
-use superhelix::contact::law::{Law, LawSolve};
+use superhelix::internals::contact::law::bond::{Bond, BondAxes};
+use superhelix::internals::contact::law::coefficient::Coefficient;
+use superhelix::internals::contact::law::contact::{Contact, Friction};
+use superhelix::internals::contact::law::response::Response;
+use superhelix::internals::contact::law::ring::Ring;
+use superhelix::internals::contact::law::{Law, LawSolve};
 
 const STEP: f64 = 1.0 / 60.0;
 

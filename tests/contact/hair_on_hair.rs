@@ -4,16 +4,12 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::groom::fit::{FitOptions, fit_polyline};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::bodies::ContactPartner;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::hair::{FitOptions, fit_polyline};
+use superhelix::shapes::Sides;
+use superhelix::{
+    BodyDef, ConstraintDef, ContactModel, ContactOptions, ContactPartner, Frame, Friction, Hold, Shape, Solver, SolverOptions,
+    StrandContact, StrandDef, StrandId,
+};
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 

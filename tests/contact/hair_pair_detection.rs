@@ -5,13 +5,13 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use nalgebra::{Rotation3, Vector3};
-use superhelix::contact::hair_pairs::{HairPairs, PairOptions};
-use superhelix::contact::pieces::Wisp;
-use superhelix::contact::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
-use superhelix::contact::touches::TouchScratch;
-use superhelix::math::quadrature::Rule;
-use superhelix::math::vector::Mat3;
-use superhelix::rod::kinematics::Kinematics;
+use superhelix::internals::contact::hair_pairs::{HairPairs, PairOptions};
+use superhelix::internals::contact::pieces::Wisp;
+use superhelix::internals::contact::touch::{Partner, Place, StrandCurve, StrandPath, Touch};
+use superhelix::internals::contact::touches::TouchScratch;
+use superhelix::internals::math::quadrature::Rule;
+use superhelix::internals::math::vector::Mat3;
+use superhelix::internals::rod::kinematics::Kinematics;
 
 /// Counts what each thread asks for.
 struct Counting;

@@ -3,13 +3,9 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, Friction, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::{
+    BodyDef, ConstraintDef, ContactModel, Frame, Friction, Hold, Shape, Solver, SolverOptions, StrandContact, StrandDef,
+};
 
 const STEP: f64 = 1.0 / 60.0;
 const STEPS: usize = 12;

@@ -5,15 +5,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::math::frame::Frame;
-use superhelix::meter::{StepLimits, Stopped, usual_work};
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::{BodyId, StrandId};
-use superhelix::solver::report::{StepReport, StrandStatus};
+use superhelix::shapes::Sides;
+use superhelix::{
+    BodyDef, BodyId, ContactModel, ContactOptions, Frame, Shape, Solver, SolverOptions, StepLimits, StepReport, Stopped,
+    StrandContact, StrandDef, StrandId, StrandStatus, Workers, usual_work,
+};
 
 const H: f64 = 1.0 / 60.0;
 const RADIUS: f64 = 0.09;

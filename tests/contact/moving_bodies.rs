@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::{Body, BodyDef};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
+use superhelix::internals::contact::body::Body;
+use superhelix::{BodyDef, Frame, Shape};
 
 fn sphere() -> BodyDef {
     BodyDef::new(Arc::new(Shape::new_sphere(0.1).unwrap()))
@@ -66,7 +65,7 @@ fn moves_follow_each_other_smoothly() {
 
 #[test]
 fn bad_bodies_are_refused_by_name() {
-    let says = |result: superhelix::error::Result<()>, text: &str| {
+    let says = |result: superhelix::Result<()>, text: &str| {
         let error = result.unwrap_err().to_string();
         assert!(error.starts_with(text), "{error}");
     };

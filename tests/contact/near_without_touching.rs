@@ -4,13 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::Integrator;
+use superhelix::{BodyDef, ContactModel, Frame, Integrator, Shape, Solver, SolverOptions, StrandContact, StrandDef};
 
 const LENGTH: f64 = 0.15;
 /// How far the swinging strands' centrelines are from a wall, and from each other, m: touches are looked for within a millimetre.

@@ -1,8 +1,8 @@
 //! Nearest points of the shapes.
 
 use nalgebra::Vector3;
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::error::Error;
+use superhelix::shapes::Sides;
+use superhelix::{Error, Shape};
 
 use super::random_bodies::{Dice, ball, bumpy, sheet};
 

@@ -4,13 +4,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::{DistanceGrid, Shape};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::{BodyId, StrandId};
+use superhelix::shapes::DistanceGrid;
+use superhelix::{BodyDef, BodyId, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId};
 
 const RADIUS: f64 = 0.09;
 const STEP: f64 = 1.0 / 60.0;

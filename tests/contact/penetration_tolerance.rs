@@ -5,14 +5,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::bodies::ContactPartner;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::{
+    BodyDef, ContactModel, ContactOptions, ContactPartner, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef,
+    StrandId,
+};
 
 const RADIUS: f64 = 1e-3;
 const BALL: f64 = 0.03;

@@ -1,13 +1,12 @@
 //! What the tests share: random numbers, meshes, strands.
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyAt;
-use superhelix::contact::shape::Shape;
-use superhelix::contact::strand_body::{PathBounds, Scratch, Span, touches};
-use superhelix::contact::touch::{StrandCurve, StrandPath, Touch};
-use superhelix::math::frame::Frame;
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::{ElementState, element_state};
+use superhelix::internals::contact::body::BodyAt;
+use superhelix::internals::contact::strand_body::{PathBounds, Scratch, Span, touches};
+use superhelix::internals::contact::touch::{StrandCurve, StrandPath, Touch};
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::{ElementState, element_state};
+use superhelix::{Frame, Shape};
 
 /// Numbers that look random (xorshift).
 pub struct Dice(pub u64);

@@ -3,13 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, Friction, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::{BodyDef, ContactModel, Frame, Friction, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId};
 
 const GRAVITY: f64 = 9.81;
 
@@ -172,7 +166,7 @@ fn a_sliding_strand_slows_by_friction_alone() {
 /// stiffness and the strand's thickness are as good as nothing.
 #[test]
 fn a_strand_drawn_over_a_cylinder_obeys_the_capstan_equation() {
-    use superhelix::solver::constraints::{ConstraintDef, Hold};
+    use superhelix::{ConstraintDef, Hold};
     let (mu, radius) = (0.3, 0.01);
     let arc = std::f64::consts::PI * radius;
     {

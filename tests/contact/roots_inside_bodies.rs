@@ -4,15 +4,10 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::allowance::Allowance;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::{BodyId, StrandId};
-use superhelix::solver::report::StepReport;
+use superhelix::editing::Allowance;
+use superhelix::{
+    BodyDef, BodyId, ContactModel, Frame, Shape, Solver, SolverOptions, StepReport, StrandContact, StrandDef, StrandId,
+};
 
 const MODELS: [ContactModel; 3] = [ContactModel::Penalty, ContactModel::RegularisedPenalty, ContactModel::Coulomb];
 const RADIUS: f64 = 50e-6;

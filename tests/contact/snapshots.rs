@@ -4,15 +4,11 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, Friction, StrandContact};
-use superhelix::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
-use superhelix::error::Error;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::{BodyId, ConstraintId, StrandId};
+use superhelix::shapes::{DistanceGrid, Mesh, Sides};
+use superhelix::{
+    BodyDef, BodyId, ConstraintDef, ConstraintId, ContactModel, Error, Frame, Friction, Hold, Shape, Solver, SolverOptions,
+    StrandContact, StrandDef, StrandId, Workers,
+};
 
 const STEP: f64 = 1.0 / 60.0;
 
@@ -155,11 +151,7 @@ fn a_run_goes_on_bit_for_bit_from_an_image() {
         let mut first = scene(Workers::Serial, model);
         first.hashes(0..10);
         let touching: usize = first.solver.contacts().len();
-        let partners = first
-            .solver
-            .contacts()
-            .iter()
-            .filter(|c| matches!(c.partner, superhelix::solver::bodies::ContactPartner::Strand { .. }));
+        let partners = first.solver.contacts().iter().filter(|c| matches!(c.partner, superhelix::ContactPartner::Strand { .. }));
         assert!(touching > 5 && partners.count() > 0, "{model:?}: {touching} contacts");
         let (image, hash, before) = (first.solver.snapshot(), first.solver.state_hash(), readings(&first));
         let expected = first.hashes(10..16);

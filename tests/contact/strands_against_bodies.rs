@@ -1,11 +1,11 @@
 //! Touches along strands at rest, against dense sampling of arclength.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyAt;
-use superhelix::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
-use superhelix::contact::strand_body::{PathBounds, Scratch, Span, touches};
-use superhelix::contact::touch::{Partner, Touch};
-use superhelix::math::frame::Frame;
+use superhelix::internals::contact::body::BodyAt;
+use superhelix::internals::contact::strand_body::{PathBounds, Scratch, Span, touches};
+use superhelix::internals::contact::touch::{Partner, Touch};
+use superhelix::shapes::{DistanceGrid, Mesh, Sides};
+use superhelix::{Frame, Shape};
 
 use super::random_bodies::{Dice, Moving, at_rest, ball, bumpy, strand};
 

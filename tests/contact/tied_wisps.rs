@@ -4,12 +4,9 @@
 use std::f64::consts::PI;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::{ContactModel, StrandContact};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, ConstraintStatus, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::{
+    ConstraintDef, ConstraintStatus, ContactModel, Frame, Hold, Solver, SolverOptions, StrandContact, StrandDef, StrandId,
+};
 
 const LENGTH: f64 = 0.1;
 

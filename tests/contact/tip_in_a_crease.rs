@@ -3,12 +3,8 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::shapes::Sides;
+use superhelix::{BodyDef, ContactModel, ContactOptions, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef};
 
 const STEP: f64 = 1.0 / 60.0;
 const ELEMENTS: usize = 8;

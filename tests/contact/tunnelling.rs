@@ -1,9 +1,9 @@
 //! Bodies that go through strands within a step, and strands that go through bodies.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyAt;
-use superhelix::contact::shape::{DistanceGrid, Mesh, Shape, Sides};
-use superhelix::math::frame::Frame;
+use superhelix::internals::contact::body::BodyAt;
+use superhelix::shapes::{DistanceGrid, Mesh, Sides};
+use superhelix::{Frame, Shape};
 
 use super::random_bodies::{Dice, Moving, ball, sheet, strand};
 
@@ -109,10 +109,10 @@ fn a_strand_does_not_pass_a_sheet() {
 /// A strand of local axes in the world.
 fn carry(
     pose: &Frame,
-    (origin, _): &(Vector3<f64>, Vec<superhelix::rod::kinematics::ElementState<f64>>),
+    (origin, _): &(Vector3<f64>, Vec<superhelix::internals::rod::kinematics::ElementState<f64>>),
     rotation: &UnitQuaternion<f64>,
     curvatures: &[[f64; 3]],
-) -> (Vector3<f64>, Vec<superhelix::rod::kinematics::ElementState<f64>>) {
+) -> (Vector3<f64>, Vec<superhelix::internals::rod::kinematics::ElementState<f64>>) {
     (pose.origin + pose.rotation * origin, strand(&(pose.rotation * rotation), LENGTH, curvatures))
 }
 

@@ -1,11 +1,9 @@
 //! Invariants of a strand in any state, measured from outside.
 
 use nalgebra::{Matrix3, Vector3};
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::element_state;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::element_state;
+use superhelix::{Solver, SolverOptions, StrandDef, StrandId};
 
 use crate::draw::Case;
 

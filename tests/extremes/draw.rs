@@ -1,10 +1,7 @@
 //! Random draws: strands and surroundings from the whole accepted space, from hair to cable, uniform in the logarithm.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::StrandDef;
-use superhelix::step::options::Integrator;
+use superhelix::{Freedoms, Integrator, Material, StrandDef};
 
 /// Marsaglia's xorshift: the same draws everywhere.
 pub struct Draw(u64);

@@ -16,7 +16,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::Instant;
 
 use draw::{Draw, Stratum, case};
-use superhelix::step::options::Integrator;
+use superhelix::Integrator;
 use table::Table;
 
 /// Cases beyond the slice that are always run: strands that Newton's iteration finds hard.

@@ -3,11 +3,7 @@
 use std::time::Instant;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
+use superhelix::{Frame, Integrator, Solver, SolverOptions, StrandDef, StrandId};
 
 use crate::checks::{Whole, honesty, whole};
 use crate::draw::{Case, Draw, Stratum};

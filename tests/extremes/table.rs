@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use superhelix::step::options::Integrator;
+use superhelix::Integrator;
 
 use crate::draw::{Case, Stratum};
 use crate::run::Outcome;

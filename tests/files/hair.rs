@@ -1,8 +1,7 @@
 //! Cem Yuksel's `.hair`: real files, valid headers, and every way in which a file can be wrong.
 
-use superhelix::error::Error;
-use superhelix::files::curves::{Curves, CurvesFormat, Extras};
-use superhelix::files::hair::{self, HairHeader};
+use superhelix::Error;
+use superhelix::io::{Curves, CurvesFormat, Extras, HairHeader, hair};
 
 fn data(name: &str) -> String {
     format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"))

@@ -1,9 +1,8 @@
 //! Head motion from tables and from motion capture.
 
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::files::motion::{Motion, MotionOptions};
-use superhelix::math::frame::Frame;
+use superhelix::io::{Motion, MotionOptions};
+use superhelix::{Error, Frame};
 
 fn data(name: &str) -> String {
     format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"))

@@ -1,8 +1,7 @@
 //! Wavefront OBJ polylines.
 
-use superhelix::error::Error;
-use superhelix::files::curves::{Curves, CurvesFormat};
-use superhelix::files::obj;
+use superhelix::Error;
+use superhelix::io::{Curves, CurvesFormat, obj};
 
 fn data(name: &str) -> String {
     format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"))

@@ -1,8 +1,9 @@
 //! Wavefront OBJ meshes.
 
-use superhelix::contact::shape::{Mesh, Sides};
-use superhelix::error::Error;
-use superhelix::files::obj_mesh::{self, MAX_CORNERS, ObjMesh};
+use superhelix::Error;
+use superhelix::io::obj_mesh::MAX_CORNERS;
+use superhelix::io::{ObjMesh, obj_mesh};
+use superhelix::shapes::{Mesh, Sides};
 
 fn read(text: &str) -> ObjMesh {
     obj_mesh::read_from_bytes("mesh.obj", text.as_bytes()).unwrap()

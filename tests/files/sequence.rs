@@ -2,10 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use superhelix::error::Error;
-use superhelix::files::curves::Curves;
-use superhelix::files::sequence::{CacheFormat, Existing, Sequence, SequenceWriter};
-use superhelix::files::{hair, obj};
+use superhelix::Error;
+use superhelix::io::{CacheFormat, Curves, Existing, Sequence, SequenceWriter, hair, obj};
 
 /// A directory of its own, deleted at the end.
 struct Scratch(PathBuf);

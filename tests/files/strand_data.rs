@@ -1,7 +1,6 @@
 //! `.data` files: made-up ones, good and bad.
 
-use superhelix::files::curves::{Curves, CurvesFormat};
-use superhelix::files::strand_data;
+use superhelix::io::{Curves, CurvesFormat, strand_data};
 
 /// Strands as such a file has them.
 fn file(strands: &[&[[f32; 3]]]) -> Vec<u8> {

@@ -1,8 +1,7 @@
 //! TressFX `.tfx`, versions 2, 3 and 4: real files and every way in which one can be wrong.
 
-use superhelix::error::Error;
-use superhelix::files::curves::{Curves, CurvesFormat, Extras};
-use superhelix::files::tfx::{self, TfxVersion};
+use superhelix::Error;
+use superhelix::io::{Curves, CurvesFormat, Extras, TfxVersion, tfx};
 
 fn data(name: &str) -> String {
     format!("{}/tests/data/grooms/{name}", env!("CARGO_MANIFEST_DIR"))

@@ -1,9 +1,7 @@
 //! Meshes of `.usda` files over time.
 
 use nalgebra::Vector3;
-use superhelix::files::curves::UpAxis;
-use superhelix::files::mesh_cache::MeshCache;
-use superhelix::files::obj_mesh;
+use superhelix::io::{MeshCache, UpAxis, obj_mesh};
 
 /// Two quads side by side in the plane y = 0, facing up, as usd-core 26.11 writes them: the head of the file, what is said of the prims above,
 /// and more attributes of the mesh.

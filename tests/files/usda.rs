@@ -2,11 +2,8 @@
 //! Pixar's own library and of numpy (tests/oracle/make_usd_references.py).
 
 use serde_json::Value;
-use superhelix::error::Error;
-use superhelix::files::curve_cache::{CurveCache, CurveCacheWriter};
-use superhelix::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
-use superhelix::files::hair::HairHeader;
-use superhelix::files::usda;
+use superhelix::Error;
+use superhelix::io::{CurveCache, CurveCacheWriter, Curves, CurvesFormat, Extras, HairHeader, UpAxis, usda};
 
 fn data(name: &str) -> String {
     format!("{}/tests/data/{name}", env!("CARGO_MANIFEST_DIR"))

@@ -4,13 +4,10 @@ use std::path::PathBuf;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::files::recorded_curve::{Measured, RecordedCurve};
-use superhelix::math::frame::Frame;
-use superhelix::math::pose_spline::PoseSpline;
-use superhelix::rod::definition::StrandDef;
-use superhelix::rod::material::Material;
-use superhelix::study::friction_fit::Coefficient;
-use superhelix::study::recording::{Observable, Recording, RootMotion};
+use superhelix::experiments::{Coefficient, Observable, Recording, RootMotion};
+use superhelix::io::{Measured, RecordedCurve};
+use superhelix::splines::PoseSpline;
+use superhelix::{Frame, Material, StrandDef};
 
 /// A recorded curve, the strand that it is of (its friction coefficients those that were true), and what is known about it.
 pub struct Case {

@@ -1,15 +1,9 @@
 //! Fitting strands to curves: results that theory predicts, and input of every kind.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::error::Error;
-use superhelix::groom::fit::bulk::fit_curves;
-use superhelix::groom::fit::{ElementLengths, Fit, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve, fit_polyline};
-use superhelix::groom::spline::{Spline, SplineEnds, SplineKind};
-use superhelix::math::frame::Frame;
-use superhelix::rod::definition::StrandDef;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::SolverOptions;
-use superhelix::workers::Workers;
+use superhelix::hair::{ElementLengths, Fit, FitCurve, FitOptions, FitRoot, FitScratch, fit_curve, fit_curves, fit_polyline};
+use superhelix::splines::{Spline, SplineEnds, SplineKind};
+use superhelix::{Error, Frame, Solver, SolverOptions, StrandDef, Workers};
 
 /// Reproducible numbers in [−1, 1].
 struct Noise(u64);

@@ -3,12 +3,9 @@
 use std::path::Path;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::error::Error;
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::{Fit, FitOptions, fit_polyline};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::hair::{Fit, FitOptions, fit_polyline};
+use superhelix::io::Curves;
+use superhelix::{Error, Frame, Solver, SolverOptions, StrandDef};
 
 fn fit(points: &[Vector3<f64>], element_count: usize) -> Fit {
     fit_polyline(points, &FitOptions::elements(element_count)).unwrap()

@@ -2,13 +2,12 @@
 
 use crate::friction_cases::{Case, case, truth};
 use nalgebra::Vector3;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, Workers};
-use superhelix::step::equilibrium::EquilibriumOptions;
-use superhelix::step::options::Integrator;
-use superhelix::study::friction_fit::Coefficient::{AirDrag, InternalFriction, Viscosity};
-use superhelix::study::friction_fit::{FittedCoefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
-use superhelix::study::recording::{Observable, RootMotion};
+use superhelix::editing::EquilibriumOptions;
+use superhelix::experiments::Coefficient::{AirDrag, InternalFriction, Viscosity};
+use superhelix::experiments::{
+    FittedCoefficient, FrictionFit, FrictionFitOptions, Observable, RootMotion, Sought, Start, Verdict, fit_friction,
+};
+use superhelix::{Integrator, Solver, SolverOptions, Workers};
 
 /// Fits, without the true coefficients in the strand.
 fn fit(case: &Case, options: &FrictionFitOptions) -> FrictionFit {

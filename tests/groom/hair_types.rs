@@ -4,16 +4,11 @@
 use std::f64::consts::PI;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::Shape;
-use superhelix::error::Error;
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders, curled_shape};
-use superhelix::groom::hair_type::{HairType, MeasuredHair, youngs_modulus_from_bending};
-use superhelix::groom::variation::Variation;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::EquilibriumOptions;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::hair::{
+    CurlFormula, HairParameters, HairType, MeasuredHair, Sliders, Variation, curled_shape, youngs_modulus_from_bending,
+};
+use superhelix::{BodyDef, Error, Frame, Shape, Solver, SolverOptions, StrandDef};
 
 #[test]
 fn types_are_the_published_tables() {
@@ -85,7 +80,7 @@ fn free_strand(hair: &HairParameters, length: f64, elements: usize) -> Vec<Vecto
     samples(&solver, &ids, 400)
 }
 
-fn samples(solver: &Solver, ids: &[superhelix::solver::id::StrandId], count: usize) -> Vec<Vector3<f64>> {
+fn samples(solver: &Solver, ids: &[superhelix::StrandId], count: usize) -> Vec<Vector3<f64>> {
     let mut points = vec![Vector3::zeros(); ids.len() * count];
     solver.sample_strands(ids, count, |strand, point, sample| points[strand * count + point] = sample.position).unwrap();
     points
@@ -210,7 +205,7 @@ fn variation_is_seeded_small_and_does_not_depend_on_the_elements() {
 
     // Mean and standard deviation over 4000 strands are what the variation says, one at a time: to four standard errors.
     let count = 4000;
-    let spread = |variation: Variation, of: &dyn Fn(&superhelix::groom::variation::VariedStrand) -> f64| {
+    let spread = |variation: Variation, of: &dyn Fn(&superhelix::hair::VariedStrand) -> f64| {
         let hair = HairParameters { variation, ..hair };
         let values: Vec<f64> = (0..count).map(|strand| of(&hair.strand(strand, &[0.013; 3]).unwrap())).collect();
         let mean = values.iter().sum::<f64>() / count as f64;

@@ -1,14 +1,10 @@
 //! Strands posed by hand, as shapes: drags against geometry, cuts and mirrors to rounding. Simulated strands are in `posing_living.rs`.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyAt;
-use superhelix::contact::shape::Shape;
-use superhelix::error::Error;
-use superhelix::groom::pose::{
-    Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, PoseScratch, StrandShape, Surroundings,
-};
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
+use superhelix::editing::{Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, StrandShape};
+use superhelix::internals::contact::body::BodyAt;
+use superhelix::internals::groom::pose::{PoseScratch, Surroundings};
+use superhelix::{Error, Frame, Freedoms, Shape};
 
 /// Random numbers in [−1, 1).
 struct Noise(u64);
@@ -42,12 +38,7 @@ fn straight(length: f64, elements: usize) -> StrandShape {
     }
 }
 
-fn drag(
-    shape: &mut StrandShape,
-    arclength: f64,
-    position: Vector3<f64>,
-    options: &PoseOptions,
-) -> superhelix::groom::pose::Dragged {
+fn drag(shape: &mut StrandShape, arclength: f64, position: Vector3<f64>, options: &PoseOptions) -> superhelix::editing::Dragged {
     let target = DragTarget { arclength, position };
     shape.drag(&target, options, &Surroundings::default(), &mut PoseScratch::default()).unwrap()
 }

@@ -3,17 +3,10 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::Shape;
-use superhelix::error::Error;
-use superhelix::groom::pose::{Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions};
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::{Solver, Stiffening};
+use superhelix::editing::{Brush, DragTarget, ElementChange, Growth, Plane, PoseOptions, Stiffening};
+use superhelix::{
+    BodyDef, ConstraintDef, Error, Frame, Freedoms, Hold, Material, Shape, Solver, SolverOptions, StrandDef, StrandId, Workers,
+};
 
 fn curl(elements: usize, seed: u32) -> StrandDef {
     let turn = f64::from(seed);

@@ -4,14 +4,9 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::{DistanceGrid, Mesh, Shape};
-use superhelix::groom::render_hair::{GuideSamples, Motion, RenderBody, RenderSettings, VELOCITY_STEP, View};
-use superhelix::math::frame::Frame;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::SolverOptions;
-use superhelix::workers::Workers;
+use superhelix::render::{GuideSamples, Motion, RenderBody, RenderSettings, VELOCITY_STEP, View};
+use superhelix::shapes::{DistanceGrid, Mesh};
+use superhelix::{BodyDef, Frame, InstructionSet, Shape, Solver, SolverOptions, Workers};
 
 use crate::render_hair::{Taken, bind, evaluate, length, plain, roots_among, sintel, whole};
 use crate::render_looks::{POINTS, bust, roots_on_bust, wisps};

@@ -5,14 +5,12 @@
 use std::sync::{Arc, Mutex};
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::error::Error;
-use superhelix::files::curves::Curves;
-use superhelix::groom::render_hair::{
+use superhelix::io::Curves;
+use superhelix::render::{
     GuideSamples, Motion, RenderHair, RenderPose, RenderSettings, Space, StrandPoints, StrandSink, View, measured_curliness,
     resampled,
 };
-use superhelix::math::lanes::InstructionSet;
-use superhelix::workers::Workers;
+use superhelix::{Error, InstructionSet, Workers};
 
 /// A strand's points.
 #[derive(Debug, Clone, PartialEq)]

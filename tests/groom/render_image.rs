@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::groom::render_hair::{GuideSamples, RENDER_HAIR_VERSION, RenderHair, RenderPose, RenderSettings, Space};
-use superhelix::workers::Workers;
+use superhelix::render::{GuideSamples, RENDER_HAIR_VERSION, RenderHair, RenderPose, RenderSettings, Space};
+use superhelix::{Error, Workers};
 
 use crate::render_hair::{Taken, evaluate, roots_among, sintel, whole};
 

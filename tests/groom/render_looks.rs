@@ -2,10 +2,9 @@
 //! drawn together without meeting; what guides do linearly over the scalp, strands do too; a crown does not stand up.
 
 use nalgebra::{Matrix3, Vector3};
-use superhelix::files::obj_mesh;
-use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderPose, RenderSettings, Space};
-use superhelix::groom::scalp::{Amount, Density, RootRegion, Scalp, ScatterOptions};
+use superhelix::hair::{Amount, Density, GuideRoots, RootRegion, Scalp, ScatterOptions};
+use superhelix::io::obj_mesh;
+use superhelix::render::{GuideSamples, RenderHair, RenderPose, RenderSettings, Space};
 
 use crate::render_hair::{Taken, bind, evaluate, groom, length, noise, plain, sintel, whole};
 

@@ -4,18 +4,11 @@
 use std::path::Path;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::error::Error;
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::{FitOptions, fit_polyline};
-use superhelix::groom::rest_shape::natural_under_gravity;
-use superhelix::groom::stability::{Stability, stability_under_gravity};
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::equilibrium::smallest_eigenvalue;
+use superhelix::editing::{Stability, stability_under_gravity};
+use superhelix::hair::{FitOptions, fit_polyline, natural_under_gravity};
+use superhelix::internals::step::equilibrium::smallest_eigenvalue;
+use superhelix::io::Curves;
+use superhelix::{Error, Frame, Freedoms, Material, Solver, SolverOptions, StrandDef, StrandId};
 
 /// Grooms have y up.
 const WEIGHT: Vector3<f64> = Vector3::new(0.0, -9.81, 0.0);

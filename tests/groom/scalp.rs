@@ -1,9 +1,9 @@
 //! Follicles on scalps: as far apart as promised, as dense as the map, in frames that are orthonormal, smooth and move with the mesh.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::error::Error;
-use superhelix::files::obj_mesh;
-use superhelix::groom::scalp::{Amount, Density, Follicle, Jitter, Scalp, ScatterOptions};
+use superhelix::Error;
+use superhelix::hair::{Amount, Density, Follicle, Jitter, Scalp, ScatterOptions};
+use superhelix::io::obj_mesh;
 
 /// A square of `side` m in the plane z = 0, cut into n × n × 2 triangles, u along x and v along y from 0 to 1.
 fn square(side: f64, n: usize) -> Scalp {

@@ -1,11 +1,7 @@
 //! Wisps against the theory of bundles and beams.
 
 use nalgebra::Vector3;
-use superhelix::groom::wisp::Wisp;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::StepOptions;
+use superhelix::{Material, Solver, SolverOptions, StepOptions, StrandDef, Wisp};
 
 fn hair() -> Material {
     Material { radius: [60e-6, 45e-6], internal_friction: 1e-10, air_drag: 5e-6, viscosity: 0.01, ..Material::default() }

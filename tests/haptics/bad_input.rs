@@ -1,11 +1,8 @@
 //! Invalid input is refused by name, and nothing changes.
 
 use nalgebra::Vector3;
-use superhelix::contact::options::{ContactModel, ContactOptions};
-use superhelix::error::Error;
-use superhelix::haptics::{HapticOptions, Mode, haptic};
-use superhelix::math::frame::Frame;
-use superhelix::solver::id::BodyId;
+use superhelix::haptic::{HapticOptions, Mode, haptic};
+use superhelix::{BodyId, ContactModel, ContactOptions, Error, Frame};
 
 use super::scene::{TICK, combed_hair, stroke};
 

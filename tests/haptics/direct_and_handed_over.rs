@@ -4,7 +4,7 @@
 //! The effect of that alone is printed beside: the forces of the simulation's own steps, interpolated linearly, which a hand
 //! could not feel before the later one is known.
 
-use superhelix::haptics::HapticOptions;
+use superhelix::haptic::HapticOptions;
 
 use super::agreement::{Forces, difference, drawn, rms};
 use super::scene::{Rate, combed_hair, direct, handed_over_and_simulated, stroke};

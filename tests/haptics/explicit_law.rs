@@ -1,11 +1,9 @@
 //! The explicit formula of Bonanni and Kmoch (2008) against itself, written out, and against the exact law.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::{ContactModel, ContactOptions};
-use superhelix::haptics::explicit_law::Resistance;
-use superhelix::haptics::{ForceLaw, HapticOptions, Mode, haptic};
-use superhelix::math::frame::Frame;
-use superhelix::solver::bodies::ContactPartner;
+use superhelix::haptic::{ForceLaw, HapticOptions, Mode, haptic};
+use superhelix::internals::haptics::explicit_law::Resistance;
+use superhelix::{ContactModel, ContactOptions, ContactPartner, Frame};
 
 use super::scene::{Numbers, Rate, Simulation, TICK, combed_hair, handed_over, motion, stroke};
 

@@ -1,8 +1,8 @@
 //! A hand that grabs: how soon it feels the result, and that stick, slip and separation cause no jump beyond the stated one.
 
 use nalgebra::Vector3;
-use superhelix::haptics::{HapticOptions, Mode};
-use superhelix::math::frame::Frame;
+use superhelix::Frame;
+use superhelix::haptic::{HapticOptions, Mode};
 
 use super::scene::{Rate, Simulation, TICK, combed_hair, motion, stroke};
 

@@ -1,7 +1,7 @@
 //! A comb through the four hairs of Bonanni and Kmoch's table 1: the resistance ranks like their stiffness and friction.
 
-use superhelix::groom::hair_type::HairType;
-use superhelix::haptics::HapticOptions;
+use superhelix::hair::HairType;
+use superhelix::haptic::HapticOptions;
 
 use super::scene::{Rate, handed_over};
 use super::typed_hair::{SLOWER, hair, stroke_of};

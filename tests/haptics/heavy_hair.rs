@@ -1,6 +1,6 @@
 //! Hair that is heavier than what the coupling holds within a step: the tool does not jump between device and hair.
 
-use superhelix::haptics::{HapticOptions, Mode, haptic};
+use superhelix::haptic::{HapticOptions, Mode, haptic};
 
 use super::scene::{TICK, combed_strands, motion, stroke};
 

@@ -1,8 +1,8 @@
 //! No force beyond the options' limits, no jump at stick, slip and separation, and the effect of a simulation that stops.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::haptics::HapticOptions;
-use superhelix::math::frame::Frame;
+use superhelix::Frame;
+use superhelix::haptic::HapticOptions;
 
 use super::scene::{Felt, Rate, Simulation, TICK, combed_hair, handed_over, motion, stroke};
 

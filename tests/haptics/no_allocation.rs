@@ -4,7 +4,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use superhelix::haptics::{HapticOptions, Mode, haptic};
+use superhelix::haptic::{HapticOptions, Mode, haptic};
 
 use super::scene::{Rate, Simulation, TICK, combed_hair, motion, stroke};
 

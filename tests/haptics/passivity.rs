@@ -3,10 +3,9 @@
 //! `SUPERHELIX_HAIR_STROKES` how many go through hair (500).
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::haptics::passivity::Passivity;
-use superhelix::haptics::{HapticOptions, haptic};
-use superhelix::math::frame::Frame;
-use superhelix::solver::report::Wrench;
+use superhelix::haptic::{HapticOptions, haptic};
+use superhelix::internals::haptics::passivity::Passivity;
+use superhelix::{Frame, Wrench};
 
 use super::scene::{Numbers, combed_hair, stroke};
 

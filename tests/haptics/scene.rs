@@ -4,16 +4,8 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::haptics::{Device, HapticOptions, HapticState, Mode, Tool, haptic};
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::BodyId;
-use superhelix::solver::report::Wrench;
+use superhelix::haptic::{Device, HapticOptions, HapticState, Mode, Tool, haptic};
+use superhelix::{BodyDef, BodyId, Frame, Material, Shape, Solver, SolverOptions, StrandContact, StrandDef, Wrench};
 
 /// The device's rate, s.
 pub const TICK: f64 = 1e-3;

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use superhelix::haptics::exchange::exchange;
+use superhelix::internals::haptics::exchange::exchange;
 
 const NUMBERS: usize = 300;
 const MESSAGES: u32 = 200_000;

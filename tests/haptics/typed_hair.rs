@@ -3,14 +3,8 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use superhelix::contact::options::StrandContact;
-use superhelix::groom::hair_parameters::CurlFormula;
-use superhelix::groom::hair_type::HairType;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::BodyId;
+use superhelix::hair::{CurlFormula, HairType};
+use superhelix::{BodyId, Frame, Material, Solver, SolverOptions, StrandContact, StrandDef};
 
 use super::scene::{comb, follicle, stroke};
 

@@ -1,11 +1,7 @@
 //! Motions that broke drafts: a head shaken hard, at frame-sized steps.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::{Integrator, LinearSolver};
+use superhelix::{Frame, Integrator, LinearSolver, Material, Solver, SolverOptions, StrandDef};
 
 /// Head yaw ±46° at 2 Hz with ±8 cm of sway.
 fn shake(t: f64) -> Frame {

@@ -2,9 +2,7 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::math::frame::Frame;
-use superhelix::rod::definition::StrandDef;
-use superhelix::rod::material::Material;
+use superhelix::{Frame, Material, StrandDef};
 
 /// One trajectory.
 pub struct Case {

@@ -3,9 +3,7 @@
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::Vector3;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::SolverOptions;
-use superhelix::step::options::Integrator;
+use superhelix::{Integrator, Solver, SolverOptions};
 
 /// Tips at the reference's times (each 1/60 s) with `per_output` steps between two of them.
 fn simulate(case: &Case, integrator: Integrator, per_output: u32) -> Vec<Vector3<f64>> {

@@ -2,9 +2,7 @@
 //! plus that of the step; position-based and maximal-coordinate rods are 10 to 14 mm off at 1/60 s.
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::Integrator;
+use superhelix::{Integrator, Solver, SolverOptions, StrandDef};
 
 /// L = 0.2 m, one turn of a helix of radius 15 mm about +x, clamped along its own tangent.
 fn helix(count: usize) -> StrandDef {

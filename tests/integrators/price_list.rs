@@ -28,11 +28,10 @@ use std::collections::HashMap;
 use hair::Hair;
 use scene::Scene;
 use setting::Setting;
-use superhelix::error::Error;
-use superhelix::study::measured::{self, ELEMENTS, RATES};
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::HairShape;
-use superhelix::study::suggestion::{Scenes, suggest_settings};
+use superhelix::Error;
+use superhelix::internals::analysis::measured;
+use superhelix::internals::analysis::measured::{ELEMENTS, RATES};
+use superhelix::settings::{HairShape, Preset, Scenes, suggest_settings};
 
 /// A row of the measured table by the names of its columns.
 type Row = HashMap<&'static str, &'static str>;

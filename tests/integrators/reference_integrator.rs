@@ -4,23 +4,18 @@ use std::sync::Arc;
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactOptions, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::math::quadrature::Rules;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::rod::strand::StrandModel;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::members::One;
-use superhelix::step::options::{Integrator, StepOptions};
-use superhelix::step::scratch::Scratch;
-use superhelix::step::state::{StrandState, rotation_matrix};
-use superhelix::step::{self, Setting, Surroundings};
+use superhelix::internals::math::quadrature::Rules;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::internals::rod::strand::StrandModel;
+use superhelix::internals::step;
+use superhelix::internals::step::members::One;
+use superhelix::internals::step::scratch::Scratch;
+use superhelix::internals::step::state::{StrandState, rotation_matrix};
+use superhelix::internals::step::{Setting, Surroundings};
+use superhelix::{
+    BodyDef, ConstraintDef, ContactOptions, Frame, Freedoms, Hold, Integrator, Shape, Solver, SolverOptions, StepOptions,
+    StrandContact, StrandDef, StrandId,
+};
 
 fn options(reference_tolerance: f64) -> StepOptions {
     // Its steps have fine rules of their own; reported energies use those of the options.

@@ -3,13 +3,8 @@
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::math::lane::Precision;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::EquilibriumOptions;
-use superhelix::step::options::Integrator;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::{Frame, Integrator, Material, Precision, Solver, SolverOptions, StrandDef};
 
 fn solver(precision: Precision, integrator: Integrator) -> Solver {
     let mut options = SolverOptions::default();

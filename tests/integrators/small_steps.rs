@@ -1,10 +1,7 @@
 //! Newton's stop where steps are small: its tolerance is an angle, and an angle left in a step of h seconds is a velocity of angle × length / h.
 
 use nalgebra::Vector3;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::{Integrator, StepOptions};
+use superhelix::{Frame, Integrator, Solver, SolverOptions, StepOptions, StrandDef};
 
 /// Velocities along a strand after ten steps of `h`, the first of which strikes it: its moving root stops at once.
 fn velocities(integrator: Integrator, tolerance: f64, h: f64) -> Vec<Vector3<f64>> {

@@ -2,12 +2,7 @@
 
 use crate::oracle_cases::{self, Case};
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::step::options::Integrator;
+use superhelix::{Frame, Integrator, Material, Solver, SolverOptions, StrandDef, StrandId, Workers};
 
 /// A root shaken in yaw by ±46° at 2 Hz.
 fn shake(t: f64) -> Frame {
@@ -37,7 +32,7 @@ fn tip(solver: &Solver, id: StrandId) -> Vector3<f64> {
 }
 
 /// One call of the head shake at 1/30 s: the first strand is shaken, the others hang.
-fn shake_once(solver: &mut Solver, shaken: StrandId, step: i32) -> superhelix::solver::report::StepReport {
+fn shake_once(solver: &mut Solver, shaken: StrandId, step: i32) -> superhelix::StepReport {
     let h = 1.0 / 30.0;
     solver.set_root_frames(&[shaken], &[shake(h * f64::from(step))], h).unwrap();
     solver.step(h, 1).unwrap()

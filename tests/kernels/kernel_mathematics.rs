@@ -5,15 +5,15 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 use serde_json::Value;
-use superhelix::chain::dense::{self, DenseMethod};
-use superhelix::chain::displacement;
-use superhelix::chain::elimination::Elimination;
-use superhelix::chain::force::generalised;
-use superhelix::chain::system::{ChainSystem, LinearSolve};
-use superhelix::math::entire::Stumpff;
-use superhelix::math::quadrature::{Rule, Rules};
-use superhelix::math::vector::{Mat3, Vec3};
-use superhelix::rod::kinematics::Kinematics;
+use superhelix::internals::chain::dense::DenseMethod;
+use superhelix::internals::chain::elimination::Elimination;
+use superhelix::internals::chain::force::generalised;
+use superhelix::internals::chain::system::{ChainSystem, LinearSolve};
+use superhelix::internals::chain::{dense, displacement};
+use superhelix::internals::math::entire::Stumpff;
+use superhelix::internals::math::quadrature::{Rule, Rules};
+use superhelix::internals::math::vector::{Mat3, Vec3};
+use superhelix::internals::rod::kinematics::Kinematics;
 
 #[test]
 fn entire_functions_are_good_to_four_units_in_the_last_place() {

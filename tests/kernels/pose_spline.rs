@@ -2,9 +2,8 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use superhelix::error::Error;
-use superhelix::math::frame::Frame;
-use superhelix::math::pose_spline::PoseSpline;
+use superhelix::splines::PoseSpline;
+use superhelix::{Error, Frame};
 
 fn frame(origin: [f64; 3], turn: [f64; 3]) -> Frame {
     Frame { origin: Vector3::from(origin), rotation: UnitQuaternion::new(Vector3::from(turn)) }

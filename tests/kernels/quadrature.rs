@@ -5,14 +5,11 @@
 mod angles;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::fit::natural_under_gravity_with;
-use superhelix::math::frame::Frame;
-use superhelix::math::quadrature::{DEFAULT_TOLERANCE, LOOSEST, Rule, Rules, TIGHTEST};
-use superhelix::rod::strand::StrandModel;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::StepOptions;
-use superhelix::step::state::{RuleScratch, StrandState};
+use superhelix::hair::natural_under_gravity_with;
+use superhelix::internals::math::quadrature::{DEFAULT_TOLERANCE, LOOSEST, Rule, Rules, TIGHTEST};
+use superhelix::internals::rod::strand::StrandModel;
+use superhelix::internals::step::state::{RuleScratch, StrandState};
+use superhelix::{Frame, Solver, SolverOptions, StepOptions, StrandDef};
 
 /// Turns of an element from nothing to beyond what the largest rule is for.
 fn turns() -> impl Iterator<Item = f64> {

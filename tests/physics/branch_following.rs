@@ -1,13 +1,13 @@
-//! Branches of static equilibria (`study::branch`) against theory: Greenhill's self-buckling, the transition of a hanging curl from bending
+//! Branches of static equilibria (`analysis::branch`) against theory: Greenhill's self-buckling, the transition of a hanging curl from bending
 //! to twisting, a turning clamp, a fold. Errors of the elements fall as 1/N² (`docs/theory/validation_physics.md`), so that two numbers of
 //! elements extrapolate to the continuous rod.
 
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::solver::definition::StrandDef;
-use superhelix::step::equilibrium::{EquilibriumOptions, of_strand, smallest_eigenvalue};
-use superhelix::study::branch::{BranchEnd, BranchOptions, BranchPoint, CriticalKind, Load, follow, switch};
+use superhelix::editing::EquilibriumOptions;
+use superhelix::experiments::{BranchEnd, BranchOptions, BranchPoint, CriticalKind, Load, follow, switch};
+use superhelix::internals::step::equilibrium::{of_strand, smallest_eigenvalue};
+use superhelix::{Freedoms, StrandDef};
 
 /// The load Γ for a strand whose material has Γ = 1 under [`GRAVITY`].
 fn weight(rotation: UnitQuaternion<f64>) -> impl Fn(f64) -> Load {
@@ -185,7 +185,7 @@ fn bad_input_is_named() {
     let load = weight(down());
     let def = upright(3);
     let options = BranchOptions::default();
-    let text = |result: superhelix::error::Result<superhelix::study::branch::Branch>| result.unwrap_err().to_string();
+    let text = |result: superhelix::Result<superhelix::experiments::Branch>| result.unwrap_err().to_string();
     assert!(text(follow(&def, &load, 1.0, 1.0, &options)).contains("to is 1"));
     assert!(text(follow(&def, &load, f64::NAN, 1.0, &options)).contains("from"));
     assert!(text(follow(&def, &|_| Load { gravity: GRAVITY * f64::NAN, ..load(1.0) }, 0.0, 1.0, &options)).contains("gravity"));

@@ -3,10 +3,9 @@
 
 use crate::rods::GRAVITY;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::{EquilibriumOptions, of_strand};
+use superhelix::editing::EquilibriumOptions;
+use superhelix::internals::step::equilibrium::of_strand;
+use superhelix::{Material, Solver, SolverOptions, StrandDef};
 
 /// A coil of radius 5 mm whose axis points down from the clamp: `coils` turns of pitch angle `alpha` from the horizontal.
 fn coil(coils: f64, alpha: f64, per_turn: usize) -> StrandDef {

@@ -5,11 +5,7 @@ use crate::rods::judge::record;
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::options::StepOptions;
+use superhelix::{Frame, Material, Solver, SolverOptions, StepOptions, StrandDef};
 
 /// How a root moves: its pose at a time, s.
 type Way<'a> = &'a dyn Fn(f64) -> Frame;

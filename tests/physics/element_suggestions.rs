@@ -3,13 +3,9 @@
 
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::rod::turning::LARGEST_TURN;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::equilibrium::EquilibriumOptions;
-use superhelix::study::elements::{Demand, RootMotion, Suggestion, suggest_elements};
+use superhelix::editing::{EquilibriumOptions, LARGEST_TURN};
+use superhelix::settings::{Demand, RootMotion, Suggestion, suggest_elements};
+use superhelix::{Frame, Solver, SolverOptions, StrandDef, StrandId};
 
 /// Asks for a tolerance in lengths of the strand.
 fn ask(def: &StrandDef, tolerance: f64) -> Suggestion {

@@ -2,8 +2,9 @@
 
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::step::equilibrium::{EquilibriumOptions, of_strand, smallest_eigenvalue};
+use superhelix::Freedoms;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::internals::step::equilibrium::{of_strand, smallest_eigenvalue};
 
 /// A small generator of numbers in 0..1, the same on every machine.
 struct Draw(u64);

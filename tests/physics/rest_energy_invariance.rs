@@ -2,15 +2,8 @@
 //! frozen freedoms, frames of reference.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::fit::natural_under_gravity;
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::report::StrandStatus;
-use superhelix::step::options::{Integrator, LinearSolver};
+use superhelix::hair::natural_under_gravity;
+use superhelix::{Frame, Freedoms, Integrator, LinearSolver, Material, Solver, SolverOptions, StrandDef, StrandId, StrandStatus};
 
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, 0.0, -9.81);
 

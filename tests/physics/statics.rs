@@ -7,17 +7,14 @@ use crate::rods::modes::{matrices, modes};
 use crate::rods::*;
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::chain::dense;
-use superhelix::chain::system::ChainSystem;
-use superhelix::math::quadrature::Rules;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::{Equilibrium, EquilibriumOptions, of_strand, smallest_eigenvalue};
-use superhelix::step::options::StepOptions;
-use superhelix::step::state::rotation_matrix;
+use superhelix::editing::{Equilibrium, EquilibriumOptions};
+use superhelix::internals::chain::dense;
+use superhelix::internals::chain::system::ChainSystem;
+use superhelix::internals::math::quadrature::Rules;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::internals::step::equilibrium::{of_strand, smallest_eigenvalue};
+use superhelix::internals::step::state::rotation_matrix;
+use superhelix::{Freedoms, Material, Solver, SolverOptions, StepOptions, StrandDef};
 
 /// The tip at rest, in L, and how it was found. Answers that are exact for N elements are met to 1e-9: integrals are better than that.
 fn settled(def: &StrandDef) -> (Vector3<f64>, Equilibrium) {

@@ -6,11 +6,9 @@ use crate::rods::judge::{judge, record};
 use crate::rods::modes::{matrices, modes};
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::{EquilibriumOptions, of_strand};
-use superhelix::step::options::Integrator;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::internals::step::equilibrium::of_strand;
+use superhelix::{Integrator, Material, Solver, SolverOptions, StrandDef};
 
 /// What frequencies are measured in, rad/s: √(EI1/(ρS L⁴)).
 fn unit(def: &StrandDef) -> f64 {

@@ -4,11 +4,9 @@ use crate::rods::judge::{record, recording};
 use crate::rods::modes::{Mode, matrices, modes};
 use crate::rods::*;
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::{EquilibriumOptions, of_strand};
-use superhelix::step::options::Integrator;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::internals::step::equilibrium::of_strand;
+use superhelix::{Frame, Integrator, Solver, SolverOptions, StrandDef};
 
 /// The evolution of a spinning shaft's small deflection: the growth rate, 1/s, and the whirl rate, rad/s.
 struct Whirl {

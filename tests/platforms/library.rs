@@ -4,9 +4,7 @@
 
 extern crate superhelix as _;
 
-use superhelix::contact::options::ContactModel;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::solver::definition::{SolverOptions, Workers};
+use superhelix::{ContactModel, InstructionSet, SolverOptions, Workers};
 
 #[path = "../contact/crowded_scene.rs"]
 mod crowded_scene;
@@ -59,5 +57,5 @@ pub extern "C" fn contact_found(course: u32) -> u64 {
 /// Lanes of f64 that the best instructions of this machine have: 1 says that there are none.
 #[unsafe(no_mangle)]
 pub extern "C" fn lanes_of_f64() -> u32 {
-    superhelix::step::packs::width(superhelix::math::lane::Precision::F64, InstructionSet::detected()) as u32
+    superhelix::internals::step::packs::width(superhelix::Precision::F64, InstructionSet::detected()) as u32
 }

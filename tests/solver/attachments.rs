@@ -4,13 +4,7 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::{BodyId, ConstraintId, StrandId};
+use superhelix::{BodyDef, BodyId, ConstraintDef, ConstraintId, Frame, Hold, Shape, Solver, SolverOptions, StrandDef, StrandId};
 
 struct Head {
     solver: Solver,

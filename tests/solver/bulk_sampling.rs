@@ -3,13 +3,8 @@
 use std::sync::Mutex;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::rod::material::Material;
-use superhelix::rod::uniform_points::Real;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::{Sample, SampleSink, Solver, Tile, Wanted};
+use superhelix::reading::{Real, SampleSink, Tile, Wanted};
+use superhelix::{Frame, InstructionSet, Material, Sample, Solver, SolverOptions, StrandDef, StrandId, Workers};
 
 /// Position, quaternion x, y, z, w, velocity.
 type Numbers = [f64; 10];

@@ -5,15 +5,10 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::bodies::ContactPartner;
-use superhelix::solver::contact_events::{Change, ContactEvent, MOST_EVENTS};
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::{BodyId, StrandId};
+use superhelix::reading::{Change, ContactEvent, MOST_EVENTS};
+use superhelix::{
+    BodyDef, BodyId, ContactPartner, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId, Workers,
+};
 
 const ELEMENTS: usize = 6;
 const LENGTH: f64 = 0.12;

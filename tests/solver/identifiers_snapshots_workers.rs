@@ -3,12 +3,7 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{ParallelFor, SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
+use superhelix::{Error, Frame, Freedoms, ParallelFor, Solver, SolverOptions, StrandDef, StrandId, Workers};
 
 fn strand(k: usize) -> StrandDef {
     let count = 1 + k % 7;

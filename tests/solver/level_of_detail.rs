@@ -2,18 +2,11 @@
 //! numbers of that page.
 
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::math::quadrature::Rule;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::step::equilibrium::EquilibriumOptions;
-use superhelix::step::options::{Integrator, StepOptions};
-use superhelix::step::regrid::Regrid;
-use superhelix::step::state::rotation_matrix;
+use superhelix::editing::{EquilibriumOptions, Regrid};
+use superhelix::internals::math::quadrature::Rule;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::internals::step::state::rotation_matrix;
+use superhelix::{Frame, Freedoms, Integrator, Material, Solver, SolverOptions, StepOptions, StrandDef, StrandId};
 
 const LENGTH: f64 = 0.2;
 const STEP: f64 = 1.0 / 60.0;
@@ -377,7 +370,7 @@ fn given_lengths_and_bad_input() {
 
     let mut solver = scene.solver;
     let hash = solver.state_hash();
-    let message = |result: superhelix::error::Result<Regrid>| result.unwrap_err().to_string();
+    let message = |result: superhelix::Result<Regrid>| result.unwrap_err().to_string();
     assert!(message(solver.set_element_lengths(scene.id, &[])).contains("lengths (count)"));
     assert!(message(solver.set_element_lengths(scene.id, &[0.1, 0.2])).contains("lengths (sum)"));
     assert!(message(solver.set_element_lengths(scene.id, &[0.1, -0.1, 0.2])).contains("lengths[1]"));

@@ -2,13 +2,11 @@
 //! with them.
 
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::math::lane::Precision;
-use superhelix::meter::{StepLimits, Stopped};
-use superhelix::solver::definition::{SolverOptions, StrandDef, UsualLimits, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::{RestoredOptions, Restoring, Solver};
-use superhelix::step::options::{Integrator, LinearSolver};
+use superhelix::reading::{RestoredOptions, Restoring};
+use superhelix::{
+    Error, Integrator, LinearSolver, Precision, Solver, SolverOptions, StepLimits, Stopped, StrandDef, StrandId, UsualLimits,
+    Workers,
+};
 
 const KEEP: Restoring = Restoring { options: RestoredOptions::Own, shapes: None };
 

@@ -4,13 +4,9 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::{DistanceGrid, Shape, Sides};
-use superhelix::error::Error;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::BodyId;
-use superhelix::solver::{Restoring, SnapshotShapes, Solver};
+use superhelix::reading::{Restoring, SnapshotShapes};
+use superhelix::shapes::{DistanceGrid, Sides};
+use superhelix::{BodyDef, BodyId, Error, Shape, Solver, SolverOptions, StrandContact, StrandDef};
 
 const CORNERS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.05]];
 const TRIANGLES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];

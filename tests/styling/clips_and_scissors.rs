@@ -1,9 +1,7 @@
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::math::frame::Frame;
-use superhelix::math::rotation::from_rotation_vector;
-use superhelix::solver::clips::ClipDef;
-use superhelix::solver::constraints::Hold;
+use superhelix::editing::ClipDef;
+use superhelix::internals::math::rotation::from_rotation_vector;
+use superhelix::{Error, Frame, Hold};
 
 use crate::scene::{STEP, apart, points, row};
 

@@ -1,12 +1,9 @@
 //! Combing removes a tangle: the lateral spread of a ruffled wisp falls stroke by stroke. Prints the numbers in docs/theory/styling_tools.md.
 
 use nalgebra::Vector3;
-use superhelix::math::frame::Frame;
-use superhelix::math::rotation::from_rotation_vector;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::SolverOptions;
-use superhelix::solver::id::StrandId;
-use superhelix::styling::{RingComb, RingCombOptions, Tool};
+use superhelix::internals::math::rotation::from_rotation_vector;
+use superhelix::tools::{RingComb, RingCombOptions, Tool};
+use superhelix::{Frame, Solver, SolverOptions, StrandId};
 
 use crate::scene::{STEP, hanging, points};
 
@@ -65,10 +62,10 @@ fn the_spread_of_a_ruffled_wisp_falls_stroke_by_stroke() {
             let held: Vec<StrandId> = comb.held().map(|(strand, _)| strand).collect();
             let frame = Frame { origin: Vector3::new(0.0, 0.0, 0.5 * to.origin.z), ..Frame::default() };
             let half_edges = Vector3::new(0.05, 0.05, (-0.5 * to.origin.z).max(1e-4));
-            let heat = superhelix::solver::heating::HeatDef {
+            let heat = superhelix::editing::HeatDef {
                 frame,
                 half_edges,
-                shape: superhelix::solver::heating::HeatedShape::Present,
+                shape: superhelix::editing::HeatedShape::Present,
                 rate: SET_RATE,
             };
             solver.heat_strands(&held, &heat, STEP).unwrap();

@@ -1,11 +1,8 @@
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::math::rotation::from_rotation_vector;
-use superhelix::solver::Solver;
+use superhelix::internals::math::rotation::from_rotation_vector;
+use superhelix::{BodyDef, Frame, Shape, Solver};
 
 use crate::scene::{STEP, apart, points, row};
 
@@ -46,7 +43,7 @@ fn a_frozen_groom_keeps_its_shape() {
         let carried: Vec<Vector3<f64>> = before.iter().map(|point| now.origin + now.rotation * point).collect();
         assert!(apart(&points(&solver, *id, 30), &carried) < 1e-9 * LENGTH);
         let velocity = solver.status(*id).unwrap();
-        assert_eq!(velocity, superhelix::solver::report::StrandStatus::Ok);
+        assert_eq!(velocity, superhelix::StrandStatus::Ok);
     }
 }
 
@@ -178,10 +175,10 @@ fn a_constraint_wakes() {
     let (mut solver, ids) = row(2, LENGTH, &WAVY);
     solver.freeze_strands(&ids).unwrap();
     let tip = points(&solver, ids[0], 2)[1];
-    let def = superhelix::solver::constraints::ConstraintDef {
+    let def = superhelix::ConstraintDef {
         strand: ids[0],
         arclength: LENGTH,
-        hold: superhelix::solver::constraints::Hold::Point,
+        hold: superhelix::Hold::Point,
         target: Frame { origin: tip, ..Frame::default() },
         compliance: 0.0,
     };

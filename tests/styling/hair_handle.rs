@@ -1,7 +1,6 @@
-use superhelix::error::Error;
-use superhelix::groom::hair_handle::HairHandle;
-use superhelix::groom::hair_type::HairType;
-use superhelix::study::combing::{CombingCurve, CombingTest};
+use superhelix::Error;
+use superhelix::experiments::{CombingCurve, CombingTest};
+use superhelix::hair::{HairHandle, HairType};
 
 const TABLE: [HairType; 4] = [HairType::H1, HairType::H2, HairType::Ga1, HairType::Gc3];
 

@@ -1,8 +1,7 @@
 use nalgebra::Vector3;
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::solver::heating::{HeatDef, HeatedShape};
-use superhelix::styling::Tool;
+use superhelix::editing::{HeatDef, HeatedShape};
+use superhelix::tools::Tool;
+use superhelix::{Frame, Freedoms};
 
 use crate::scene::{STEP, hanging, points, row};
 
@@ -42,7 +41,7 @@ fn heat_works_at_its_rate_where_it_is() {
 #[test]
 fn a_straightener_and_a_curler() {
     let (mut solver, ids) = row(3, 0.12, &CURLY);
-    let span = |solver: &superhelix::solver::Solver| {
+    let span = |solver: &superhelix::Solver| {
         ids.iter().map(|id| (points(solver, *id, 2)[1] - points(solver, *id, 2)[0]).norm()).fold(f64::INFINITY, f64::min)
     };
     let curled = span(&solver);

@@ -1,8 +1,6 @@
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::math::frame::Frame;
-use superhelix::solver::constraints::ConstraintStatus;
-use superhelix::styling::{RingComb, RingCombOptions, Tool};
+use superhelix::tools::{RingComb, RingCombOptions, Tool};
+use superhelix::{ConstraintStatus, Error, Frame};
 
 use crate::scene::{STEP, apart, points, row};
 
@@ -11,7 +9,7 @@ const COMB: Tool = Tool::Comb { teeth: 9, spacing: 3e-3, length: 0.06, radius: 0
 
 /// Teeth point along +y here; the comb is `x` aside and `z` high.
 fn pose(x: f64, z: f64) -> Frame {
-    let rotation = superhelix::math::rotation::from_rotation_vector(Vector3::x() * -0.5 * std::f64::consts::PI);
+    let rotation = superhelix::internals::math::rotation::from_rotation_vector(Vector3::x() * -0.5 * std::f64::consts::PI);
     Frame { origin: Vector3::new(x, -0.03, z), rotation }
 }
 

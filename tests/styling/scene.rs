@@ -3,13 +3,8 @@
 use std::f64::consts::PI;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::StrandContact;
-use superhelix::groom::hair_type::HairType;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::hair::HairType;
+use superhelix::{Frame, Material, Solver, SolverOptions, StrandContact, StrandDef, StrandId};
 
 pub const STEP: f64 = 1.0 / 120.0;
 

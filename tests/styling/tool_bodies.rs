@@ -1,10 +1,7 @@
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::math::frame::Frame;
-use superhelix::math::rotation::from_rotation_vector;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::SolverOptions;
-use superhelix::styling::Tool;
+use superhelix::internals::math::rotation::from_rotation_vector;
+use superhelix::tools::Tool;
+use superhelix::{Error, Frame, Solver, SolverOptions};
 
 const ALL: [Tool; 5] = [Tool::COMB, Tool::BRUSH, Tool::FINGER, Tool::PLATES, Tool::BARREL];
 
@@ -28,7 +25,7 @@ fn bodies_are_where_the_numbers_put_them() {
     let gap = |tool: Tool, opening: f64, local: [f64; 3]| {
         let world = pose.origin + pose.rotation * Vector3::from(local);
         let bodies = tool.bodies(&pose, opening).unwrap();
-        let distance = |body: &superhelix::contact::body::BodyDef| {
+        let distance = |body: &superhelix::BodyDef| {
             let at = body.pose.rotation.inverse() * (world - body.pose.origin);
             body.shape.closest(at, 1.0).unwrap().distance
         };

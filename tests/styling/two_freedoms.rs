@@ -4,12 +4,8 @@
 use std::f64::consts::PI;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::hair_type::HairType;
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::hair::HairType;
+use superhelix::{Frame, Freedoms, Material, Solver, SolverOptions, StrandDef};
 
 use crate::scene::points;
 

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use superhelix::contact::shape::{DistanceGrid, Mesh};
-use superhelix::error::Error;
-use superhelix::files::{distance_grid, obj_mesh};
+use superhelix::Error;
+use superhelix::io::{distance_grid, obj_mesh};
+use superhelix::shapes::{DistanceGrid, Mesh};
 
 use crate::argument_values::positive;
 use crate::failure::Failure;

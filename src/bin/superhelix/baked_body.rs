@@ -4,8 +4,8 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use superhelix::contact::shape::{Bounds, DistanceGrid, Mesh};
-use superhelix::files::distance_grid;
+use superhelix::io::distance_grid;
+use superhelix::shapes::{Bounds, DistanceGrid, Mesh};
 
 use crate::failure::Failure;
 

@@ -7,13 +7,8 @@ use std::time::{Duration, Instant};
 use clap::Args;
 use nalgebra::{UnitQuaternion, Vector3};
 use serde::Serialize;
-use superhelix::math::frame::Frame;
-use superhelix::math::lane::Precision;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::{SolverOptions, StrandDef, Workers};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::{SampleSink, Solver, Tile, Wanted};
+use superhelix::reading::{SampleSink, Tile, Wanted};
+use superhelix::{Frame, InstructionSet, Material, Precision, Solver, SolverOptions, StrandDef, StrandId, Workers};
 
 use crate::failure::Failure;
 

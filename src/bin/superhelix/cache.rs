@@ -2,9 +2,7 @@
 
 use std::path::Path;
 
-use superhelix::files::curve_cache::CurveCacheWriter;
-use superhelix::files::curves::{Curves, Extras, UpAxis};
-use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
+use superhelix::io::{CacheFormat, CurveCacheWriter, Curves, Existing, Extras, SequenceWriter, UpAxis};
 
 use crate::failure::Failure;
 use crate::picture::view::Up;

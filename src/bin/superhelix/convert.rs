@@ -3,10 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use superhelix::files::curve_cache::{CurveCache, CurveCacheWriter};
-use superhelix::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
-use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
-use superhelix::files::tfx::{self, TfxVersion};
+use superhelix::io::{
+    CacheFormat, CurveCache, CurveCacheWriter, Curves, CurvesFormat, Existing, Extras, SequenceWriter, TfxVersion, UpAxis, tfx,
+};
 
 use crate::argument_values::positive;
 use crate::failure::Failure;

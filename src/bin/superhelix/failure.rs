@@ -43,8 +43,8 @@ impl fmt::Display for Failure {
     }
 }
 
-impl From<superhelix::error::Error> for Failure {
-    fn from(error: superhelix::error::Error) -> Self {
+impl From<superhelix::Error> for Failure {
+    fn from(error: superhelix::Error) -> Self {
         Failure::Other(error.to_string())
     }
 }

@@ -3,13 +3,12 @@
 use std::path::Path;
 
 use nalgebra::Vector3;
-use superhelix::solver::Solver;
-use superhelix::solver::id::StrandId;
+use superhelix::hair::GroomStrand;
+use superhelix::{Solver, StrandId};
 
 use crate::atomic_file::AtomicFile;
 use crate::cache::Cache;
 use crate::failure::Failure;
-use crate::groom_strands::GroomStrand;
 use crate::moving_scalp::{ScalpFiles, ScalpRequest};
 use crate::picture::facing::face_of;
 use crate::picture::grown::{self, Grown};

@@ -5,21 +5,20 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use serde::Serialize;
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::bulk::fit_curves;
-use superhelix::groom::fit::{ElementLengths, Fit, FitCurve, FitOptions, MAX_STARTS};
-use superhelix::rod::turning::{LARGEST_TURN, largest_turn};
-use superhelix::workers::Workers;
+use superhelix::editing::{LARGEST_TURN, largest_turn};
+use superhelix::hair::{DrawnCurve, ElementLengths, Fit, FitCurve, FitOptions, MAX_STARTS, fit_curves};
+use superhelix::io::Curves;
+use superhelix::{GroomOptions, Workers};
 
 use crate::argument_values::{not_negative, positive, share};
 use crate::failure::Failure;
 use crate::fit_scene;
 use crate::groom_statistics::ranked;
-use crate::groom_strands::{NaturalShape, Skipped, StrandRecipe, check_stiffening, of_fit};
+use crate::groom_strands::{NaturalShape, Skipped, check_stiffening};
 use crate::material_arguments::MaterialArguments;
 use crate::picture::view::Up;
 use crate::rest_arguments::StiffeningArguments;
-use crate::unit::{self, Polyline};
+use crate::unit;
 use crate::wisp_arguments::WispArguments;
 
 /// Fits Super-Helices to the strands of a groom: says how close they come with how many elements, and writes them as a scene.
@@ -158,9 +157,9 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
     if arguments.out.is_some() {
         arguments.up.check_groom(&arguments.groom, &curves)?;
     }
-    let polylines = unit::polylines(&curves, arguments.every as usize, scale);
+    let polylines = unit::drawn(&curves, arguments.every as usize, scale);
     let workers = if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) };
-    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(Polyline::curve).collect();
+    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(DrawnCurve::fit_curve).collect();
     let elements = match (&arguments.elements[..], arguments.tolerance) {
         ([], None) => vec![3, 5, 10, 20],
         ([], Some(_)) => vec![100],
@@ -196,7 +195,7 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         let seconds = begun.elapsed().as_secs_f64();
         last.clear();
         answer.skipped.clear();
-        for (Polyline { index, .. }, result) in polylines.iter().zip(results) {
+        for (DrawnCurve { index, .. }, result) in polylines.iter().zip(results) {
             match result {
                 Ok(fit) => last.push((*index, fit)),
                 Err(error) => answer.skipped.push(Skipped { strand: *index, because: error.to_string() }),
@@ -209,24 +208,20 @@ pub fn run(arguments: &FitArguments) -> Result<(), Failure> {
         answer.rows.push(row(count, &last, arguments, unit, seconds));
     }
     if let Some(path) = &arguments.out {
-        let recipe = StrandRecipe {
-            elements: 0,
-            refine: false,
-            hair,
-            natural: arguments.natural,
+        let options = GroomOptions {
+            natural: arguments.natural.into(),
             stiffening: arguments.stiffening.stiffening().or_else(|| arguments.wisps.stiffening(arguments.natural, &hair)),
             gravity: arguments.up.gravity(),
-            quadrature_tolerance: superhelix::math::quadrature::DEFAULT_TOLERANCE,
-            outside: None,
+            ..hair.options()
         };
         let mut strands = Vec::new();
         for (index, fit) in last {
-            match of_fit(index, fit, &recipe) {
-                Ok(strand) => strands.push(strand),
-                Err(because) => answer.skipped.push(Skipped { strand: index, because }),
+            match options.definition(index, fit) {
+                Ok((strand, _)) => strands.push(strand),
+                Err(error) => answer.skipped.push(Skipped { strand: index, because: error.to_string() }),
             }
         }
-        fit_scene::write(path, &strands, recipe.gravity)?;
+        fit_scene::write(path, &strands, options.gravity)?;
     }
     crate::print_answer(arguments.json, &answer, || in_words(&answer, arguments))
 }

@@ -6,13 +6,12 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde::Serialize;
-use superhelix::error::Error;
-use superhelix::files::motion::Motion;
-use superhelix::files::recorded_curve::{Measured, RecordedCurve};
-use superhelix::math::frame::Frame;
-use superhelix::math::pose_spline::PoseSpline;
-use superhelix::study::friction_fit::{Coefficient, FrictionFit, FrictionFitOptions, Sought, Start, Verdict, fit_friction};
-use superhelix::study::recording::{Observable, Recording, RootMotion};
+use superhelix::experiments::{
+    Coefficient, FrictionFit, FrictionFitOptions, Observable, Recording, RootMotion, Sought, Start, Verdict, fit_friction,
+};
+use superhelix::io::{Measured, Motion, RecordedCurve};
+use superhelix::splines::PoseSpline;
+use superhelix::{Error, Frame};
 
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;

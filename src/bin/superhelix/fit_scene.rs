@@ -5,7 +5,7 @@ use std::path::Path;
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};
-use superhelix::solver::definition::StrandDef;
+use superhelix::StrandDef;
 
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;

@@ -1,7 +1,7 @@
 //! Numbers about a groom: lengths, turning, what is degenerate, and what its unit may be.
 
 use serde::Serialize;
-use superhelix::files::curves::Curves;
+use superhelix::io::Curves;
 
 /// How some quantity is spread over the strands.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

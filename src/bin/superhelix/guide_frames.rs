@@ -3,14 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::{Curves, CurvesFormat};
-use superhelix::groom::render_hair::resampled;
+use superhelix::Error;
+use superhelix::internals::groom::drawn::in_metres;
+use superhelix::io::{CurveCache, Curves, CurvesFormat};
+use superhelix::render::resampled;
 
 use crate::failure::Failure;
 use crate::picture::list_frames;
-use crate::unit;
 
 /// The files that guides come from.
 #[derive(Debug)]
@@ -112,7 +111,7 @@ pub fn guides_of(curves: &Curves, every: usize, per_strand: usize, scale: f64) -
     let kept: Vec<usize> = (0..curves.strand_count()).step_by(every).collect();
     let counts: Vec<u32> = kept.iter().map(|strand| curves.counts()[*strand]).collect();
     let of = |list: &[[f32; 3]]| -> Vec<Vector3<f64>> {
-        kept.iter().flat_map(|strand| unit::in_metres(&list[curves.strand_range(*strand)], scale)).collect()
+        kept.iter().flat_map(|strand| in_metres(&list[curves.strand_range(*strand)], scale)).collect()
     };
     let velocities = curves.extras().velocities.as_deref().map(of);
     let made = resampled(&of(curves.points()), &counts, velocities.as_deref(), per_strand)?;

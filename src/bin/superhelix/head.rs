@@ -1,8 +1,8 @@
 //! A head that carries roots: a motion laid onto a groom.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::files::motion::Motion;
-use superhelix::math::frame::Frame;
+use superhelix::Frame;
+use superhelix::io::Motion;
 
 /// A rigid motion of roots. At its start every root is where the groom has it; from there the roots turn about the head's joint
 /// as the motion turns, and go where it goes: M(t) M(start)⁻¹, with M's origin moved to the joint.

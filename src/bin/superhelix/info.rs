@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use serde::Serialize;
-use superhelix::files::curves::{Curves, UpAxis};
+use superhelix::io::{Curves, UpAxis};
 
 use crate::argument_values::positive;
 use crate::failure::Failure;

@@ -4,11 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use serde_json::json;
-use superhelix::contact::shape::Shape;
-use superhelix::files::curves::{Curves, Extras, UpAxis};
-use superhelix::files::obj_mesh;
-use superhelix::groom::render_hair::{RenderSettings, Space};
-use superhelix::workers::Workers;
+use superhelix::io::{Curves, Extras, UpAxis, obj_mesh};
+use superhelix::render::{RenderSettings, Space};
+use superhelix::{Shape, Workers};
 
 use crate::argument_values::{not_negative, positive};
 use crate::baked_body;

@@ -5,16 +5,14 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters};
-use superhelix::groom::variation::Variation;
-use superhelix::math::frame::Frame;
-use superhelix::rod::turning::largest_turn;
-use superhelix::solver::definition::StrandDef;
+use superhelix::editing::largest_turn;
+use superhelix::hair::{CurlFormula, HairParameters, Variation};
+use superhelix::internals::groom::drawn::check_length;
+use superhelix::{Frame, StrandDef};
 
 use crate::argument_values::{not_negative, positive, triple};
 use crate::failure::Failure;
 use crate::fit_scene;
-use crate::groom_strands::check_length;
 use crate::material_arguments::{MaterialArguments, in_words_of_flags};
 use crate::picture::view::Up;
 
@@ -74,7 +72,7 @@ pub fn run(arguments: &LockArguments) -> Result<(), Failure> {
     };
     let variation = if arguments.alike { Variation::none() } else { Variation::natural() };
     let hair = arguments.material.parameters(formula, variation)?;
-    check_length(arguments.length, &hair.material).map_err(Failure::Other)?;
+    check_length(arguments.length, &hair.material).map_err(in_words_of_flags)?;
     let Some(direction) = arguments.direction.try_normalize(1e-12) else {
         return Err(Failure::Other("--direction is no direction; expected three numbers that are not all zero".into()));
     };

@@ -15,7 +15,7 @@
 //! - `fit_friction.rs`: `superhelix fit-friction`: friction coefficients from a recorded curve.
 //! - `fit_scene.rs`: Strands as a scene file.
 //! - `groom_statistics.rs`: Numbers about a groom: lengths, turning, what is degenerate, and what its unit may be.
-//! - `groom_strands.rs`: A groom's polylines made into strands: fitted, given a material and a natural shape.
+//! - `groom_strands.rs`: A groom's curves made into strands: what the flags ask for, and the strands that are left out.
 //! - `guide_frames.rs`: Guides over time: a groom, a directory of frames, or a `.usda` file with time samples.
 //! - `head.rs`: A head that carries roots: a motion laid onto a groom.
 //! - `info.rs`: `superhelix info`: what a groom file holds.

@@ -1,12 +1,8 @@
 //! The material on the command line: a kind of hair, flags that change single values of it, and sliders.
 
 use clap::Args;
-use superhelix::contact::options::StrandContact;
-use superhelix::error::Error;
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
-use superhelix::groom::hair_type::HairType;
-use superhelix::groom::variation::Variation;
-use superhelix::rod::material::Material;
+use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation};
+use superhelix::{Error, GroomOptions, Material, StrandContact};
 
 use crate::failure::Failure;
 
@@ -74,6 +70,12 @@ pub struct GroomHair {
 }
 
 impl GroomHair {
+    /// Options that make strands of such hair, as they are drawn and with as many elements as the fit's own.
+    pub fn options(&self) -> GroomOptions<'static> {
+        let Self { material, curliness, variation } = *self;
+        GroomOptions { curliness, variation, ..GroomOptions::of(material) }
+    }
+
     /// Whether natural shapes are others than the groom's.
     pub fn reshapes(&self) -> bool {
         self.curliness != 0.0 || self.variation.frizz > 0.0

@@ -3,11 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use superhelix::files::curves::UpAxis;
-use superhelix::files::mesh_cache::MeshCache;
-use superhelix::files::obj_mesh;
-use superhelix::groom::scalp::Follicle;
-use superhelix::math::frame::Frame;
+use superhelix::Frame;
+use superhelix::hair::Follicle;
+use superhelix::io::{MeshCache, UpAxis, obj_mesh};
 
 use crate::failure::Failure;
 use crate::picture::list_frames;

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{ArgGroup, Args};
 use serde_json::json;
-use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::scalp::{Amount, Follicle, Jitter, RootRegion, Scalp, Scattered};
+use superhelix::hair::{Amount, Follicle, GuideRoots, Jitter, RootRegion, Scalp, Scattered};
 
 use crate::argument_values::{not_negative, positive};
 use crate::atomic_file::AtomicFile;

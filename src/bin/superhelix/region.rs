@@ -4,12 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use nalgebra::Vector3;
-use superhelix::error::Error;
-use superhelix::files::curves::Curves;
-use superhelix::files::obj_mesh::{self, ObjMesh, Texture};
-use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::scalp::{Amount, Density, RootRegion, Scalp, ScatterOptions, Scattered};
-use superhelix::math::frame::Frame;
+use superhelix::hair::{Amount, Density, GuideRoots, RootRegion, Scalp, ScatterOptions, Scattered};
+use superhelix::io::{Curves, ObjMesh, Texture, obj_mesh};
+use superhelix::{Error, Frame};
 
 use crate::failure::Failure;
 

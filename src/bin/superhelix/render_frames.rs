@@ -4,12 +4,11 @@ use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
 use nalgebra::Vector3;
-use superhelix::contact::shape::Shape;
-use superhelix::files::curves::{Curves, Extras};
-use superhelix::groom::render_hair::{
+use superhelix::io::{Curves, Extras};
+use superhelix::render::{
     GuideSamples, Motion, RenderBody, RenderHair, RenderPose, RootsAt, StrandPoints, StrandSink, VELOCITY_STEP, View,
 };
-use superhelix::math::frame::Frame;
+use superhelix::{Frame, Shape};
 
 use crate::failure::Failure;
 use crate::guide_frames::{GuideFrame, velocities};

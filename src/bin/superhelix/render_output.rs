@@ -2,9 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use superhelix::files::curve_cache::CurveCacheWriter;
-use superhelix::files::curves::{Curves, CurvesFormat};
-use superhelix::files::sequence::{CacheFormat, Existing, SequenceWriter};
+use superhelix::io::{CacheFormat, CurveCacheWriter, Curves, CurvesFormat, Existing, SequenceWriter};
 
 use crate::failure::Failure;
 

@@ -1,9 +1,8 @@
 //! Where render strands grow: given places, among the guides' roots, or scattered over a scalp, which may deform.
 
 use nalgebra::Vector3;
-use superhelix::error::Result;
-use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::scalp::{Amount, Density, RootRegion};
+use superhelix::Result;
+use superhelix::hair::{Amount, Density, GuideRoots, RootRegion};
 
 use crate::moving_scalp::{MovingScalp, ScalpFiles};
 

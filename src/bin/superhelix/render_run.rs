@@ -2,10 +2,9 @@
 
 use std::time::Instant;
 
-use superhelix::contact::shape::Shape;
-use superhelix::error::Error;
-use superhelix::files::curves::Extras;
-use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderSettings};
+use superhelix::io::Extras;
+use superhelix::render::{GuideSamples, RenderHair, RenderSettings};
+use superhelix::{Error, Shape};
 
 use crate::failure::Failure;
 use crate::guide_frames::GuideFrame;

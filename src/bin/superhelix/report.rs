@@ -1,7 +1,8 @@
 //! How the steps of a run went, all together.
 
 use serde::Serialize;
-use superhelix::solver::report::{ContactTally, StepReport};
+use superhelix::StepReport;
+use superhelix::internals::solver::report::ContactTally;
 
 /// How the steps went, all together.
 #[derive(Debug, Clone, Default, Serialize)]

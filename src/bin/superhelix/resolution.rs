@@ -1,8 +1,8 @@
 //! Says when helical elements are too long for the curl that they carry.
 
-pub use superhelix::rod::turning::Shapes;
-use superhelix::rod::turning::coarse_strands;
-use superhelix::solver::definition::StrandDef;
+use superhelix::StrandDef;
+pub use superhelix::editing::Shapes;
+use superhelix::editing::coarse_strands;
 
 /// Warns on standard error, in one line whatever the number of strands. `name` names a strand.
 pub fn warn<'a>(strands: impl Iterator<Item = &'a StrandDef>, shapes: Shapes, name: impl Fn(usize) -> String) {

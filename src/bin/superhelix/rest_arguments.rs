@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use clap::{Args, ValueEnum};
-use superhelix::solver::Stiffening;
+use superhelix::editing::Stiffening;
 
 use crate::failure::Failure;
 use crate::scene::posing::{Action, Operation, STIFFENINGS};

@@ -3,12 +3,9 @@
 use std::collections::HashMap;
 
 use serde::Serialize;
-use superhelix::error::Result;
-use superhelix::solver::Solver;
-use superhelix::solver::bodies::{Contact, ContactPartner};
-use superhelix::solver::constraints::{ConstraintState, ConstraintStatus};
-use superhelix::solver::id::{BodyId, ConstraintId, StrandId};
-use superhelix::solver::report::Wrench;
+use superhelix::{
+    BodyId, ConstraintId, ConstraintState, ConstraintStatus, Contact, ContactPartner, Result, Solver, StrandId, Wrench,
+};
 
 use crate::report::Report;
 use crate::run::Things;
@@ -264,7 +261,7 @@ impl StrandResult {
         }
     }
 
-    fn add_sample(&mut self, output: Output, sample: &superhelix::solver::Sample) {
+    fn add_sample(&mut self, output: Output, sample: &superhelix::Sample) {
         let position: [f64; 3] = sample.position.into();
         match output {
             Output::Points => last(&mut self.points).push(position),

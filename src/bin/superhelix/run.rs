@@ -5,10 +5,7 @@ use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::Args;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::StrandDef;
-use superhelix::solver::id::{BodyId, ConstraintId, StrandId};
+use superhelix::{BodyId, ConstraintId, Frame, Solver, StrandDef, StrandId};
 
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;
@@ -71,8 +68,8 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     }
 
     // The solver has the last word on what it can do: its complaints about the scene are the scene's.
-    let complain = |error: superhelix::error::Error| match error {
-        superhelix::error::Error::InvalidArgument { .. } | superhelix::error::Error::Unsupported { .. } => {
+    let complain = |error: superhelix::Error| match error {
+        superhelix::Error::InvalidArgument { .. } | superhelix::Error::Unsupported { .. } => {
             Failure::scene(path, &scene::in_words_of_the_scene(error))
         }
         other => Failure::from(other),
@@ -142,7 +139,7 @@ impl Things {
     }
 
     /// Adds a scene's colliders and attachments to a solver that has its strands.
-    fn make(scene: &Scene, solver: &mut Solver, strands: Vec<StrandId>) -> superhelix::error::Result<Self> {
+    fn make(scene: &Scene, solver: &mut Solver, strands: Vec<StrandId>) -> superhelix::Result<Self> {
         let bodies = solver.add_bodies(scene.colliders.iter().map(|collider| collider.definition.clone()).collect())?;
         for (strand, id) in scene.strands.iter().zip(&strands) {
             if let Some(contact) = &strand.contact {
@@ -150,7 +147,7 @@ impl Things {
             }
         }
         let constraints = scene.attachments.iter().map(|attachment| attachment.constraint(solver, &strands));
-        let constraints = constraints.collect::<superhelix::error::Result<Vec<_>>>()?;
+        let constraints = constraints.collect::<superhelix::Result<Vec<_>>>()?;
         let constraints = solver.add_constraints(&constraints)?;
         if scene.allow_overlaps {
             solver.allow_overlaps(&strands)?;

@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use superhelix::files::curve_cache::CurveCacheWriter;
-use superhelix::files::curves::{Curves, CurvesFormat, Extras, UpAxis};
+use superhelix::io::{CurveCacheWriter, Curves, CurvesFormat, Extras, UpAxis};
 
 use crate::failure::Failure;
 use crate::sampled_frame::SampledFrame;

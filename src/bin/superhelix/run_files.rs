@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use superhelix::solver::Solver;
-use superhelix::solver::id::StrandId;
+use superhelix::{Solver, StrandId};
 
 use crate::failure::Failure;
 use crate::run_cache::RunCache;

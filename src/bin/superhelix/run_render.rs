@@ -4,9 +4,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use superhelix::files::curve_cache::time_as_read;
-use superhelix::groom::render_hair::{RenderBody, VELOCITY_STEP};
-use superhelix::solver::Solver;
+use superhelix::Solver;
+use superhelix::io::time_as_read;
+use superhelix::render::{RenderBody, VELOCITY_STEP};
 
 use crate::failure::Failure;
 use crate::guide_frames::guides_of;

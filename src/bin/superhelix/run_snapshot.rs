@@ -4,7 +4,7 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use superhelix::solver::Solver;
+use superhelix::Solver;
 
 use crate::atomic_file::AtomicFile;
 use crate::failure::Failure;

@@ -1,9 +1,7 @@
 //! Strands as a solver has them, sampled for files and pictures.
 
-use superhelix::error::Result;
-use superhelix::files::curves::{Curves, Extras};
-use superhelix::solver::Solver;
-use superhelix::solver::id::StrandId;
+use superhelix::io::{Curves, Extras};
+use superhelix::{Result, Solver, StrandId};
 
 /// Points and velocities at one moment; its memory is kept from one to the next.
 #[derive(Debug)]

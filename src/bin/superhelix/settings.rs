@@ -2,9 +2,7 @@
 
 use clap::{ArgGroup, Args};
 use serde::Serialize;
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::{HairShape, Settings};
-use superhelix::study::suggestion::{Scenes, suggest_settings};
+use superhelix::settings::{HairShape, Preset, Scenes, Settings, suggest_settings};
 
 use crate::argument_values::{not_negative, positive};
 use crate::failure::Failure;

@@ -1,10 +1,8 @@
 //! `--settle`: strands that start at rest in their static equilibrium under gravity.
 
 use serde::Serialize;
-use superhelix::error::Result;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::step::equilibrium::EquilibriumOptions;
+use superhelix::editing::EquilibriumOptions;
+use superhelix::{Result, Solver, SolverOptions, StrandDef};
 
 /// How the search for the strands' rest ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

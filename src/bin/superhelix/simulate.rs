@@ -5,23 +5,19 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
-use superhelix::files::curves::Curves;
-use superhelix::files::motion::{Motion, MotionOptions};
-use superhelix::math::frame::Frame;
-use superhelix::math::lane::Precision;
-use superhelix::rod::turning::coarse_strands;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, Workers};
-use superhelix::solver::report::StrandStatus;
-use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
-use superhelix::study::presets::Preset;
-use superhelix::study::settings::HairShape;
+use superhelix::editing::coarse_strands;
+use superhelix::hair::{FitOptions, GroomStrand};
+use superhelix::io::{Curves, Motion, MotionOptions};
+use superhelix::settings::{HairShape, Preset};
+use superhelix::{
+    Frame, GroomOptions, Integrator, LinearSolver, Precision, Solver, SolverOptions, StepOptions, StrandStatus, Workers,
+};
 
 use crate::argument_values::{named, not_negative, png, positive, triple};
 use crate::failure::Failure;
 use crate::film::Film;
 use crate::groom_statistics::{GroomStatistics, Spread, is_plausible_length};
-use crate::groom_strands::{self, GroomStrand, NaturalShape, StrandRecipe};
+use crate::groom_strands::{self, NaturalShape};
 use crate::head::Head;
 use crate::material_arguments::MaterialArguments;
 use crate::picture::view::{Face, Up};
@@ -205,29 +201,30 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
     let hair = arguments.wisps.hair(arguments.material.groom()?)?;
     let contact = arguments.bodies.contact(arguments.material.contact()?, &hair.material);
     let held = arguments.wisps.stiffening(arguments.natural, &hair);
-    let recipe = StrandRecipe {
-        elements: fineness.elements as usize,
+    let recipe = GroomOptions {
+        fit: FitOptions::elements(fineness.elements as usize),
         refine: arguments.elements.is_none(),
-        hair,
-        natural: arguments.natural,
+        natural: arguments.natural.into(),
         stiffening: arguments.stiffening.stiffening().or(held),
         gravity: arguments.up.gravity(),
         quadrature_tolerance: fineness.step.quadrature_tolerance,
         outside: body.as_ref().filter(|_| arguments.bodies.brings_out()).map(|body| (body.shape(), contact.radius)),
+        ..hair.options()
     };
+    let workers = if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) };
     let mut solver = Solver::new(SolverOptions {
         gravity: recipe.gravity,
         wind: arguments.wind.unwrap_or(Vector3::zeros()),
         step: StepOptions { linear_solver: arguments.solver, ..fineness.step },
-        workers: if arguments.threads == 1 { Workers::Serial } else { Workers::Pool(arguments.threads as usize) },
+        workers: workers.clone(),
         instruction_set: None,
         contact: arguments.bodies.options(),
         ..SolverOptions::default()
     })?;
 
-    let polylines = unit::polylines(&curves, arguments.every as usize, scale);
+    let polylines = unit::drawn(&curves, arguments.every as usize, scale);
     let bar = progress::bar(polylines.len() as u64, "strands fitted", arguments.quiet);
-    let (mut strands, skipped) = groom_strands::make(&polylines, &recipe, arguments.threads as usize, || bar.inc(1))?;
+    let (mut strands, skipped) = groom_strands::make(&polylines, &recipe, &workers, || bar.inc(1))?;
     bar.finish_and_clear();
     if strands.is_empty() {
         let why = skipped.first().map_or_else(|| "the file has none".to_string(), |skipped| skipped.because.clone());
@@ -304,7 +301,7 @@ pub fn run(arguments: &SimulateArguments) -> Result<(), Failure> {
         elements: fineness.elements,
         most_elements: strands.iter().map(|strand| strand.definition.element_lengths.len()).max().unwrap_or(0),
         wisps: arguments.wisps.report(),
-        resting: Resting::of(&strands, &recipe.hair.material),
+        resting: Resting::of(&strands, &recipe.material),
         drawn_inside: DrawnInside::of(&strands),
         skipped,
         fit: FitReport {

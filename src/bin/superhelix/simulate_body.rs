@@ -6,14 +6,9 @@ use std::sync::Arc;
 use clap::{Args, ValueEnum};
 use nalgebra::Vector3;
 use serde::Serialize;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::files::obj_mesh;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::id::{BodyId, StrandId};
+use superhelix::io::obj_mesh;
+use superhelix::shapes::Sides;
+use superhelix::{BodyDef, BodyId, ContactModel, ContactOptions, Frame, Material, Shape, Solver, StrandContact, StrandId};
 
 use crate::argument_values::{not_negative, positive};
 use crate::baked_body::{self, Baked};

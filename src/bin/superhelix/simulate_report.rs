@@ -1,10 +1,11 @@
 //! What `superhelix simulate` tells afterwards.
 
 use serde::Serialize;
-use superhelix::rod::material::Material;
+use superhelix::Material;
+use superhelix::hair::GroomStrand;
 
 use crate::groom_statistics::Spread;
-use crate::groom_strands::{GroomStrand, Skipped};
+use crate::groom_strands::Skipped;
 use crate::report::Report;
 use crate::settled::Settled;
 use crate::simulate_body::BodyReport;

@@ -2,11 +2,7 @@
 
 use nalgebra::Vector3;
 use serde::Serialize;
-use superhelix::contact::shape::Shape;
-use superhelix::error::Result;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::id::StrandId;
+use superhelix::{Frame, Result, Shape, Solver, StrandId};
 
 /// Points a strand that are looked at.
 const SAMPLES: usize = 33;

@@ -1,12 +1,11 @@
 //! `superhelix info --suggest`: how many elements the strands of a groom need for their shape.
 
 use serde::Serialize;
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::{FitCurve, FitOptions, FitScratch, fit_curve, fit_polyline};
-use superhelix::rod::turning::{LARGEST_TURN, largest_turn};
+use superhelix::editing::{LARGEST_TURN, largest_turn};
+use superhelix::hair::{DrawnCurve, FitCurve, FitOptions, FitScratch, fit_curve, fit_polyline};
+use superhelix::io::Curves;
 
 use crate::groom_statistics::Spread;
-use crate::unit;
 
 /// Elements at most.
 const MOST: usize = 100;
@@ -34,12 +33,12 @@ impl Suggested {
         let every = curves.strand_count().div_ceil(SAMPLE).max(1);
         let (mut needed, mut strands, mut unmet) = (Vec::new(), 0, 0);
         for index in (0..curves.strand_count()).step_by(every) {
-            let strand = unit::polyline(curves, index, metres_per_unit);
+            let strand = DrawnCurve::of(curves, index, metres_per_unit);
             if fit_polyline(&strand.points, &FitOptions::elements(1)).is_err() {
                 continue;
             }
             strands += 1;
-            match least(&strand.curve(), tolerance_metres) {
+            match least(&strand.fit_curve(), tolerance_metres) {
                 Some(count) => needed.push(count as f64),
                 None => unmet += 1,
             }

@@ -1,7 +1,7 @@
 //! Surfaces of bodies as triangles, for pictures.
 
 use nalgebra::Vector3;
-use superhelix::contact::shape::DistanceGrid;
+use superhelix::shapes::DistanceGrid;
 
 /// Triangles in a body's axes, wound outward.
 #[derive(Debug, Clone, Default)]

@@ -1,6 +1,6 @@
 //! When states are written and which steps lead there.
 
-use superhelix::solver::SHORTEST_STEP;
+use superhelix::reading::SHORTEST_STEP;
 
 /// More steps than this in one run are taken for a mistake.
 pub const MAX_STEPS: f64 = 1e9;

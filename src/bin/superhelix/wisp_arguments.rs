@@ -2,8 +2,8 @@
 
 use clap::Args;
 use serde::Serialize;
-use superhelix::groom::wisp::Wisp;
-use superhelix::solver::Stiffening;
+use superhelix::Wisp;
+use superhelix::editing::Stiffening;
 
 use crate::failure::Failure;
 use crate::groom_strands::NaturalShape;

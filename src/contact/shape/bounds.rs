@@ -3,6 +3,14 @@
 use nalgebra::Vector3;
 
 /// A box along the axes. May be infinite; the empty box has `low` above `high`.
+///
+/// ```
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::shapes::Bounds;
+///
+/// let bounds = Bounds::of_points([Vector3::new(0.0, 0.0, 0.0), Vector3::new(1.0, 2.0, 3.0)]);
+/// assert!(bounds.holds(&Vector3::new(0.5, 0.5, 0.5)) && !bounds.holds(&Vector3::new(-0.5, 0.5, 0.5)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     /// Smallest coordinates, m.

@@ -59,6 +59,17 @@ use super::segment_distance::closest_of_segments;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// The shape of a body, in the body's own axes. Made by the functions `new_…`, which check their arguments.
+///
+/// ```
+/// use superhelix::Shape;
+/// use superhelix::nalgebra::Vector3;
+///
+/// let brick = Shape::new_box(Vector3::new(0.1, 0.05, 0.02))?; // half edges, m
+/// let nearest = brick.closest(Vector3::new(0.0, 0.0, 0.03), 0.1).expect("within 10 cm");
+/// assert!((nearest.distance - 0.01).abs() < 1e-12);
+/// assert!(Shape::new_sphere(-1.0).is_err());
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Shape(pub(in crate::contact) Kind);
 

@@ -13,6 +13,24 @@ use crate::rod::kinematics::element_states;
 use crate::step::state::rotation_matrix;
 
 /// A ball that moves and carries the hair inside it along.
+///
+/// ```
+/// use superhelix::editing::{Brush, PoseOptions};
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 8)])?;
+/// let brush = Brush {
+///     centre: Vector3::new(0.15, 0.0, 0.0),
+///     radius: 0.04,
+///     falloff: 2.0,
+///     movement: Vector3::new(0.0, 0.02, 0.0),
+/// };
+/// let brushed = solver.brush(&ids, &brush, &PoseOptions::default())?;
+/// assert!(brushed[0].touched);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Brush {
     /// Its initial centre, world, m.
@@ -62,6 +80,7 @@ impl StrandShape {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for an invalid shape, brush or option; the shape is then unchanged.
+    #[doc(hidden)] // `Solver::brush` is the public one: this takes bodies as the solver has them.
     pub fn brush(
         &mut self,
         brush: &Brush,

@@ -10,6 +10,19 @@ use crate::rod::kinematics::ElementState;
 use crate::step::state::rotation_matrix;
 
 /// A point and its target.
+///
+/// ```
+/// use superhelix::editing::{DragTarget, PoseOptions};
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 8)])?;
+/// let target = DragTarget { arclength: 0.2, position: Vector3::new(0.1, 0.08, 0.0) };
+/// let dragged = solver.drag(&ids, &[target], &PoseOptions::default())?;
+/// assert!(dragged[0].distance < 1e-3); // m
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DragTarget {
     /// Arclength of the point from the root, m; above 0, at most the strand's length.
@@ -69,6 +82,7 @@ impl StrandShape {
     ///
     /// # Errors
     /// [`Error::InvalidArgument`] for an invalid shape, target or option; the shape is then unchanged.
+    #[doc(hidden)] // `Solver::drag` is the public one: this takes bodies as the solver has them.
     pub fn drag(
         &mut self,
         target: &DragTarget,

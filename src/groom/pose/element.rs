@@ -4,6 +4,18 @@ use super::StrandShape;
 use crate::error::{Error, Result, check_finite, check_positive};
 
 /// A change of one element. Everything beyond it moves along rigidly.
+///
+/// ```
+/// use superhelix::editing::ElementChange;
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 8)])?;
+/// let bend = ElementChange { twist: 0.0, bend: [0.3, 0.0], stretch: 1.0, keep_curvature: true };
+/// solver.change_elements(&ids, &[3], &[bend])?;
+/// assert!(solver.curvatures(ids[0])?[3][1] != 0.0);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ElementChange {
     /// Additional twist of the element's end about the strand, rad.

@@ -11,6 +11,18 @@ use crate::math::frame::Frame;
 use crate::rod::definition::StrandDef;
 
 /// A plane in space.
+///
+/// ```
+/// use superhelix::editing::Plane;
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 8)])?;
+/// let images = solver.add_mirrored(&ids, &Plane::new(Vector3::zeros(), Vector3::x())?)?;
+/// assert_eq!((images.len(), solver.strand_count()), (1, 2));
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
     point: Vector3<f64>,

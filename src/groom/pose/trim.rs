@@ -5,6 +5,17 @@ use crate::error::{Error, Result, check_finite, check_positive};
 use crate::rod::definition::MAX_ELEMENTS;
 
 /// How a strand grows at its tip.
+///
+/// ```
+/// use superhelix::editing::Growth;
+/// use superhelix::{Solver, SolverOptions, StrandDef};
+///
+/// let mut solver = Solver::new(SolverOptions::default())?;
+/// let ids = solver.add_strands(&[StrandDef::straight(0.2, 8)])?;
+/// solver.grow(&ids, &Growth { length: 0.05, elements: 2, curvatures: None })?;
+/// assert!((solver.length(ids[0])? - 0.25).abs() < 1e-12);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Growth {
     /// By how much, m; above zero.

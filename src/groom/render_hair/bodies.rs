@@ -9,6 +9,16 @@ use crate::error::{Error, Result, check_finite, check_not_negative};
 use crate::math::frame::Frame;
 
 /// A body that strands stay out of.
+///
+/// ```
+/// use superhelix::render::RenderBody;
+/// use superhelix::{Frame, Shape};
+///
+/// let head = Shape::new_sphere(0.09)?;
+/// let body = RenderBody { thickness: 5e-4, ..RenderBody::new(&head, Frame::default()) };
+/// assert_eq!(body.pose, body.pose_before);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct RenderBody<'a> {
     /// Its shape. A distance grid is read through tangent planes at its nodes, at some nanoseconds per point; other shapes are

@@ -23,6 +23,15 @@ pub enum Space {
 }
 
 /// Settings of render hair. Lengths in m.
+///
+/// ```
+/// use superhelix::render::RenderSettings;
+///
+/// // Curly hair in tight wisps, kept 1 mm out of bodies.
+/// let settings = RenderSettings { curliness: 0.8, wisps_per_guide: 6, clearance: 1e-3, ..RenderSettings::default() };
+/// settings.check("settings.")?;
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct RenderSettings {
     /// Points per strand, root and tip included, 2 to [`MOST_POINTS`]; also the number of samples of each guide. Default 16.

@@ -35,6 +35,20 @@ pub enum Amount {
 }
 
 /// Options of scattering.
+///
+/// ```
+/// use superhelix::hair::{Amount, Density, Scalp, ScatterOptions};
+/// use superhelix::nalgebra::Vector3;
+///
+/// // A square of 10 cm, and 300 follicles on it, denser towards x = 0.
+/// let corners = [(0.0, 0.0), (0.1, 0.0), (0.1, 0.1), (0.0, 0.1)].map(|(x, y)| Vector3::new(x, y, 0.0));
+/// let scalp = Scalp::new(corners.to_vec(), vec![[0, 1, 2], [0, 2, 3]], None, Vector3::x())?;
+///
+/// let density = Density::Vertices(vec![1.0, 0.2, 0.2, 1.0]);
+/// let scattered = scalp.scatter(&ScatterOptions { amount: Amount::Count(300), density, seed: 1 })?;
+/// assert_eq!(scattered.follicles.len(), 300);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScatterOptions {
     /// How many.

@@ -12,6 +12,18 @@ const CROWD: usize = 2;
 const TRIES: u32 = 8;
 
 /// Random offsets in texture coordinates, which hide rows (Bergbom 2007, section 5.4.1: a regular layout looks like "Manhattan").
+///
+/// ```
+/// use superhelix::hair::{Jitter, Scalp};
+/// use superhelix::nalgebra::Vector3;
+///
+/// let corners = vec![Vector3::zeros(), Vector3::new(0.3, 0.0, 0.0), Vector3::new(0.0, 0.3, 0.0)];
+/// let uvs = vec![[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]];
+/// let scalp = Scalp::new(corners, vec![[0, 1, 2]], Some(uvs), Vector3::x())?;
+/// let follicles = scalp.follicles_at(&[[0.25, 0.25]], Jitter { amplitude: 0.0, seed: 0 })?;
+/// assert!((scalp.place(&follicles[0]) - Vector3::new(0.075, 0.075, 0.0)).norm() < 1e-9);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Jitter {
     /// The largest offset in u and in v; 0 for none.

@@ -1,10 +1,7 @@
 //! Strands at rest on inclines a little less steep than what friction holds.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::{ContactOptions, Friction, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::definition::StrandDef;
+use superhelix::{ContactOptions, Frame, Friction, Shape, StrandContact, StrandDef};
 
 use super::{body, point, solver};
 

@@ -12,13 +12,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{ContactOptions, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::{BodyId, StrandId};
+use superhelix::{BodyDef, BodyId, ContactOptions, Frame, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId};
 
 const GRAVITY: f64 = 9.81;
 

@@ -1,14 +1,9 @@
 //! One strand of an island cannot be solved: strands that are not its neighbours are unaffected.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::options::{Friction, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
+use superhelix::{
+    BodyDef, ConstraintDef, Frame, Friction, Hold, Shape, Solver, SolverOptions, StrandContact, StrandDef, StrandId,
+};
 
 use super::{GRAVITY, across, at, body, floor, point};
 

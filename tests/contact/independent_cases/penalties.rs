@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use superhelix::contact::options::{ContactModel, ContactOptions, StrandContact};
-use superhelix::solver::Solver;
+use superhelix::{ContactModel, ContactOptions, Solver, StrandContact};
 
 use super::{BALL, Head, line, turned_about_z, with_hair};
 
@@ -24,7 +23,7 @@ fn head(model: ContactModel, iterations: Option<u32>, wisps: usize) -> Head {
 }
 
 /// Turned to and fro by half a radian, and shaken by 2 cm, at 2 Hz.
-fn shaken(step: u32, more: f64) -> superhelix::math::frame::Frame {
+fn shaken(step: u32, more: f64) -> superhelix::Frame {
     let phase = 2.0 * PI * 2.0 * f64::from(step) * H;
     let mut pose = turned_about_z(0.5 * phase.sin() + more);
     pose.origin = Vector3::new(0.0, 0.02 * (1.1 * phase).sin(), 0.0);

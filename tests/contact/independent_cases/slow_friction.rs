@@ -1,9 +1,7 @@
 //! Friction at low speed: Coulomb's force does not depend on the speed, however small a step's displacement is.
 
 use nalgebra::Vector3;
-use superhelix::contact::options::{ContactOptions, Friction, StrandContact};
-use superhelix::contact::shape::Shape;
-use superhelix::solver::definition::StrandDef;
+use superhelix::{ContactOptions, Friction, Shape, StrandContact, StrandDef};
 
 use super::{across, at, body, floor, hanging, solver};
 

@@ -1,12 +1,7 @@
 //! Straight strands that something pushes exactly along themselves: they must bend to yield, and no first-order motion does.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::Shape;
-use superhelix::math::frame::Frame;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, ConstraintStatus, Hold};
-use superhelix::solver::definition::{SolverOptions, StrandDef};
+use superhelix::{ConstraintDef, ConstraintStatus, Frame, Hold, Shape, Solver, SolverOptions, StrandContact, StrandDef};
 
 use super::{at, body, floor, hanging, line, point, solver, with_hair};
 

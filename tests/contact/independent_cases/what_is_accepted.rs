@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use superhelix::contact::options::StrandContact;
-use superhelix::solver::bodies::{Contact, ContactPartner};
+use superhelix::{Contact, ContactPartner, StrandContact};
 
 use super::{Head, across, tangent, turned_about_z, weight, with_hair};
 
@@ -38,7 +37,7 @@ struct Worst {
 /// scales).
 fn coefficient(head: &Head, contact: &Contact) -> (f64, Vector3<f64>) {
     let of = StrandContact::default();
-    let lean = |friction: superhelix::contact::options::Friction, along: Vector3<f64>| {
+    let lean = |friction: superhelix::Friction, along: Vector3<f64>| {
         (0.5 * (friction.along + friction.against), along * (0.5 * (friction.against - friction.along)))
     };
     let first = tangent(&head.solver, contact.strand, contact.arclength);

@@ -3,10 +3,8 @@
 use std::f64::consts::PI;
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::contact::options::StrandContact;
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::math::frame::Frame;
-use superhelix::solver::definition::StrandDef;
+use superhelix::shapes::Sides;
+use superhelix::{Frame, Shape, StrandContact, StrandDef};
 
 use super::{BALL, across, body, solver, turned_about_z, weight, with_hair};
 

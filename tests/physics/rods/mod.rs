@@ -5,8 +5,7 @@ pub mod modes;
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::StrandDef;
+use superhelix::{Material, StrandDef};
 
 /// The strand's length, m.
 pub const LENGTH: f64 = 0.1;

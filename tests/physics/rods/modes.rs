@@ -1,13 +1,13 @@
 //! Small vibrations about an equilibrium: H x = ω² M x from the engine's dense Hessian and inertia.
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use superhelix::chain::dense;
-use superhelix::chain::system::ChainSystem;
-use superhelix::math::quadrature::Rules;
-use superhelix::math::vector::Vec3;
-use superhelix::rod::kinematics::Kinematics;
-use superhelix::solver::definition::StrandDef;
-use superhelix::step::state::rotation_matrix;
+use superhelix::StrandDef;
+use superhelix::internals::chain::dense;
+use superhelix::internals::chain::system::ChainSystem;
+use superhelix::internals::math::quadrature::Rules;
+use superhelix::internals::math::vector::Vec3;
+use superhelix::internals::rod::kinematics::Kinematics;
+use superhelix::internals::step::state::rotation_matrix;
 
 /// The matrices over the curvatures `axes` of every element.
 pub struct Matrices {

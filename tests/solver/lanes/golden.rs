@@ -1,9 +1,6 @@
 //! The golden hashes of the scene's course on every machine, and its settings.
 
-use superhelix::math::lane::Precision;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::solver::definition::SolverOptions;
-use superhelix::step::options::Integrator;
+use superhelix::{InstructionSet, Integrator, Precision, SolverOptions};
 
 /// The state's hash at the end of the scene. The same on any machine: a change here is a change of numerical results, and belongs into
 /// CHANGELOG.md. They may change with the method, the order of sums, tolerances, quadrature rules, what a state consists of, and with

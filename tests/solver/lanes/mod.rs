@@ -8,14 +8,9 @@ use std::sync::Arc;
 use golden::{GOLDEN, golden_options, options};
 use nalgebra::Vector3;
 use scene::{STEP, bits, course, strand, swayed, thrown};
-use superhelix::math::frame::Frame;
-use superhelix::math::lane::Precision;
-use superhelix::math::lanes::InstructionSet;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{ParallelFor, SolverOptions, StrandDef, Workers};
-use superhelix::solver::report::StrandStatus;
-use superhelix::step::options::Integrator;
+use superhelix::{
+    Frame, Freedoms, InstructionSet, Integrator, ParallelFor, Precision, Solver, SolverOptions, StrandDef, StrandStatus, Workers,
+};
 
 /// All that this machine has.
 fn instruction_sets() -> Vec<InstructionSet> {
@@ -47,7 +42,7 @@ fn all_instruction_sets_and_workers_give_the_same_bits_and_reports() {
         let run = |set, workers| course(SolverOptions { workers, ..golden_options(integrator, precision, set) });
         let (reports, hash) = run(InstructionSet::Scalar, Workers::Serial);
         // The scene has what it is for.
-        let count = |of: fn(&superhelix::solver::report::StepReport) -> u32| reports.iter().map(of).sum::<u32>();
+        let count = |of: fn(&superhelix::StepReport) -> u32| reports.iter().map(of).sum::<u32>();
         assert!(count(|report| report.quarantined) >= 7, "{reports:?}");
         if integrator != Integrator::LinearlyImplicit {
             assert!(count(|report| report.subdivided) >= 8 && count(|report| report.unconverged) >= 2, "{reports:?}");

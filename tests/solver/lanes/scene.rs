@@ -1,14 +1,8 @@
 //! A scene with everything that lanes must handle, and its course.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use superhelix::math::frame::Frame;
-use superhelix::math::rotation::from_rotation_vector;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::Solver;
-use superhelix::solver::definition::{SolverOptions, StrandDef};
-use superhelix::solver::id::StrandId;
-use superhelix::solver::report::{Phases, StepReport};
+use superhelix::internals::math::rotation::from_rotation_vector;
+use superhelix::{Frame, Freedoms, Material, Phases, Solver, SolverOptions, StepReport, StrandDef, StrandId};
 
 /// Seconds of a step.
 pub const STEP: f64 = 1.0 / 60.0;

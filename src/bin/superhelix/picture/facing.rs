@@ -1,7 +1,7 @@
 //! Which way a head faces: by its relief, or, where that does not say, to where it has no hair.
 
 use nalgebra::Vector3;
-use superhelix::groom::guide_roots::GuideRoots;
+use superhelix::hair::GuideRoots;
 
 use super::relief;
 use super::view::{Face, Up};

@@ -3,8 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use nalgebra::Vector3;
-use superhelix::files::curve_cache::CurveCache;
-use superhelix::files::curves::{Curves, CurvesFormat, UpAxis};
+use superhelix::io::{CurveCache, Curves, CurvesFormat, UpAxis};
 
 use super::body::CacheBody;
 use super::facing::face_of;

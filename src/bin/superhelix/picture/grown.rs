@@ -3,12 +3,10 @@
 use std::path::Path;
 
 use nalgebra::Vector3;
-use superhelix::contact::shape::Shape;
-use superhelix::error::Error;
-use superhelix::files::curves::Extras;
-use superhelix::groom::guide_roots::GuideRoots;
-use superhelix::groom::render_hair::{GuideSamples, RenderHair, RenderSettings, resampled};
-use superhelix::solver::definition::Workers;
+use superhelix::hair::GuideRoots;
+use superhelix::io::Extras;
+use superhelix::render::{GuideSamples, RenderHair, RenderSettings, resampled};
+use superhelix::{Error, Shape, Workers};
 
 use crate::baked_body;
 use crate::failure::Failure;

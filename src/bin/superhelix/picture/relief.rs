@@ -97,7 +97,7 @@ fn head(body: &Surface, up: Up) -> Option<(f64, Vector3<f64>)> {
 
 #[cfg(test)]
 mod tests {
-    use superhelix::files::obj_mesh;
+    use superhelix::io::obj_mesh;
 
     use super::*;
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use nalgebra::{Matrix3, Vector3};
-use superhelix::files::curves::{Curves, UpAxis};
+use superhelix::io::{Curves, UpAxis};
 
 use crate::failure::Failure;
 

@@ -1,12 +1,8 @@
 //! `attachments`: what holds strands, as constraints.
 
 use nalgebra::Vector3;
-use superhelix::contact::options::Friction;
-use superhelix::math::frame::Frame;
-use superhelix::math::pose_spline::PoseSpline;
-use superhelix::solver::Solver;
-use superhelix::solver::constraints::{ConstraintDef, Hold};
-use superhelix::solver::id::StrandId;
+use superhelix::splines::PoseSpline;
+use superhelix::{ConstraintDef, Frame, Friction, Hold, Solver, StrandId};
 
 use super::SceneStrand;
 use super::contact::read_friction;
@@ -129,7 +125,7 @@ fn read_target(entries: &Entries) -> Result<Target, Complaint> {
 
 impl Attachment {
     /// The constraint, for the scene's strands as they are in a solver now.
-    pub fn constraint(&self, solver: &Solver, ids: &[StrandId]) -> superhelix::error::Result<ConstraintDef> {
+    pub fn constraint(&self, solver: &Solver, ids: &[StrandId]) -> superhelix::Result<ConstraintDef> {
         let strand = ids[self.strand];
         let mut start = Frame::default();
         solver.sample_at(strand, &[self.arclength], |_, sample| {

@@ -4,11 +4,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::contact::body::BodyDef;
-use superhelix::contact::shape::{Shape, Sides};
-use superhelix::error::Error;
-use superhelix::files::{distance_grid, obj_mesh};
-use superhelix::math::pose_spline::PoseSpline;
+use superhelix::io::{distance_grid, obj_mesh};
+use superhelix::shapes::Sides;
+use superhelix::splines::PoseSpline;
+use superhelix::{BodyDef, Error, Shape};
 
 use super::contact::read_bits;
 use super::deformation::Deformation;

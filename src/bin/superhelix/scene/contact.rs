@@ -1,6 +1,6 @@
 //! `contact` and `hair_contact`: how touches are answered, and what strands are to them.
 
-use superhelix::contact::options::{ContactModel, ContactOptions, Friction, StrandContact};
+use superhelix::{ContactModel, ContactOptions, Friction, StrandContact};
 
 use super::SceneStrand;
 use super::colliders::Collider;

@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use superhelix::error::Error;
-use superhelix::files::obj_mesh;
-use superhelix::groom::scalp::{Amount, Density, MOST_FOLLICLES, ScatterOptions};
-use superhelix::math::frame::Frame;
+use superhelix::hair::{Amount, Density, MOST_FOLLICLES, ScatterOptions};
+use superhelix::io::obj_mesh;
+use superhelix::{Error, Frame};
 
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;

@@ -2,24 +2,16 @@
 
 use std::path::Path;
 
-use superhelix::error::Result as Outcome;
-use superhelix::files::curves::Curves;
-use superhelix::groom::fit::bulk::fit_curves;
-use superhelix::groom::fit::{Fit, FitCurve, FitOptions};
-use superhelix::groom::variation::Variation;
-use superhelix::groom::wisp::Wisp;
-use superhelix::math::frame::Frame;
-use superhelix::rod::material::Material;
-use superhelix::solver::Stiffening;
-use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef};
+use superhelix::editing::Stiffening;
+use superhelix::hair::{DrawnCurve, Fit, FitCurve, FitOptions, NaturalShape, fit_curves};
+use superhelix::io::Curves;
+use superhelix::{Frame, GroomOptions, MAX_ELEMENTS, Material, Result as Outcome, SolverOptions, StrandDef, Wisp};
 
 use super::colliders::{file_complaint, path_of};
 use super::pose::read_pose;
 use super::words::in_words_of_the_scene;
-use crate::groom_strands::{NaturalShape, StrandRecipe, of_fit};
 use crate::json::{Complaint, Node};
-use crate::material_arguments::GroomHair;
-use crate::unit::{self, Polyline};
+use crate::unit;
 
 /// What each strand stands for; null: one bare hair.
 fn read_wisp(node: &Node) -> Result<Wisp, Complaint> {
@@ -51,24 +43,21 @@ pub fn read(node: &Node, material: Material, options: &SolverOptions, directory:
     let material = wisp.material(&material).map_err(in_words_of_the_scene)?;
     let margin = wisp.margin().filter(|_| natural == NaturalShape::SagFree);
 
-    let polylines = unit::polylines(&curves, every, scale);
-    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(Polyline::curve).collect();
+    let polylines = unit::drawn(&curves, every, scale);
+    let inputs: Vec<FitCurve<'_>> = polylines.iter().map(DrawnCurve::fit_curve).collect();
     let fits = fit_curves(&inputs, &FitOptions { tolerance, ..FitOptions::elements(elements) }, &options.workers)
         .map_err(in_words_of_the_scene)?;
-    let recipe = StrandRecipe {
-        elements,
-        refine: false,
-        hair: GroomHair { material, curliness: 0.0, variation: Variation::none() },
+    let recipe = GroomOptions {
         natural,
         stiffening: margin.map(|margin| (Stiffening::YoungsModulus, margin)),
         gravity: options.gravity,
         quadrature_tolerance: options.step.quadrature_tolerance,
-        outside: None,
+        ..GroomOptions::of(material)
     };
-    let strand = |(Polyline { index, .. }, fit): (&Polyline, Outcome<Fit>)| {
-        let made = fit.map_err(|error| error.to_string()).and_then(|fit| {
+    let strand = |(DrawnCurve { index, .. }, fit): (&DrawnCurve, Outcome<Fit>)| {
+        let made = fit.and_then(|fit| {
             let root = pose.compose(&fit.root);
-            of_fit(*index, Fit { root, ..fit }, &recipe)
+            recipe.definition(*index, Fit { root, ..fit }).map(|(definition, _)| definition)
         });
         made.map_err(|because| Complaint::new(&file.key, format!("is {}; its strand {index}: {because}", file.value)))
     };

@@ -1,8 +1,6 @@
 //! `hair` of a strand: a measured kind, sliders and variation, from which what the strand does not say itself is taken.
 
-use superhelix::groom::hair_parameters::{CurlFormula, HairParameters, Sliders};
-use superhelix::groom::hair_type::HairType;
-use superhelix::groom::variation::{Variation, VariedStrand};
+use superhelix::hair::{CurlFormula, HairParameters, HairType, Sliders, Variation, VariedStrand};
 
 use super::words::in_words_of_the_scene;
 use crate::json::{Complaint, Node};

@@ -38,8 +38,8 @@ use std::fs;
 use std::path::Path;
 
 use serde_json::Value;
-use superhelix::solver::SHORTEST_STEP;
-use superhelix::solver::definition::SolverOptions;
+use superhelix::SolverOptions;
+use superhelix::reading::SHORTEST_STEP;
 
 use crate::failure::Failure;
 use crate::json::{self, Complaint, Node};

@@ -1,10 +1,7 @@
 //! The keys of a scene that say how it is stepped.
 
 use nalgebra::Vector3;
-use superhelix::contact::options::ContactOptions;
-use superhelix::math::lane::Precision;
-use superhelix::solver::definition::{SolverOptions, UsualLimits, Workers};
-use superhelix::step::options::{Integrator, LinearSolver, StepOptions};
+use superhelix::{ContactOptions, Integrator, LinearSolver, Precision, SolverOptions, StepOptions, UsualLimits, Workers};
 
 use super::words::in_words_of_the_scene;
 use crate::json::{Complaint, Entries, Node};

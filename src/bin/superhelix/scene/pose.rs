@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use nalgebra::Vector3;
-use superhelix::math::frame::Frame;
-use superhelix::math::pose_spline::PoseSpline;
+use superhelix::Frame;
+use superhelix::splines::PoseSpline;
 
 use super::words::in_words_of_the_scene;
 use crate::json::{Complaint, Entries, Node};

@@ -1,10 +1,7 @@
 //! The operations of `posing` done to a scene's strands.
 
-use superhelix::error::{Error, Result};
-use superhelix::groom::pose::{DragTarget, PoseOptions};
-use superhelix::solver::Solver;
-use superhelix::solver::definition::StrandDef;
-use superhelix::solver::id::StrandId;
+use superhelix::editing::{DragTarget, PoseOptions};
+use superhelix::{Error, Result, Solver, StrandDef, StrandId};
 
 use super::posing::{Action, How, Operation};
 use super::{Scene, SceneStrand};

@@ -1,10 +1,8 @@
 //! `posing`: what is done to the strands before a run begins.
 
 use nalgebra::Vector3;
-use superhelix::groom::pose::{Brush, ElementChange, Growth, Plane};
-use superhelix::rod::material::Material;
-use superhelix::solver::Stiffening;
-use superhelix::solver::definition::MAX_ELEMENTS;
+use superhelix::editing::{Brush, ElementChange, Growth, Plane, Stiffening};
+use superhelix::{MAX_ELEMENTS, Material};
 
 use super::words::in_words_of_the_scene;
 use crate::json::{Complaint, Entries, Node};
@@ -55,7 +53,7 @@ pub enum Action {
 pub struct How {
     /// The first and the last element that may change.
     pub elements: Option<[usize; 2]>,
-    /// See [`superhelix::groom::pose::PoseOptions`].
+    /// See [`superhelix::editing::PoseOptions`].
     pub natural_pull: f64,
     /// The same.
     pub keep_tip_direction: bool,

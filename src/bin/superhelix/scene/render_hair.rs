@@ -2,11 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use superhelix::error::Error;
-use superhelix::files::curve_cache::time_as_read;
-use superhelix::files::curves::Curves;
-use superhelix::groom::render_hair::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, Space};
-use superhelix::groom::scalp::MOST_FOLLICLES;
+use superhelix::Error;
+use superhelix::hair::MOST_FOLLICLES;
+use superhelix::io::{Curves, time_as_read};
+use superhelix::render::{MOST_GUIDES, MOST_POINTS, MOST_WISPS, RenderSettings, Space};
 
 use super::Scene;
 use super::colliders::{file_complaint, path_of};

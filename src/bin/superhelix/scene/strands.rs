@@ -4,12 +4,8 @@ use std::path::Path;
 
 use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::Value;
-use superhelix::contact::options::StrandContact;
-use superhelix::groom::variation::VariedStrand;
-use superhelix::math::frame::Frame;
-use superhelix::rod::freedoms::Freedoms;
-use superhelix::rod::material::Material;
-use superhelix::solver::definition::{MAX_ELEMENTS, SolverOptions, StrandDef};
+use superhelix::hair::VariedStrand;
+use superhelix::{Frame, Freedoms, MAX_ELEMENTS, Material, SolverOptions, StrandContact, StrandDef};
 
 use super::pose::{Moves, RootMotion, read_pose, read_root_motion};
 use super::words::in_words_of_the_scene;

@@ -1,6 +1,6 @@
 //! The solver's complaints in the words of a scene.
 
-use superhelix::error::Error;
+use superhelix::Error;
 
 use crate::json::Complaint;
 

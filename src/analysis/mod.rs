@@ -1,10 +1,10 @@
-//! Studies on top of the solver: what is asked of strands beside their motion, what a measurement says about them, what settings cost and
-//! are good for.
+//! Analysis of strands, on top of the solver: settings by error, elements by need, friction from recordings, combing force, equilibria that
+//! buckle.
 //!
 //! Files:
 //!
 //! - `branch.rs`: Follows a static equilibrium of one strand while its load changes: a stronger weight, a turning clamp.
-//! - `branch_system.rs`: The equations that `study::branch` follows: gradient, Hessian and load of a strand's static potential in scaled unknowns.
+//! - `branch_system.rs`: The equations that `analysis::branch` follows: gradient, Hessian and load of a strand's static potential in scaled unknowns.
 //! - `combing.rs`: A standard combing experiment: force against stroke.
 //! - `elements.rs`: How many elements a strand needs for a tolerance in metres.
 //! - `friction_fit.rs`: Friction coefficients from a recorded motion, as Bertails et al. 2006 choose them (section 4.2).

@@ -1,9 +1,9 @@
 //! From an error that may be made to the cheapest settings that were measured to make no more.
 
+use crate::analysis::measured::{self, Price};
+use crate::analysis::settings::{self, HairShape, Settings};
 use crate::error::{Error, Result, check_positive};
 use crate::step::options::{Integrator, StepOptions};
-use crate::study::measured::{self, Price};
-use crate::study::settings::{self, HairShape, Settings};
 
 /// A set of the scenes of `docs/notebook/tradeoff.md`: what the hair is to go through.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

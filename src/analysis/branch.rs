@@ -15,6 +15,20 @@ use crate::error::{Error, Result, check_finite};
 use crate::rod::definition::StrandDef;
 
 /// What a strand bears: gravity, and how its root is turned.
+///
+/// ```
+/// use superhelix::experiments::{BranchOptions, Load, follow};
+/// use superhelix::nalgebra::{UnitQuaternion, Vector3};
+/// use superhelix::{Frame, StrandDef};
+///
+/// // A strand that leaves sideways, under a weight that grows to that of the earth.
+/// let strand = StrandDef { root: Frame::default(), ..StrandDef::straight(0.03, 4) };
+/// let load = |weight: f64| Load { gravity: Vector3::new(0.0, 0.0, -9.81 * weight), rotation: UnitQuaternion::identity() };
+/// let branch = follow(&strand, &load, 0.0, 1.0, &BranchOptions::default())?;
+/// let last = branch.points.last().expect("a point");
+/// assert!(last.tip.z < 0.0 && last.smallest_eigenvalue > 0.0);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Load {
     /// Gravity, m/s².

@@ -2,13 +2,23 @@
 
 use std::f64::consts::PI;
 
+use crate::analysis::measured;
 use crate::error::{Error, Result, check_not_negative, check_positive};
 use crate::rod::definition::{MAX_ELEMENTS, StrandDef};
 use crate::solver::SHORTEST_STEP;
 use crate::step::options::StepOptions;
-use crate::study::measured;
 
 /// What settings are chosen for.
+///
+/// ```
+/// use superhelix::StrandDef;
+/// use superhelix::settings::{HairShape, Preset};
+///
+/// let hair = HairShape::of(&StrandDef::straight(0.2, 1));
+/// let settings = Preset::Balanced.settings(&hair, 1.0 / 30.0)?;
+/// assert!(settings.substeps >= 1);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HairShape {
     /// Natural curvature and twist together, √(κ0² + κ1² + κ2²), rad/m, the largest along the strand; zero or above. A curl of radius r

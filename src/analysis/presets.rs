@@ -1,9 +1,9 @@
 //! Settings by name, for those who do not want to choose: `docs/notebook/tradeoff.md` says what they were distilled from.
 
+use crate::analysis::measured;
+use crate::analysis::settings::{self, HairShape, Settings};
 use crate::error::Result;
 use crate::step::options::{Integrator, StepOptions};
-use crate::study::measured;
-use crate::study::settings::{self, HairShape, Settings};
 
 /// Settings by name. All are of second order in the step, and solve each step: none blows up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

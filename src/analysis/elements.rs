@@ -19,6 +19,18 @@ use crate::step::equilibrium::EquilibriumOptions;
 use crate::step::regrid::{borders, graded, means};
 
 /// What is asked for.
+///
+/// ```
+/// use superhelix::StrandDef;
+/// use superhelix::nalgebra::Vector3;
+/// use superhelix::settings::{Demand, suggest_elements};
+///
+/// let strand = StrandDef { natural: vec![[0.0, 60.0, 0.0]; 4], ..StrandDef::straight(0.2, 4) };
+/// let demand = Demand { tolerance: 2e-3, max_elements: 40, gravity: Vector3::new(0.0, 0.0, -9.81), motion: None };
+/// let suggestion = suggest_elements(&strand, &demand)?;
+/// assert!(suggestion.met && suggestion.rest_error <= 2e-3);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Demand {
     /// The error allowed, m; above zero. At rest: of the point that is farthest off. In motion: root mean square over time and arclength.

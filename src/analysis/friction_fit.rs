@@ -102,6 +102,15 @@ pub enum Start {
 }
 
 /// How to fit.
+///
+/// ```
+/// use superhelix::experiments::{Coefficient, FrictionFitOptions};
+///
+/// let options = FrictionFitOptions { time_step: 1.0 / 240.0, ..FrictionFitOptions::of(&[Coefficient::InternalFriction]) };
+/// options.check("options")?;
+/// assert_eq!(options.sought.len(), 1);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct FrictionFitOptions {
     /// Gravity, wind, how a step is taken, and who runs the simulations (several at once, each a strand).

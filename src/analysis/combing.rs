@@ -15,6 +15,15 @@ use crate::solver::Solver;
 use crate::solver::definition::{SolverOptions, StrandDef};
 
 /// How the experiment is made. Lengths in m.
+///
+/// ```
+/// use superhelix::experiments::CombingTest;
+///
+/// let test = CombingTest::default();
+/// test.check("test")?;
+/// assert!(test.steps() > 0); // run(&handle) takes them
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CombingTest {
     /// Hairs side by side, 1 to 1000: forces are of all together.

@@ -54,6 +54,18 @@ impl Observable {
 }
 
 /// A recorded curve.
+///
+/// ```
+/// use superhelix::experiments::{Observable, Recording, RootMotion};
+///
+/// let times: Vec<f64> = (0..100).map(|k| 0.01 * f64::from(k)).collect();
+/// let values = times.iter().map(|t| 0.1 * (-t).exp() * (20.0 * t).cos()).collect();
+/// let recording = Recording { times, values, observable: Observable::Span };
+/// recording.check("recording")?;
+/// let motion = RootMotion::Oscillation { amplitude: 0.01, frequency: 2.0, phase: 0.0, direction: None };
+/// # drop(motion);
+/// # Ok::<(), superhelix::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     /// Times, s: finite, strictly increasing.

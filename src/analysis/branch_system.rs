@@ -1,4 +1,4 @@
-//! The equations that `study::branch` follows: gradient, Hessian and load of a strand's static potential in scaled unknowns.
+//! The equations that `analysis::branch` follows: gradient, Hessian and load of a strand's static potential in scaled unknowns.
 //!
 //! Unknowns: yᵢ = κᵢ √(L ℓ) of every free curvature, rad, and the parameter over its range. Equations: the gradient over √(L ℓ) and over
 //! the largest EI/L. Linear systems are solved by singular values, those that are zero to rounding left out: at a bifurcation, and all

@@ -1,0 +1,11 @@
+//! What a host reads back: points of strands in bulk, contact events, snapshots, compliance of strands at bodies.
+//!
+//! [`Solver::sample_at`](crate::Solver::sample_at) is the simple way to points of one strand.
+
+pub use crate::contact::law::coefficient::Coefficient as FrictionCoefficient;
+pub use crate::rod::uniform_points::{Lanes, Real, WIDTH};
+pub use crate::solver::contact_events::{Change, ContactEvent, MOST_EVENTS};
+pub use crate::solver::touch_compliance::{BodyTouch, TouchCompliance};
+pub use crate::solver::{
+    RestoredOptions, Restoring, SHORTEST_STEP, SNAPSHOT_VERSION, SampleSink, SnapshotShapes, SolverGuides, Tile, Wanted,
+};
