@@ -8,17 +8,16 @@ use super::iterate::{Iterate, Problem, place_trial};
 use crate::chain::system::Direction;
 use crate::math::lane::{Lane, MAX_LANES, Precision};
 
-/// An undamped iteration that turned by θ leaves at most about this times θ² to turn: 99 of 100 iterations on shaken and walking heads
-/// (`docs/theory/newton.md`).
+/// An undamped iteration that turned by θ leaves at most about this times θ² to turn (`docs/theory/newton.md`).
 const QUADRATIC: f64 = 50.0;
-/// Where the iterations themselves show a larger constant, this times what they show is taken.
+/// Where the iterations show a larger constant, the estimate takes this many times what they show.
 const QUADRATIC_SAFETY: f64 = 3.0;
 /// Armijo's fraction of the predicted descent.
 const ARMIJO: f64 = 1e-4;
 /// Largest number of halvings in an iteration.
 const MAX_HALVINGS: u32 = 40;
 
-/// A merit function's value and how far rounding may move it.
+/// A merit function's value and its rounding error.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Merit {
     pub value: f64,
@@ -54,7 +53,7 @@ pub(super) fn first_fraction(rotation: f64, limit: f64) -> f64 {
     if rotation > limit { limit / rotation } else { 1.0 }
 }
 
-/// A search along directions, a lane each; lanes are sets of bits.
+/// A search along directions, one per lane; lanes are sets of bits.
 pub(super) struct LineSearch<'a, T> {
     pub problem: &'a Problem<'a, T>,
     /// The predicted descent of the merit functions, to first order.

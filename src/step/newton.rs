@@ -226,9 +226,9 @@ fn damped_direction<T: Lane, S: LinearSolve<T>>(
     }
 }
 
-/// Whether the accepted states, which damped iterations crept to, solve the step's equations without being minima: the squared rotation
-/// that the undamped equations ask for. So a strand that symmetry balances on its end, in a step too long for inertia to hold it there.
-/// Reflected pivots turn the direction, not its size.
+/// Whether the accepted states, to which damped iterations crept, solve the step's equations without being minima: gives the
+/// squared rotation of the undamped direction. A strand that symmetry balances on its end is such a state when the step is too
+/// long for inertia to keep it there. Reflected pivots change the direction, not its size.
 #[inline(always)]
 fn stationary<T: Lane, S: LinearSolve<T>>(problem: &Problem<T>, it: &mut Iterate<T>, solver: &mut S, options: &StepOptions) -> T {
     forces(it);
@@ -241,7 +241,7 @@ fn stationary<T: Lane, S: LinearSolve<T>>(problem: &Problem<T>, it: &mut Iterate
     found.rotation_squared
 }
 
-/// The damping to try first: a hundredth of what the points' springs hold the rotation of one element's share with.
+/// The damping to try first: a hundredth of the stiffness with which one element's points resist its rotation.
 #[inline(always)]
 pub(super) fn usual_damping<T: Lane>(it: &Iterate<T>) -> T {
     let mut stiffness = T::zero();
