@@ -9,7 +9,7 @@ use super::lettering;
 use super::lit::HairColour;
 use super::moment::Moment;
 use super::view::View;
-use crate::failure::Failure;
+use crate::shell::failure::Failure;
 
 /// How the sheet is made.
 #[derive(Debug, Clone)]
