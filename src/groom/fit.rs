@@ -13,7 +13,7 @@
 //! - `linearised.rs`: The least squares of one strand, linearised: residuals at the samples, and the step of Levenberg and Marquardt's method in linear time.
 //! - `measure.rs`: How far a strand is from its samples.
 //! - `samples.rs`: The places of a curve that a strand is fitted to, in units of its length.
-//! - `search.rs`: Levenberg and Marquardt's method on one strand.
+//! - `search.rs`: Levenberg and Marquardt's method on one strand: what it minimises, and how it is damped.
 //! - `shape.rs`: The strand that is sought, in units of its length: root at the origin, total length 1.
 //! - `start.rs`: Where the search starts: the curvature of the curve in frames without twist, and the helix that it resembles, an element at a time.
 //! - `target.rs`: What a strand is fitted to: the curve's points, checked, in units of its length, and fewer of them where there are very many.

@@ -5,6 +5,7 @@
 //! - `entire.rs`: The entire functions of which a helix is made, exact through zero curvature.
 //! - `frame.rs`: A rigid pose: where a strand's root or one of its cross-sections sits and how it is turned.
 //! - `lane.rs`: The number type that kernels are written over: one `f64`, or several strands side by side in a vector register.
+//! - `levenberg_marquardt.rs`: The loop of Levenberg and Marquardt's method: iterations of trial steps with more and more damping, until one of them lowers the cost.
 //! - `nurbs.rs`: Points of rational B-splines of any order, by de Boor's algorithm.
 //! - `point_spline.rs`: A way through points with continuous acceleration: the cubic spline.
 //! - `point_tree.rs`: Points in space, found by nearness: a balanced k-d tree (Bentley 1975) kept in one array.
@@ -24,6 +25,7 @@ pub mod entire;
 pub mod frame;
 pub mod lane;
 pub mod lanes;
+pub(crate) mod levenberg_marquardt;
 pub mod nurbs;
 pub mod point_spline;
 pub(crate) mod point_tree;
