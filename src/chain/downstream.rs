@@ -1,6 +1,7 @@
 //! The elimination of [`super::elimination`], whose symbols are used, for least squares over a strand: fits and poses. Plain numbers, whole
 //! blocks; the steps' own packs symmetric blocks and works on lanes.
 
+use super::reduced::Reduced;
 use crate::math::vector::{Mat3, Vec3};
 
 /// What lies downstream of a node, as seen there: `[A B; Bᵀ C]` and what pulls.
@@ -11,15 +12,6 @@ pub(crate) struct Downstream {
     pub c: Mat3<f64>,
     pub moment: Vec3<f64>,
     pub force: Vec3<f64>,
-}
-
-/// An element's freedoms, eliminated: Cholesky's factor (its diagonal inverted), their coupling to the left end's ψ and ρ and their force,
-/// both times the factor's inverse.
-#[derive(Clone, Copy)]
-pub(crate) struct Reduced<const D: usize> {
-    factor: [[f64; D]; D],
-    coupling: [[f64; 6]; D],
-    force: [f64; D],
 }
 
 impl Downstream {
@@ -50,21 +42,8 @@ impl Downstream {
         rho: &[Vec3<f64>; D],
         pull: &[f64; D],
         free: [bool; D],
-    ) -> Reduced<D> {
-        let mut done = Reduced { factor, coupling: [[0.0; 6]; D], force: [0.0; D] };
-        for i in (0..D).filter(|i| free[*i]) {
-            let ([a, b, c], [d, e, f]) = (psi[i].0, rho[i].0);
-            let mut row = [a, b, c, d, e, f];
-            let mut value = pull[i];
-            for k in 0..i {
-                for column in 0..6 {
-                    row[column] -= factor[i][k] * done.coupling[k][column];
-                }
-                value -= factor[i][k] * done.force[k];
-            }
-            done.coupling[i] = row.map(|x| x * factor[i][i]);
-            done.force[i] = value * factor[i][i];
-        }
+    ) -> Reduced<f64, D> {
+        let done = Reduced::new(factor, psi, rho, pull, free);
         for (w, y) in done.coupling.iter().zip(done.force) {
             for row in 0..3 {
                 for column in 0..3 {
@@ -86,28 +65,5 @@ impl Downstream {
             }
         }
         done
-    }
-}
-
-impl<const D: usize> Reduced<D> {
-    /// The freedoms' changes where the left end turns by ψ and moves by ρ.
-    pub fn change(&self, psi: Vec3<f64>, rho: Vec3<f64>) -> [f64; D] {
-        let mut delta = [0.0; D];
-        for i in (0..D).rev() {
-            let mut value = self.force[i];
-            for axis in 0..3 {
-                value -= self.coupling[i][axis] * psi.0[axis] + self.coupling[i][axis + 3] * rho.0[axis];
-            }
-            for k in i + 1..D {
-                value -= self.factor[k][i] * delta[k];
-            }
-            delta[i] = value * self.factor[i][i];
-        }
-        delta
-    }
-
-    /// The squares that the elimination completes, one a freedom: twice what the quadratic model falls by.
-    pub fn squares(&self) -> impl Iterator<Item = f64> {
-        self.force.into_iter().rev().map(|force| force * force)
     }
 }

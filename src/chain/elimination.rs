@@ -10,21 +10,18 @@
 use super::axes::{axes, for_axes};
 use super::load::Load;
 use super::pivot::factorise;
+use super::reduced::Reduced;
 use super::system::{ChainSystem, Direction, LinearSolve};
 use crate::math::lane::{Kernel, Lane};
 use crate::math::vector::{Mat3, Vec3};
-use crate::rod::kinematics::Kinematics;
+use crate::rod::kinematics::{ElementState, Kinematics};
 use crate::rod::segment::{self, CurvatureForm};
 
 /// What the second pass needs of an element, D free curvatures.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Eliminated<T, const D: usize> {
-    /// Cholesky factor of the pivot, diagonal inverted.
-    pub factor: [[T; D]; D],
-    /// Factor⁻¹ × coupling to u: rows are freedoms, columns ψ then ρ.
-    pub coupling: [[T; 6]; D],
-    /// Factor⁻¹ × reduced force.
-    pub reduced: [T; D],
+    /// The free curvatures, eliminated.
+    pub reduced: Reduced<T, D>,
     /// Force on the free curvatures before any elimination: the potential's slope.
     pub force: [T; D],
     /// Ψ and J at the right end, free columns.
@@ -258,35 +255,76 @@ fn solve_for<T: Lane, const D: usize, const LOADED: bool>(
     // From root to tip: the root does not move.
     change.clear();
     change.resize(count, [T::zero(); 3]);
-    let (mut psi, mut rho) = (Vec3::<T>::zero(), Vec3::<T>::zero());
-    let (mut descent, mut rotation_squared, mut rotation_sum) = (T::zero(), T::zero(), T::zero());
+    let mut walk = Walk::from_root();
+    let mut descent = T::zero();
     for (index, element) in kinematics.elements.iter().enumerate() {
         let done = &scratch[count - 1 - index];
-        let mut delta = [T::zero(); D];
+        let delta = done.reduced.change(walk.psi, walk.rho);
         for i in (0..D).rev() {
-            let mut value = done.reduced[i];
-            for axis in 0..3 {
-                value -= done.coupling[i][axis] * psi.0[axis] + done.coupling[i][axis + 3] * rho.0[axis];
-            }
-            for k in i + 1..D {
-                value -= done.factor[k][i] * delta[k];
-            }
-            delta[i] = value * done.factor[i][i];
             descent += delta[i] * done.force[i];
             change[index][axes[i]] = delta[i];
         }
-        let (mut next_psi, mut next_rho) = (psi, rho + psi.cross(element.end));
+        walk.pass(element, done, &delta);
+    }
+    walk.direction(descent, repaired)
+}
+
+/// The left end of an element on the pass from root to tip, and the largest rotation so far.
+pub(super) struct Walk<T> {
+    pub psi: Vec3<T>,
+    pub rho: Vec3<T>,
+    rotation_squared: T,
+    rotation_sum: T,
+}
+
+impl<T: Lane> Walk<T> {
+    /// At a root that stays.
+    #[inline(always)]
+    pub fn from_root() -> Self {
+        Self { psi: Vec3::zero(), rho: Vec3::zero(), rotation_squared: T::zero(), rotation_sum: T::zero() }
+    }
+
+    /// Goes on to the next element, past one whose free curvatures change by `delta`.
+    #[inline(always)]
+    pub fn pass<const D: usize>(&mut self, element: &ElementState<T>, done: &Eliminated<T, D>, delta: &[T; D]) {
+        let (mut next_psi, mut next_rho) = (self.psi, self.rho + self.psi.cross(element.end));
         for i in 0..D {
             next_psi += done.psi[i].scale(delta[i]);
             next_rho += done.jacobian[i].scale(delta[i]);
         }
         let turned = next_psi.norm_squared();
-        rotation_squared = rotation_squared.larger(turned);
-        rotation_sum += turned;
-        psi = element.turn.apply_transposed(next_psi);
-        rho = element.turn.apply_transposed(next_rho);
+        self.rotation_squared = self.rotation_squared.larger(turned);
+        self.rotation_sum += turned;
+        self.psi = element.turn.apply_transposed(next_psi);
+        self.rho = element.turn.apply_transposed(next_rho);
     }
-    Direction { descent, rotation_squared, rotation_sum, repaired, condition: 0.0 }
+
+    /// The direction that the changes are.
+    #[inline(always)]
+    pub fn direction(&self, descent: T, repaired: T) -> Direction<T> {
+        let Self { rotation_squared, rotation_sum, .. } = *self;
+        Direction { descent, rotation_squared, rotation_sum, repaired, condition: 0.0 }
+    }
+}
+
+/// What an element's free curvatures meet: their quadratic form with the left end, and what pulls at them.
+struct Meets<T, const D: usize> {
+    /// The curvatures' own part, lower triangle.
+    kk: [[T; D]; D],
+    /// Their coupling to ψ and ρ of the left end.
+    psi_k: [Vec3<T>; D],
+    rho_k: [Vec3<T>; D],
+    /// What pulls at them with all downstream eliminated, and without.
+    reduced: [T; D],
+    force: [T; D],
+    /// The geometric part, of second derivatives.
+    form: CurvatureForm<T>,
+}
+
+/// What the points of an element are to its left end and that is added after the loads.
+struct PointSums<T> {
+    stiffness: T,
+    first_moment: Vec3<T>,
 }
 
 /// Eliminates one element's curvatures: what it and all downstream are to its left end, and what the second pass needs.
@@ -304,108 +342,207 @@ fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
     right.a[3] += system.rotation_stiffness;
     right.a[5] += system.rotation_stiffness;
     let element = &kinematics.elements[index];
-    let (kappa, length, end) = (element.kappa, element.length, element.end);
+    let (kappa, length) = (element.kappa, element.length);
     let theta = kappa.scale(length);
     let z = element.kappa_squared * (length * length);
     let psi = columns(&segment::mean_frame(theta, z, &element.c), axes, length);
     let jacobian = columns(&segment::chord_gradient(theta, z, &element.c), axes, length * length);
 
-    // What is downstream, through δκ: Y = P (Ψ; J), and its couplings, column by column of the free curvatures.
-    let (whole_a, whole_c) = (full(&right.a), full(&right.c));
-    let mut left = right.moved(end);
-    let mut kk = [[T::zero(); D]; D];
-    let mut psi_k = [Vec3::zero(); D];
-    let mut rho_k = [Vec3::zero(); D];
-    let mut reduced = [T::zero(); D];
-    let mut force = [T::zero(); D];
-    for i in 0..D {
-        let y_psi = whole_a.apply(psi[i]) + right.b.apply(jacobian[i]);
-        let y_rho = right.b.apply_transposed(psi[i]) + whole_c.apply(jacobian[i]);
-        for k in 0..=i {
-            kk[i][k] = psi[k].dot(y_psi) + jacobian[k].dot(y_rho);
-        }
-        psi_k[i] = y_psi + end.cross(y_rho);
-        rho_k[i] = y_rho;
-        reduced[i] = psi[i].dot(right.moment) + jacobian[i].dot(right.force);
-        force[i] = psi[i].dot(right.whole_moment) + jacobian[i].dot(right.whole_force);
+    let (mut left, mut meets) = right.through(element, &psi, &jacobian, system.exact);
+    let sums = meets.add_points(&mut left, kinematics, system, axes, index);
+    if LOADED && system.exact {
+        meets.add_tension_of_loads(&mut left, loads, kappa, element.kappa_squared, axes);
     }
-    let mut form = CurvatureForm::zero();
-    if system.exact {
-        let (f, m) = (right.tension_force, right.tension_moment);
-        left.add_tension(f, end);
-        let half_moment = m.scale(T::splat(0.5));
+    if LOADED {
+        meets.add_springs_of_loads(&mut left, loads, axes);
+    }
+    left.b = left.b.add(&Mat3::cross(sums.first_moment));
+    left.c[0] += sums.stiffness;
+    left.c[3] += sums.stiffness;
+    left.c[5] += sums.stiffness;
+
+    let (factor, repair) = meets.factorised(system, kappa, axes, index);
+    let own_force = &system.curvature_force[index];
+    let mut force = meets.force;
+    for i in 0..D {
+        force[i] += own_force[axes[i]];
+    }
+    let reduced = left.reduce(factor, &meets, own_force, axes);
+    (Eliminated { reduced, force, psi, jacobian }, left, repair)
+}
+
+impl<T: Lane> Downstream<T> {
+    /// What is downstream of an element's right end, to its left end, and through its free curvatures: Y = P (Ψ; J), and its couplings.
+    #[inline(always)]
+    fn through<const D: usize>(
+        &self,
+        element: &ElementState<T>,
+        psi: &[Vec3<T>; D],
+        jacobian: &[Vec3<T>; D],
+        exact: bool,
+    ) -> (Self, Meets<T, D>) {
+        let (kappa, length, end) = (element.kappa, element.length, element.end);
+        let (whole_a, whole_c) = (full(&self.a), full(&self.c));
+        let mut left = self.moved(end);
+        let mut kk = [[T::zero(); D]; D];
+        let mut psi_k = [Vec3::zero(); D];
+        let mut rho_k = [Vec3::zero(); D];
+        let mut reduced = [T::zero(); D];
+        let mut force = [T::zero(); D];
         for i in 0..D {
-            psi_k[i] += f.cross(jacobian[i]) + half_moment.cross(psi[i]);
+            let y_psi = whole_a.apply(psi[i]) + self.b.apply(jacobian[i]);
+            let y_rho = self.b.apply_transposed(psi[i]) + whole_c.apply(jacobian[i]);
+            for k in 0..=i {
+                kk[i][k] = psi[k].dot(y_psi) + jacobian[k].dot(y_rho);
+            }
+            psi_k[i] = y_psi + end.cross(y_rho);
+            rho_k[i] = y_rho;
+            reduced[i] = psi[i].dot(self.moment) + jacobian[i].dot(self.force);
+            force[i] = psi[i].dot(self.whole_moment) + jacobian[i].dot(self.whole_force);
         }
-        form.subtract_force(f, kappa, length, element.kappa_squared, &element.c);
-        form.subtract_moment(m, kappa, length, element.kappa_squared, &element.c);
+        let mut form = CurvatureForm::zero();
+        if exact {
+            let (f, m) = (self.tension_force, self.tension_moment);
+            left.add_tension(f, end);
+            let half_moment = m.scale(T::splat(0.5));
+            for i in 0..D {
+                psi_k[i] += f.cross(jacobian[i]) + half_moment.cross(psi[i]);
+            }
+            form.subtract_force(f, kappa, length, element.kappa_squared, &element.c);
+            form.subtract_moment(m, kappa, length, element.kappa_squared, &element.c);
+        }
+        (left, Meets { kk, psi_k, rho_k, reduced, force, form })
     }
 
-    // The element's own points.
-    let per_element = kinematics.points_per_element;
-    let first = index * per_element;
-    let mut stiffness_sum = T::zero();
-    let mut first_moment = Vec3::zero();
-    let mut own = [T::zero(); 6];
-    for p in first..first + per_element {
-        let point = &kinematics.points[p];
-        let stiffness = system.point_stiffness[p];
-        let x = point.local;
-        let s = point.s;
-        let j = segment::chord_gradient(kappa.scale(s), element.kappa_squared * (s * s), &point.c);
-        let j = columns(&j, axes, s * s);
-        let f = element.frame_left.apply_transposed(system.point_force[p]);
-        stiffness_sum += stiffness;
-        let kx = x.scale(stiffness);
-        first_moment += kx;
-        let k_xx = kx.dot(x);
-        own[0] += k_xx - kx.0[0] * x.0[0];
-        own[1] -= kx.0[0] * x.0[1];
-        own[2] -= kx.0[0] * x.0[2];
-        own[3] += k_xx - kx.0[1] * x.0[1];
-        own[4] -= kx.0[1] * x.0[2];
-        own[5] += k_xx - kx.0[2] * x.0[2];
-        // What a rotation of the left end meets: the spring's pull, k x × J, and the tension's, f × J.
-        let mut meets = kx;
-        if system.exact {
-            let f = element.frame_left.apply_transposed(system.tension(p));
-            left.add_tension(f, x);
-            meets += f;
-            form.subtract_force(f, kappa, s, element.kappa_squared, &point.c);
-            left.tension_moment += x.cross(f);
-            left.tension_force += f;
-        }
+    /// Takes an element's freedoms out: their reduced form, and Schur's complement on the left end.
+    #[inline(always)]
+    fn reduce<const D: usize>(
+        &mut self,
+        factor: [[T; D]; D],
+        meets: &Meets<T, D>,
+        own_force: &[T; 3],
+        axes: [usize; D],
+    ) -> Reduced<T, D> {
+        let mut pull = meets.reduced;
         for i in 0..D {
-            let kj = j[i].scale(stiffness);
-            rho_k[i] += kj;
-            for k in 0..=i {
-                kk[i][k] += j[k].dot(kj);
-            }
-            psi_k[i] += meets.cross(j[i]);
-            let jf = j[i].dot(f);
-            reduced[i] += jf;
-            force[i] += jf;
+            pull[i] += own_force[axes[i]];
         }
-        let xf = x.cross(f);
-        left.moment += xf;
-        left.force += f;
-        left.whole_moment += xf;
-        left.whole_force += f;
+        let done = Reduced::new(factor, &meets.psi_k, &meets.rho_k, &pull, [true; D]);
+        for i in 0..D {
+            let w = &done.coupling[i];
+            let y = done.force[i];
+            self.a[0] -= w[0] * w[0];
+            self.a[1] -= w[0] * w[1];
+            self.a[2] -= w[0] * w[2];
+            self.a[3] -= w[1] * w[1];
+            self.a[4] -= w[1] * w[2];
+            self.a[5] -= w[2] * w[2];
+            self.c[0] -= w[3] * w[3];
+            self.c[1] -= w[3] * w[4];
+            self.c[2] -= w[3] * w[5];
+            self.c[3] -= w[4] * w[4];
+            self.c[4] -= w[4] * w[5];
+            self.c[5] -= w[5] * w[5];
+            for row in 0..3 {
+                for column in 0..3 {
+                    self.b.0[row][column] -= w[row] * w[column + 3];
+                }
+                self.moment.0[row] -= w[row] * y;
+                self.force.0[row] -= w[row + 3] * y;
+            }
+        }
+        done
     }
-    for slot in 0..6 {
-        left.a[slot] += own[slot];
+}
+
+impl<T: Lane, const D: usize> Meets<T, D> {
+    /// The element's own points: their springs, forces and tension.
+    #[inline(always)]
+    fn add_points(
+        &mut self,
+        left: &mut Downstream<T>,
+        kinematics: &Kinematics<T>,
+        system: &ChainSystem<T>,
+        axes: [usize; D],
+        index: usize,
+    ) -> PointSums<T> {
+        let element = &kinematics.elements[index];
+        let kappa = element.kappa;
+        let per_element = kinematics.points_per_element;
+        let first = index * per_element;
+        let mut stiffness_sum = T::zero();
+        let mut first_moment = Vec3::zero();
+        let mut own = [T::zero(); 6];
+        for p in first..first + per_element {
+            let point = &kinematics.points[p];
+            let stiffness = system.point_stiffness[p];
+            let x = point.local;
+            let s = point.s;
+            let j = segment::chord_gradient(kappa.scale(s), element.kappa_squared * (s * s), &point.c);
+            let j = columns(&j, axes, s * s);
+            let f = element.frame_left.apply_transposed(system.point_force[p]);
+            stiffness_sum += stiffness;
+            let kx = x.scale(stiffness);
+            first_moment += kx;
+            let k_xx = kx.dot(x);
+            own[0] += k_xx - kx.0[0] * x.0[0];
+            own[1] -= kx.0[0] * x.0[1];
+            own[2] -= kx.0[0] * x.0[2];
+            own[3] += k_xx - kx.0[1] * x.0[1];
+            own[4] -= kx.0[1] * x.0[2];
+            own[5] += k_xx - kx.0[2] * x.0[2];
+            // What a rotation of the left end meets: the spring's pull, k x × J, and the tension's, f × J.
+            let mut meets = kx;
+            if system.exact {
+                let f = element.frame_left.apply_transposed(system.tension(p));
+                left.add_tension(f, x);
+                meets += f;
+                self.form.subtract_force(f, kappa, s, element.kappa_squared, &point.c);
+                left.tension_moment += x.cross(f);
+                left.tension_force += f;
+            }
+            for i in 0..D {
+                let kj = j[i].scale(stiffness);
+                self.rho_k[i] += kj;
+                for k in 0..=i {
+                    self.kk[i][k] += j[k].dot(kj);
+                }
+                self.psi_k[i] += meets.cross(j[i]);
+                let jf = j[i].dot(f);
+                self.reduced[i] += jf;
+                self.force[i] += jf;
+            }
+            let xf = x.cross(f);
+            left.moment += xf;
+            left.force += f;
+            left.whole_moment += xf;
+            left.whole_force += f;
+        }
+        for slot in 0..6 {
+            left.a[slot] += own[slot];
+        }
+        PointSums { stiffness: stiffness_sum, first_moment }
     }
-    if LOADED && system.exact {
+
+    /// The tension of loads, each as a point without stiffness; a lever is a rigid piece downstream of its place, whose force has a moment there.
+    #[inline(always)]
+    fn add_tension_of_loads(
+        &mut self,
+        left: &mut Downstream<T>,
+        loads: &[Load<T>],
+        kappa: Vec3<T>,
+        kappa_squared: T,
+        axes: [usize; D],
+    ) {
         for load in loads {
-            // As a point without stiffness; a lever is a rigid piece downstream of its place, whose force has a moment there.
             let (f, x) = (load.tension, load.local);
             let j = columns(&load.jacobian, axes, T::one());
             left.add_tension(f, x);
             left.tension_moment += x.cross(f);
             left.tension_force += f;
-            form.subtract_force(f, kappa, load.s, element.kappa_squared, &load.c);
+            self.form.subtract_force(f, kappa, load.s, kappa_squared, &load.c);
             for i in 0..D {
-                psi_k[i] += f.cross(j[i]);
+                self.psi_k[i] += f.cross(j[i]);
             }
             if let Some(turning) = &load.turning {
                 let (turning, l) = (columns(turning, axes, T::one()), load.lever);
@@ -413,17 +550,19 @@ fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
                 for i in 0..D {
                     for k in 0..=i {
                         let swing = f.dot(turning[i]) * l.dot(turning[k]) + f.dot(turning[k]) * l.dot(turning[i]);
-                        kk[i][k] += along * turning[i].dot(turning[k]) - half * swing;
+                        self.kk[i][k] += along * turning[i].dot(turning[k]) - half * swing;
                     }
                 }
-                form.subtract_moment(l.cross(f), kappa, load.s, element.kappa_squared, &load.c);
+                self.form.subtract_moment(l.cross(f), kappa, load.s, kappa_squared, &load.c);
             }
         }
     }
-    if LOADED {
+
+    /// The springs of loads: δr = ρ + Sᵀψ + J δκ, S = [x]×; A gains S K Sᵀ, B gains S K.
+    #[inline(always)]
+    fn add_springs_of_loads(&mut self, left: &mut Downstream<T>, loads: &[Load<T>], axes: [usize; D]) {
         for load in loads {
             let Some(k) = &load.stiffness else { continue };
-            // δr = ρ + Sᵀψ + J δκ, S = [x]×: A gains S K Sᵀ, B gains S K.
             let (x, j) = (load.local, columns(&load.jacobian, axes, T::one()));
             let sk = k.crossed_from_left(x);
             let sks = sk.transpose().crossed_from_left(x);
@@ -434,82 +573,37 @@ fn eliminate<T: Lane, const D: usize, const LOADED: bool>(
             left.b = left.b.add(&sk);
             for i in 0..D {
                 let kj = k.apply(j[i]);
-                rho_k[i] += kj;
-                psi_k[i] += x.cross(kj);
+                self.rho_k[i] += kj;
+                self.psi_k[i] += x.cross(kj);
                 for l in 0..=i {
-                    kk[i][l] += j[l].dot(kj);
+                    self.kk[i][l] += j[l].dot(kj);
                 }
             }
         }
     }
-    left.b = left.b.add(&Mat3::cross(first_moment));
-    left.c[0] += stiffness_sum;
-    left.c[3] += stiffness_sum;
-    left.c[5] += stiffness_sum;
 
-    // The pivot of the free curvatures.
-    let own_stiffness = &system.curvature_stiffness[index];
-    let own_force = &system.curvature_force[index];
-    let mut pivot = kk;
-    if system.exact {
-        let form = form.matrix(kappa).0;
+    /// The factor of the free curvatures' pivot, and in which lanes it was repaired.
+    #[inline(always)]
+    fn factorised(&self, system: &ChainSystem<T>, kappa: Vec3<T>, axes: [usize; D], index: usize) -> ([[T; D]; D], T) {
+        let own_stiffness = &system.curvature_stiffness[index];
+        let mut pivot = self.kk;
+        if system.exact {
+            let form = self.form.matrix(kappa).0;
+            for i in 0..D {
+                for k in 0..=i {
+                    pivot[i][k] += form[axes[i]][axes[k]];
+                }
+            }
+        }
+        let mut smallest = own_stiffness[axes[0]];
         for i in 0..D {
-            for k in 0..=i {
-                pivot[i][k] += form[axes[i]][axes[k]];
+            let stiffness = own_stiffness[axes[i]];
+            pivot[i][i] += stiffness;
+            for k in 0..i {
+                pivot[k][i] = pivot[i][k];
             }
+            smallest = T::select(stiffness.less(smallest), stiffness, smallest);
         }
+        factorise(&pivot, smallest)
     }
-    let mut smallest = own_stiffness[axes[0]];
-    for i in 0..D {
-        let stiffness = own_stiffness[axes[i]];
-        pivot[i][i] += stiffness;
-        for k in 0..i {
-            pivot[k][i] = pivot[i][k];
-        }
-        smallest = T::select(stiffness.less(smallest), stiffness, smallest);
-    }
-    let (factor, repair) = factorise(&pivot, smallest);
-
-    let mut done = Eliminated { factor, coupling: [[T::zero(); 6]; D], reduced: [T::zero(); D], force, psi, jacobian };
-    for i in 0..D {
-        done.force[i] += own_force[axes[i]];
-        let ([a, b, c], [d, e, f]) = (psi_k[i].0, rho_k[i].0);
-        let mut row = [a, b, c, d, e, f];
-        let mut value = reduced[i] + own_force[axes[i]];
-        for k in 0..i {
-            for column in 0..6 {
-                row[column] -= factor[i][k] * done.coupling[k][column];
-            }
-            value -= factor[i][k] * done.reduced[k];
-        }
-        for column in 0..6 {
-            done.coupling[i][column] = row[column] * factor[i][i];
-        }
-        done.reduced[i] = value * factor[i][i];
-    }
-    // Schur's complement on the left end.
-    for i in 0..D {
-        let w = &done.coupling[i];
-        let y = done.reduced[i];
-        left.a[0] -= w[0] * w[0];
-        left.a[1] -= w[0] * w[1];
-        left.a[2] -= w[0] * w[2];
-        left.a[3] -= w[1] * w[1];
-        left.a[4] -= w[1] * w[2];
-        left.a[5] -= w[2] * w[2];
-        left.c[0] -= w[3] * w[3];
-        left.c[1] -= w[3] * w[4];
-        left.c[2] -= w[3] * w[5];
-        left.c[3] -= w[4] * w[4];
-        left.c[4] -= w[4] * w[5];
-        left.c[5] -= w[5] * w[5];
-        for row in 0..3 {
-            for column in 0..3 {
-                left.b.0[row][column] -= w[row] * w[column + 3];
-            }
-            left.moment.0[row] -= w[row] * y;
-            left.force.0[row] -= w[row + 3] * y;
-        }
-    }
-    (done, left, repair)
 }

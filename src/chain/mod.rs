@@ -11,6 +11,7 @@
 //! - `force.rs`: Generalised forces: what forces on the points are to the curvatures, f = Σ Jᵀ f_p, in one pass from tip to root.
 //! - `load.rs`: Forces on material points between the quadrature points, and on points held out from the strand by a rigid lever.
 //! - `pivot.rs`: The small symmetric pivots of the elimination: Cholesky's factorisation, and the repair of one that is not positive definite.
+//! - `reduced.rs`: An element's freedoms once they are eliminated, and their changes from the left end's: the forward and the back substitution of the solves.
 //! - `response.rs`: The direction that forces at stations lead strands in whose system is eliminated.
 //! - `system.rs`: The quadratic model of one strand that the linear solves share: what pulls at the quadrature points and at the curvatures.
 
@@ -23,5 +24,6 @@ pub mod elimination;
 pub mod force;
 pub mod load;
 pub mod pivot;
+pub(crate) mod reduced;
 pub mod response;
 pub mod system;
