@@ -2,6 +2,7 @@
 //!
 //! Files:
 //!
+//! - `context.rs`: What an integrator works on: strands side by side, what acts on them, where their step is taken, and how it goes.
 //! - `damping.rs`: How strongly Newton's iteration holds the rotations back: Levenberg's and Marquardt's parameter λ, in N·m/rad, and its memory.
 //! - `dynamics.rs`: The equations of motion in the curvatures, M(q) q̈ = f(q, q̇, t), as a residual and its derivatives.
 //! - `equilibrium.rs`: Static equilibrium: the shape in which a strand rests under gravity, a minimum of ½ (q−qⁿ)ᵀK(q−qⁿ) − Σ w ρS g·r(q).
@@ -31,6 +32,7 @@
 //! - `whole.rs`: A step in one piece of strands side by side: taken in the workspace, and made their state only where that is wanted.
 //! - `workspace.rs`: The scratch memory of a step, one a worker, kept between strands and steps so that nothing is allocated once it has grown.
 
+pub mod context;
 pub mod damping;
 pub mod dynamics;
 pub mod equilibrium;
