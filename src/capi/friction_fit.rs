@@ -348,7 +348,7 @@ impl shx_friction_fit_def {
     }
 }
 
-/// The study names its own arguments: the same errors in the names of shx_fit_friction.
+/// The analysis names its own arguments: the same errors in the names of shx_fit_friction.
 fn in_words_of_c(error: Error) -> Error {
     let rename = |argument: String| {
         for (ours, theirs) in [

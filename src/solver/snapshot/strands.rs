@@ -73,23 +73,12 @@ impl Writer {
 
     /// A strand's constants and state; the identifier stands apart.
     pub fn strand(&mut self, strand: &Strand) {
-        let (model, state, material) = (&strand.model, &strand.state, &strand.model.material);
+        let (model, state) = (&strand.model, &strand.state);
         self.u64(strand.user_data);
         self.u64(model.element_count() as u64);
         model.lengths.iter().for_each(|length| self.f64(*length));
         self.rows(&model.natural);
-        for value in [
-            material.radius[0],
-            material.radius[1],
-            material.density,
-            material.youngs_modulus,
-            material.poisson_ratio,
-            material.internal_friction,
-            material.viscosity,
-            material.air_drag,
-        ] {
-            self.f64(value);
-        }
+        model.material.values().into_iter().for_each(|value| self.f64(value));
         self.u32(model.freedoms.bits());
         self.rows(&state.curvatures);
         self.rows(&state.rates);
@@ -198,15 +187,11 @@ impl Reader<'_> {
         }
         let lengths = (0..count).map(|_| self.f64()).collect::<Result<Vec<f64>>>()?;
         let natural = self.rows(count)?;
-        let material = Material {
-            radius: [self.f64()?, self.f64()?],
-            density: self.f64()?,
-            youngs_modulus: self.f64()?,
-            poisson_ratio: self.f64()?,
-            internal_friction: self.f64()?,
-            viscosity: self.f64()?,
-            air_drag: self.f64()?,
-        };
+        let mut values = [0.0; 8];
+        for value in &mut values {
+            *value = self.f64()?;
+        }
+        let material = Material::of_values(values);
         material.check("material").map_err(|error| of_part("a strand", &error))?;
         let freedoms = Freedoms::from_bits("freedoms", self.u32()?).map_err(|error| of_part("a strand", &error))?;
         let curvatures = self.rows(count)?;
